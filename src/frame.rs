@@ -1,0 +1,101 @@
+//! The seam between CPU and GPU: one picture as plain data.
+//!
+//! A [`Frame`] says all that the renderer needs and nothing of where it came from: camera matrices, shapes in world space,
+//! ghosts, lines, dots, the arcball. Tests of scenes stop here; only tests of pixels need an adapter.
+
+use glam::{Affine3A, Mat4, Vec3, Vec4};
+
+use crate::scene::MeshKind;
+
+/// Camera matrices of one picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct View {
+    /// World space to eye space (−Z forward, Y up); rigid.
+    pub eye_from_world: Affine3A,
+    /// The inverse of `eye_from_world`.
+    pub world_from_eye: Affine3A,
+    /// Eye space to clip space: right-handed perspective, infinite far plane, **reversed** depth (1 at the near plane, 0 at infinity).
+    pub clip_from_eye: Mat4,
+    /// Vertical field of view in radians.
+    pub vertical_fov: f32,
+    /// Width over height of the picture.
+    pub aspect: f32,
+}
+
+/// One shape, ready to be drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DrawItem {
+    /// Which mesh.
+    pub mesh: MeshKind,
+    /// Shape space to world space, any affine.
+    pub world_from_shape: Affine3A,
+    /// Half the shape's extents in shape space ([`crate::scene::Shape::half_extents`]).
+    pub half_extents: Vec3,
+    /// Radius of rounded edges in shape space ([`crate::scene::Shape::rounding`]).
+    pub rounding: f32,
+    /// Linear-light colour, 0 to 1.
+    pub colour: Vec3,
+    /// The scene's node: what an identity picture shows.
+    pub node: u32,
+    /// Whether it belongs to the chosen node, which gets an outline in the accent colour.
+    pub outlined: bool,
+}
+
+/// A translucent, outlined copy of a shape, drawn over the scene without a shadow.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ghost {
+    /// Its geometry; `colour` is its tint and `outlined` is not looked at.
+    pub item: DrawItem,
+    /// Opacity of the fill, 0 to 1.
+    pub opacity: f32,
+}
+
+/// A straight line in the scene, hidden by what is in front of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Line {
+    /// One end, in world space.
+    pub from_in_world: Vec3,
+    /// The other end, in world space.
+    pub to_in_world: Vec3,
+    /// Linear-light red, green, blue, and opacity.
+    pub colour: Vec4,
+    /// Width in pixels.
+    pub width_px: f32,
+}
+
+/// A round dot in the scene, always facing the eye and never hidden.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Dot {
+    /// Its centre, in world space.
+    pub centre_in_world: Vec3,
+    /// Linear-light red, green, blue, and opacity.
+    pub colour: Vec4,
+    /// Diameter in pixels.
+    pub diameter_px: f32,
+}
+
+/// The ball that a drag turns, drawn as a thin wire sphere.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ArcballMark {
+    /// Its centre, in world space.
+    pub centre_in_world: Vec3,
+    /// Its radius, in scene units.
+    pub radius: f32,
+}
+
+/// One picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Frame {
+    /// The camera.
+    pub view: View,
+    /// Opaque shapes.
+    pub items: Vec<DrawItem>,
+    /// Translucent shapes.
+    pub ghosts: Vec<Ghost>,
+    /// Lines, such as the motion path.
+    pub lines: Vec<Line>,
+    /// Dots, such as the keyframes on the motion path.
+    pub dots: Vec<Dot>,
+    /// The arcball, where it is shown.
+    pub arcball: Option<ArcballMark>,
+}

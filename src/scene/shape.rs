@@ -1,0 +1,142 @@
+//! Shapes: the geometry under RBT nodes, as dimensions and a colour. No meshes here; those are the renderer's.
+
+use glam::{Affine3A, Vec3};
+
+/// A solid in its own shape space: centred at the origin, its axis along Y. Lengths in scene units, all positive.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Shape {
+    /// A box with rounded edges.
+    Box {
+        /// Full extents along x, y and z.
+        size: Vec3,
+        /// Radius of the rounded edges, at most half the smallest extent.
+        bevel: f32,
+    },
+    /// A ball.
+    Sphere {
+        /// Radius.
+        radius: f32,
+    },
+    /// A cylinder along Y.
+    Cylinder {
+        /// Radius.
+        radius: f32,
+        /// Full height.
+        height: f32,
+    },
+    /// A cone along Y, its apex up.
+    Cone {
+        /// Radius of the base.
+        radius: f32,
+        /// Full height.
+        height: f32,
+    },
+    /// A cylinder along Y with a half ball at each end.
+    Capsule {
+        /// Radius.
+        radius: f32,
+        /// Full height, both caps included; at least twice the radius.
+        height: f32,
+    },
+    /// A flat square in the plane y = 0, seen from above; it carries the grid that fades with distance.
+    Plane {
+        /// Full extents along x and z.
+        size: [f32; 2],
+    },
+}
+
+/// The six meshes that every shape is an instance of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum MeshKind {
+    /// [`Shape::Box`].
+    Box,
+    /// [`Shape::Sphere`].
+    Sphere,
+    /// [`Shape::Cylinder`].
+    Cylinder,
+    /// [`Shape::Cone`].
+    Cone,
+    /// [`Shape::Capsule`].
+    Capsule,
+    /// [`Shape::Plane`].
+    Plane,
+}
+
+impl MeshKind {
+    /// All of them, in drawing order.
+    pub const ALL: [Self; 6] = [Self::Box, Self::Sphere, Self::Cylinder, Self::Cone, Self::Capsule, Self::Plane];
+}
+
+impl Shape {
+    /// Which mesh this shape is an instance of.
+    #[must_use]
+    pub fn mesh(&self) -> MeshKind {
+        match self {
+            Self::Box { .. } => MeshKind::Box,
+            Self::Sphere { .. } => MeshKind::Sphere,
+            Self::Cylinder { .. } => MeshKind::Cylinder,
+            Self::Cone { .. } => MeshKind::Cone,
+            Self::Capsule { .. } => MeshKind::Capsule,
+            Self::Plane { .. } => MeshKind::Plane,
+        }
+    }
+
+    /// Half the extents of the axis-aligned box around the shape, in shape space. A plane's is 0 along y.
+    #[must_use]
+    pub fn half_extents(&self) -> Vec3 {
+        match *self {
+            Self::Box { size, .. } => size * 0.5,
+            Self::Sphere { radius } => Vec3::splat(radius),
+            Self::Cylinder { radius, height } | Self::Cone { radius, height } | Self::Capsule { radius, height } => {
+                Vec3::new(radius, height * 0.5, radius)
+            }
+            Self::Plane { size: [x, z] } => Vec3::new(x * 0.5, 0.0, z * 0.5),
+        }
+    }
+
+    /// The radius by which edges are rounded: a box's bevel, a ball's and a capsule's radius; 0 for the others.
+    #[must_use]
+    pub fn rounding(&self) -> f32 {
+        match *self {
+            Self::Box { bevel, .. } => bevel,
+            Self::Sphere { radius } | Self::Capsule { radius, .. } => radius,
+            Self::Cylinder { .. } | Self::Cone { .. } | Self::Plane { .. } => 0.0,
+        }
+    }
+}
+
+/// A colour as files and people write it: red, green and blue in sRGB, each from 0 to 1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Colour(pub Vec3);
+
+impl Colour {
+    /// Linear-light red, green and blue, 0 to 1 (IEC 61966-2-1).
+    #[must_use]
+    pub fn to_linear(self) -> Vec3 {
+        let channel = |c: f32| if c <= 0.040_45 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) };
+        Vec3::new(channel(self.0.x), channel(self.0.y), channel(self.0.z))
+    }
+
+    /// The colour that `#rrggbb` means.
+    #[must_use]
+    pub fn from_hex(text: &str) -> Option<Self> {
+        let digits = text.strip_prefix('#')?;
+        if digits.len() != 6 || !digits.bytes().all(|b| b.is_ascii_hexdigit()) {
+            return None;
+        }
+        let value = u32::from_str_radix(digits, 16).ok()?;
+        let channel = |shift: u32| f32::from(u8::try_from((value >> shift) & 0xff).unwrap_or(0)) / 255.0;
+        Some(Self(Vec3::new(channel(16), channel(8), channel(0))))
+    }
+}
+
+/// A shape with its colour and its place under the node that carries it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlacedShape {
+    /// The solid.
+    pub shape: Shape,
+    /// Its colour.
+    pub colour: Colour,
+    /// Where it is, with any scale: shape space to the parent node's space.
+    pub parent_from_shape: Affine3A,
+}
