@@ -3,6 +3,8 @@
 //! A [`Frame`] says all that the renderer needs and nothing of where it came from: camera matrices, shapes in world space,
 //! ghosts, lines, dots, the arcball. Tests of scenes stop here; only tests of pixels need an adapter.
 
+mod build;
+
 use glam::{Affine3A, Mat4, Vec3, Vec4};
 
 use crate::scene::MeshKind;

@@ -1,5 +1,13 @@
 //! Inbetween, a desktop 3D keyframe animator.
 
+pub mod camera;
+pub mod clock;
+pub mod editor;
+pub mod frame;
+pub mod interpolation;
+pub mod json;
+pub mod keyframe;
+pub mod pose;
 pub mod rbt;
 pub mod scene;
-pub mod frame;
+pub mod storage;

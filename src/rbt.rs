@@ -101,10 +101,7 @@ impl std::ops::Mul for Rbt {
 
     /// `a_from_c = a_from_b * b_from_c`.
     fn mul(self, b_from_c: Self) -> Self {
-        Self {
-            translation: self.transform_point(b_from_c.translation),
-            rotation: self.rotation * b_from_c.rotation,
-        }
+        Self { translation: self.transform_point(b_from_c.translation), rotation: self.rotation * b_from_c.rotation }
     }
 }
 

@@ -1,0 +1,249 @@
+//! The editor: the one owner of all state, and the one door to it.
+//!
+//! [`Command`]s go in through [`Editor::apply`], ticks through [`Editor::tick`]; what the shell must do comes out as [`Effect`]s, and
+//! its outcome comes back as text. The editor knows no window, no GPU, no file system and no clock, so it cannot fail because of them.
+
+mod apply;
+mod command;
+mod document;
+mod error;
+mod files;
+mod history;
+pub mod keymap;
+mod manipulate;
+mod playback;
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+pub use command::{Command, Edit, Effect, FileCommand, GestureCommand, PlaybackCommand, ViewCommand};
+pub use document::Document;
+pub use error::CommandError;
+pub use history::MOST_STEPS;
+pub use manipulate::{DragKind, Manipulation};
+
+use crate::keyframe::PlayRange;
+use crate::pose::{Pose, RbtIndex};
+use crate::scene::{Ray, SceneGraph};
+use history::History;
+use playback::Playback;
+
+/// How a message is meant.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Severity {
+    /// Something was done.
+    #[default]
+    Information,
+    /// Something was refused or failed.
+    Error,
+}
+
+/// The last thing that the editor said: one or two sentences, or nothing.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Message {
+    /// The sentences; empty where nothing was said.
+    pub text: String,
+    /// How they are meant.
+    pub severity: Severity,
+}
+
+/// What the sky camera moves about, with the sky as eye and no node chosen.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum SkyMode {
+    /// The world's centre.
+    #[default]
+    WorldCentre,
+    /// The eye itself.
+    Eye,
+}
+
+/// How the scene is looked at and handled: not in the file, and not undone.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Session {
+    /// The node that drags move; `None`: the eye.
+    pub chosen: Option<RbtIndex>,
+    /// The place of the eye in the scene's eyes.
+    pub eye: usize,
+    /// What the sky camera moves about.
+    pub sky_mode: SkyMode,
+    /// Whether the next click in the view chooses a node.
+    pub is_picking: bool,
+    /// Whether the arcball is drawn.
+    pub shows_arcball: bool,
+    /// Whether the help is shown.
+    pub shows_help: bool,
+    /// Whether the panels are shown.
+    pub shows_panels: bool,
+}
+
+/// All state of the program but the window's.
+#[derive(Clone, Debug)]
+pub struct Editor {
+    scene: Arc<SceneGraph>,
+    document: Document,
+    history: History,
+    session: Session,
+    playback: Playback,
+    /// The document before the drag that is going on.
+    gesture: Option<Document>,
+    message: Message,
+    path: PathBuf,
+    /// The document as the file has it, where it was read or written; before that, the empty one.
+    saved: Document,
+    is_file_known: bool,
+}
+
+impl Editor {
+    /// An editor of a scene at rest, with no keyframes, whose keyframe file is `path`.
+    #[must_use]
+    pub fn new(scene: Arc<SceneGraph>, path: PathBuf) -> Self {
+        let document = Document::new(scene.rest_pose().clone());
+        Self {
+            saved: document.clone(),
+            document,
+            history: History::default(),
+            session: Session {
+                chosen: None,
+                eye: 0,
+                sky_mode: SkyMode::default(),
+                is_picking: false,
+                shows_arcball: true,
+                shows_help: false,
+                shows_panels: true,
+            },
+            playback: Playback::default(),
+            gesture: None,
+            message: Message::default(),
+            path,
+            is_file_known: false,
+            scene,
+        }
+    }
+
+    /// The scene.
+    #[must_use]
+    pub const fn scene(&self) -> &Arc<SceneGraph> {
+        &self.scene
+    }
+
+    /// The document: keyframes, live pose, interpolation, ms between keyframes.
+    #[must_use]
+    pub const fn document(&self) -> &Document {
+        &self.document
+    }
+
+    /// How the scene is looked at and handled.
+    #[must_use]
+    pub const fn session(&self) -> &Session {
+        &self.session
+    }
+
+    /// The last thing said.
+    #[must_use]
+    pub const fn message(&self) -> &Message {
+        &self.message
+    }
+
+    /// The keyframe file: what `i` reads and `w` writes.
+    #[must_use]
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Whether the keyframes, the interpolation or the ms between keyframes differ from what the file holds.
+    #[must_use]
+    pub fn has_unsaved_changes(&self) -> bool {
+        !self.document.same_file_as(&self.saved)
+    }
+
+    /// Whether the robots stand in a pose that no keyframe holds; the eyes' own places do not count.
+    #[must_use]
+    pub fn has_unsaved_posing(&self) -> bool {
+        let kept = self.document.keyframes.current_keyframe().map_or(self.scene.rest_pose(), |keyframe| &keyframe.pose);
+        let sky = self.scene.eyes()[0];
+        self.scene.rbt_indices().any(|rbt| rbt != sky && kept.get(rbt) != self.document.live_pose.get(rbt))
+    }
+
+    /// Whether something plays; paused is not playing.
+    #[must_use]
+    pub const fn is_playing(&self) -> bool {
+        matches!(self.playback, Playback::Playing(_))
+    }
+
+    /// Whether playing was paused and can go on.
+    #[must_use]
+    pub const fn is_paused(&self) -> bool {
+        matches!(self.playback, Playback::Paused(_))
+    }
+
+    /// Whether a drag is going on.
+    #[must_use]
+    pub const fn is_dragging(&self) -> bool {
+        self.gesture.is_some()
+    }
+
+    /// The key time that plays or is paused at.
+    #[must_use]
+    pub fn key_time(&self) -> Option<f64> {
+        match &self.playback {
+            Playback::Stopped => None,
+            Playback::Playing(position) | Playback::Paused(position) => Some(position.key_time()),
+        }
+    }
+
+    /// What is on screen: a sample while playing, otherwise the live pose.
+    #[must_use]
+    pub fn displayed_pose(&self) -> Pose {
+        if let Playback::Playing(position) = &self.playback
+            && let Ok(range) = PlayRange::new(&self.document.keyframes)
+            && let Ok(pose) = range.pose_at(clamp_to_range(position.key_time(), &range), self.document.interpolation)
+        {
+            return pose;
+        }
+        self.document.live_pose.clone()
+    }
+
+    /// The RBT node that is looked from.
+    #[must_use]
+    pub fn eye(&self) -> RbtIndex {
+        self.scene.eyes()[self.session.eye]
+    }
+
+    /// The node that a ray through the view meets: what a click there would choose.
+    #[must_use]
+    pub fn node_under(&self, ray: Ray) -> Option<RbtIndex> {
+        self.scene.pick(&self.displayed_pose(), ray)?.rbt
+    }
+
+    /// What the next undo would take back, as in "new keyframe".
+    #[must_use]
+    pub fn undo_label(&self) -> Option<&'static str> {
+        self.history.undo_label()
+    }
+
+    /// What the next redo would bring back.
+    #[must_use]
+    pub fn redo_label(&self) -> Option<&'static str> {
+        self.history.redo_label()
+    }
+
+    /// Takes in ticks of the animation clock. Says whether the picture may have changed.
+    pub fn tick(&mut self, ticks: u64) -> bool {
+        let Playback::Playing(position) = &mut self.playback else { return false };
+        position.advance(ticks);
+        let has_ended = match PlayRange::new(&self.document.keyframes) {
+            Ok(range) => position.has_reached(range.last_key_time()),
+            Err(_) => true,
+        };
+        if has_ended {
+            self.end_playback();
+            self.message = Message { text: "Played to the end.".to_owned(), severity: Severity::Information };
+        }
+        ticks > 0
+    }
+}
+
+#[expect(clippy::cast_precision_loss, reason = "no list has 2^52 keyframes")]
+fn clamp_to_range(key_time: f64, range: &PlayRange<'_>) -> f64 {
+    key_time.min(range.last_key_time() as f64)
+}

@@ -1,0 +1,108 @@
+//! Why a command was refused: sentences for the status line, the trace and the log.
+
+use std::path::PathBuf;
+
+use thiserror::Error;
+
+use crate::keyframe::KeyframeFileError;
+
+/// A command that did nothing, and why.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum CommandError {
+    /// There is no current keyframe.
+    #[error("No keyframe is defined yet. Press n to create one.")]
+    NoKeyframe,
+    /// There is nothing to delete.
+    #[error("The list is empty: there is no keyframe to delete.")]
+    NothingToDelete,
+    /// There is no keyframe in that place.
+    #[error("There is no keyframe {index}: {}", range_sentence(*.count))]
+    NoSuchKeyframe {
+        /// The place asked for.
+        index: usize,
+        /// How many there are.
+        count: usize,
+    },
+    /// The list is too short to play.
+    #[error("Fewer than 4 keyframes: nothing to play yet. Press n to add one.")]
+    TooFewToPlay,
+    /// The command cannot be done while playing.
+    #[error("Cannot {what} while playing. Press y to stop or Shift+P to pause first.")]
+    WhilePlaying {
+        /// What was asked, as in "delete a keyframe".
+        what: &'static str,
+    },
+    /// Pausing needs something that plays.
+    #[error("Nothing is playing. Press y to play.")]
+    NothingPlaying,
+    /// A movement needs a node.
+    #[error("No node is chosen. Choose one first: p and a click, Ctrl+click, or the list of nodes.")]
+    NothingChosen,
+    /// The scene has no such node or eye.
+    #[error("The scene has no such {what}.")]
+    NotInScene {
+        /// `node` or `eye`.
+        what: &'static str,
+    },
+    /// A number is not finite, or a rotation has no direction.
+    #[error("That is not a {what}: nothing was changed.")]
+    NotAValue {
+        /// `position` or `rotation`.
+        what: &'static str,
+    },
+    /// Undo and redo wait for the end of a drag.
+    #[error("Finish the drag first, or press Escape to take it back.")]
+    DuringDrag,
+    /// There is no drag to go on with.
+    #[error("There is no drag to go on with.")]
+    NoDrag,
+    /// There is nothing to undo.
+    #[error("There is nothing to undo.")]
+    NothingToUndo,
+    /// There is nothing to redo.
+    #[error("There is nothing to redo.")]
+    NothingToRedo,
+    /// The sky modes are for the sky camera with nothing chosen.
+    #[error("The two ways to move the sky camera need the sky as eye and no node chosen.")]
+    NoSkyMode,
+    /// The keyframe file could not be read.
+    #[error("{}: {reason}", path.display())]
+    Read {
+        /// Which file.
+        path: PathBuf,
+        /// Why.
+        reason: String,
+    },
+    /// The keyframe file is wrong.
+    #[error("{}: {}{}", path.display(), .problems.first().map(ToString::to_string).unwrap_or_default(), more_sentence(.problems.len()))]
+    File {
+        /// Which file.
+        path: PathBuf,
+        /// What is wrong with it; never empty.
+        problems: Vec<KeyframeFileError>,
+    },
+    /// A file could not be written.
+    #[error("{}: {reason}", path.display())]
+    Write {
+        /// Which file.
+        path: PathBuf,
+        /// Why.
+        reason: String,
+    },
+}
+
+fn range_sentence(count: usize) -> String {
+    match count {
+        0 => "the list is empty.".to_owned(),
+        1 => "the only one is 0.".to_owned(),
+        _ => format!("they are 0 to {}.", count - 1),
+    }
+}
+
+fn more_sentence(problems: usize) -> String {
+    match problems {
+        0 | 1 => String::new(),
+        2 => " (and 1 more problem)".to_owned(),
+        _ => format!(" (and {} more problems)", problems - 1),
+    }
+}

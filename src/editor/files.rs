@@ -1,0 +1,134 @@
+//! What file commands ask of the shell, and what becomes of the outcome.
+
+use std::path::{Path, PathBuf};
+
+use super::{CommandError, Editor, Effect, FileCommand};
+use crate::keyframe::{KeyframeList, keyframes_from_json, keyframes_to_json};
+
+impl Editor {
+    pub(super) fn file(&mut self, command: FileCommand) -> Result<(String, Vec<Effect>), CommandError> {
+        let effect = match command {
+            FileCommand::Import => {
+                self.refuse_while_playing("import")?;
+                self.commit_gesture();
+                Effect::ReadKeyframes { path: self.path.clone() }
+            }
+            FileCommand::Open(path) => {
+                self.refuse_while_playing("open a file")?;
+                self.commit_gesture();
+                Effect::ReadKeyframes { path }
+            }
+            FileCommand::Write => self.write_effect(self.path.clone()),
+            FileCommand::SaveAs(path) => self.write_effect(path),
+            FileCommand::ChooseOpen => {
+                self.refuse_while_playing("open a file")?;
+                Effect::ChooseOpen
+            }
+            FileCommand::ChooseSaveAs => Effect::ChooseSaveAs,
+            FileCommand::Screenshot(path) => Effect::Screenshot { path },
+            FileCommand::Quit => Effect::Quit,
+        };
+        Ok((String::new(), vec![effect]))
+    }
+
+    fn write_effect(&mut self, path: PathBuf) -> Effect {
+        self.commit_gesture();
+        let document = &self.document;
+        Effect::WriteKeyframes {
+            is_known: self.is_file_known && path == self.path,
+            path,
+            text: keyframes_to_json(
+                &self.scene,
+                &document.keyframes,
+                document.interpolation,
+                document.ms_between_keyframes,
+            ),
+        }
+    }
+
+    /// Takes in a keyframe file that was read, or why it could not be. It becomes the file that is written.
+    ///
+    /// # Errors
+    /// Why nothing was imported; the list is as it was then.
+    pub fn keyframes_read(&mut self, path: &Path, bytes: Result<Vec<u8>, String>) -> Result<(), CommandError> {
+        let outcome = self.import(path, bytes);
+        match &outcome {
+            Ok(text) => self.say(text.clone()),
+            Err(error) => self.say_error(error),
+        }
+        outcome.map(|_| ())
+    }
+
+    fn import(&mut self, path: &Path, bytes: Result<Vec<u8>, String>) -> Result<String, CommandError> {
+        self.refuse_while_playing("import")?;
+        let path = path.to_owned();
+        let bytes = bytes.map_err(|reason| CommandError::Read { path: path.clone(), reason })?;
+        let file = keyframes_from_json(&bytes, &self.scene)
+            .map_err(|problems| CommandError::File { path: path.clone(), problems })?;
+        let count = file.keyframes.len();
+        self.replace_keyframes("import", |document| {
+            document.interpolation = file.interpolation.unwrap_or(document.interpolation);
+            document.ms_between_keyframes = file.ms_between_keyframes.unwrap_or(document.ms_between_keyframes);
+            Self::list_with_first_current(document, KeyframeList::new(file.keyframes));
+        });
+        let text = format!("Imported {} from {}.", keyframes_counted(count), path.display());
+        self.is_now_saved_in(path);
+        Ok(text)
+    }
+
+    /// Takes in that the keyframe file was written, or why it could not be. It becomes the file that is written.
+    ///
+    /// `kept` is where the shell put what stood in the file before, if it kept that.
+    ///
+    /// # Errors
+    /// Why the file is as it was.
+    pub fn keyframes_written(
+        &mut self,
+        path: &Path,
+        outcome: Result<Option<PathBuf>, String>,
+    ) -> Result<(), CommandError> {
+        match outcome {
+            Ok(kept) => {
+                let count = keyframes_counted(self.document.keyframes.len());
+                let kept =
+                    kept.map_or_else(String::new, |kept| format!(" What it held before is in {}.", kept.display()));
+                self.say(format!("Wrote {count} to {}.{kept}", path.display()));
+                self.is_now_saved_in(path.to_owned());
+                Ok(())
+            }
+            Err(reason) => {
+                let error = CommandError::Write { path: path.to_owned(), reason };
+                self.say_error(&error);
+                Err(error)
+            }
+        }
+    }
+
+    /// Takes in where the screenshot was written, or why it could not be.
+    ///
+    /// # Errors
+    /// Why there is no picture.
+    pub fn screenshot_taken(&mut self, path: &Path, outcome: Result<(), String>) -> Result<(), CommandError> {
+        match outcome {
+            Ok(()) => {
+                self.say(format!("Screenshot: {}.", path.display()));
+                Ok(())
+            }
+            Err(reason) => {
+                let error = CommandError::Write { path: path.to_owned(), reason };
+                self.say_error(&error);
+                Err(error)
+            }
+        }
+    }
+
+    fn is_now_saved_in(&mut self, path: PathBuf) {
+        self.path = path;
+        self.saved = self.document.clone();
+        self.is_file_known = true;
+    }
+}
+
+fn keyframes_counted(count: usize) -> String {
+    if count == 1 { "1 keyframe".to_owned() } else { format!("{count} keyframes") }
+}

@@ -1,0 +1,155 @@
+//! Moving the node at hand: "do M to O with respect to A" (Gortler, chapters 4 and 8).
+//!
+//! O is the chosen node, or the eye. A, the auxiliary frame, has the translation of O and the rotation of the eye, so that a drag to
+//! the right moves to the right on screen and turns happen about the node's own centre. The eye itself moves ego-style, by its own
+//! frame; the sky camera can move about the world's centre instead.
+
+use glam::{Quat, Vec2, Vec3};
+
+use super::{Editor, SkyMode};
+use crate::camera::{Arcball, Camera};
+use crate::pose::RbtIndex;
+use crate::rbt::Rbt;
+
+/// Radius of the arcball, as a part of the view's smaller side.
+const ARCBALL_RADIUS: f32 = 0.25;
+/// Depth that counts for moving the eye itself, in scene units.
+const EGO_DEPTH: f32 = 4.0;
+/// How much of the depth one notch of the wheel goes.
+const WHEEL_STEP: f32 = 0.08;
+
+/// What a drag does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DragKind {
+    /// Turns, by the arcball.
+    Rotate,
+    /// Moves in the view's plane.
+    Translate,
+    /// Moves along the view.
+    Dolly,
+}
+
+/// How the node at hand is moved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Style {
+    /// A node other than the eye, by the arcball around it.
+    Node,
+    /// The sky camera about the world's centre: the world seems to be dragged, so the motion is inverted.
+    Orbit,
+    /// The eye by its own frame: turns are inverted, so that what is under the pointer stays there.
+    Ego,
+}
+
+/// The node at hand, its auxiliary frame and its arcball: what a drag needs to become a motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Manipulation {
+    style: Style,
+    camera: Camera,
+    /// The ball that a drag turns; `None` where the eye turns by itself, or the centre is out of sight.
+    pub arcball: Option<Arcball>,
+    /// The centre of the ball in world space, and its radius in scene units.
+    pub arcball_in_world: Option<(Vec3, f32)>,
+    /// Scene units for each pixel of a drag.
+    units_per_pixel: f32,
+}
+
+impl Manipulation {
+    /// The motion M for a drag from one pixel to another (origin at the view's top left, y down), in the auxiliary frame.
+    #[must_use]
+    pub fn motion(&self, kind: DragKind, from_px: Vec2, to_px: Vec2) -> Rbt {
+        let by_px = to_px - from_px;
+        let motion = match kind {
+            DragKind::Rotate => Rbt::from_rotation(self.rotation(from_px, to_px)),
+            DragKind::Translate => Rbt::from_translation(Vec3::new(by_px.x, -by_px.y, 0.0) * self.units_per_pixel),
+            DragKind::Dolly => Rbt::from_translation(Vec3::new(0.0, 0.0, by_px.y) * self.units_per_pixel),
+        };
+        match (self.style, kind) {
+            (Style::Orbit, _) | (Style::Ego, DragKind::Rotate) => motion.inverse(),
+            (Style::Node | Style::Ego, _) => motion,
+        }
+    }
+
+    /// The motion M for turns of the wheel: up is positive and moves the node at hand forward along the view.
+    #[must_use]
+    pub fn wheel(&self, notches: f32) -> Rbt {
+        let depth = self.units_per_pixel / self.camera.units_per_pixel_at_unit_depth();
+        Rbt::from_translation(Vec3::new(0.0, 0.0, -notches * WHEEL_STEP * depth))
+    }
+
+    fn rotation(&self, from_px: Vec2, to_px: Vec2) -> Quat {
+        if let Some(arcball) = self.arcball {
+            return arcball.rotation(from_px, to_px);
+        }
+        let radians = (to_px - from_px) * self.camera.vertical_fov / self.camera.size_px.y;
+        Quat::from_rotation_x(radians.y) * Quat::from_rotation_y(radians.x)
+    }
+}
+
+impl Editor {
+    /// The node that a drag moves: the chosen one, or the eye.
+    #[must_use]
+    pub fn node_at_hand(&self) -> RbtIndex {
+        self.session.chosen.unwrap_or_else(|| self.eye())
+    }
+
+    /// The camera of what is displayed, for a picture of this size in pixels.
+    #[must_use]
+    pub fn camera(&self, size_px: Vec2) -> Camera {
+        Camera {
+            world_from_eye: self.scene.world_from_rbt(&self.displayed_pose(), self.eye()),
+            vertical_fov: self.scene.vertical_fov(),
+            size_px,
+        }
+    }
+
+    fn style(&self) -> Style {
+        if self.node_at_hand() != self.eye() {
+            Style::Node
+        } else if self.session.eye == 0
+            && self.session.chosen.is_none()
+            && self.session.sky_mode == SkyMode::WorldCentre
+        {
+            Style::Orbit
+        } else {
+            Style::Ego
+        }
+    }
+
+    /// How a drag in a view of this camera moves the node at hand.
+    #[must_use]
+    pub fn manipulation(&self, camera: &Camera) -> Manipulation {
+        let style = self.style();
+        let centre_in_world = match style {
+            Style::Node => Some(self.scene.world_from_rbt(&self.displayed_pose(), self.node_at_hand()).translation),
+            Style::Orbit => Some(Vec3::ZERO),
+            Style::Ego => None,
+        };
+        let unit = camera.units_per_pixel_at_unit_depth();
+        let seen = centre_in_world.and_then(|centre| camera.project(centre).map(|seen| (centre, seen)));
+        let radius_px = ARCBALL_RADIUS * camera.size_px.min_element();
+        let units_per_pixel = unit * seen.map_or(EGO_DEPTH, |(_, (_, depth))| depth);
+        Manipulation {
+            style,
+            camera: *camera,
+            arcball: seen.map(|(_, (centre_px, _))| Arcball { centre_px, radius_px }),
+            arcball_in_world: seen.map(|(centre, _)| (centre, radius_px * units_per_pixel)),
+            units_per_pixel,
+        }
+    }
+
+    /// The node at hand after a motion with respect to its auxiliary frame: a new `parent_from_node`.
+    pub(super) fn moved(&self, motion: Rbt) -> Rbt {
+        let pose = &self.document.live_pose;
+        let object = self.node_at_hand();
+        let world_from_parent = self.scene.world_from_parent(pose, object);
+        let world_from_object = self.scene.world_from_rbt(pose, object);
+        let world_from_eye = self.scene.world_from_rbt(pose, self.eye());
+        let world_from_auxiliary = match self.style() {
+            Style::Node => Rbt::new(world_from_object.translation, world_from_eye.rotation),
+            Style::Orbit => Rbt::from_rotation(world_from_eye.rotation),
+            Style::Ego => world_from_object,
+        };
+        let parent_from_auxiliary = world_from_parent.inverse() * world_from_auxiliary;
+        pose.get(object).moved(motion, parent_from_auxiliary)
+    }
+}

@@ -1,0 +1,67 @@
+//! From a scene, a pose and a camera to a [`Frame`].
+
+use glam::{Affine3A, Vec2};
+
+use super::{ArcballMark, DrawItem, Frame, View};
+use crate::camera::Camera;
+use crate::editor::Editor;
+use crate::pose::{Pose, RbtIndex};
+use crate::scene::{NodeKind, PlacedShape, SceneGraph};
+
+impl View {
+    /// The matrices of a camera.
+    #[must_use]
+    pub fn new(camera: &Camera) -> Self {
+        Self {
+            eye_from_world: camera.eye_from_world(),
+            world_from_eye: camera.world_from_eye.to_affine(),
+            clip_from_eye: camera.clip_from_eye(),
+            vertical_fov: camera.vertical_fov,
+            aspect: camera.size_px.x / camera.size_px.y,
+        }
+    }
+}
+
+impl Frame {
+    /// The picture of a scene under a pose, with the shapes of `chosen` outlined.
+    #[must_use]
+    pub fn new(scene: &SceneGraph, pose: &Pose, camera: &Camera, chosen: Option<RbtIndex>) -> Self {
+        let world_from_node = scene.world_from_nodes(pose);
+        let items = scene
+            .nodes_with_ids()
+            .filter_map(|(id, node)| {
+                let NodeKind::Shape(placed) = &node.kind else { return None };
+                let outlined = chosen.is_some() && scene.carrying_rbt(id) == chosen;
+                Some(draw_item(placed, world_from_node[id.get()], id.get(), outlined))
+            })
+            .collect();
+        Self { view: View::new(camera), items, ghosts: Vec::new(), lines: Vec::new(), dots: Vec::new(), arcball: None }
+    }
+
+    /// The picture that an editor displays, `size_px` pixels wide and high, with the chosen node outlined and the arcball.
+    #[must_use]
+    pub fn of_editor(editor: &Editor, size_px: Vec2) -> Self {
+        let camera = editor.camera(size_px);
+        let session = editor.session();
+        let mut frame = Self::new(editor.scene(), &editor.displayed_pose(), &camera, session.chosen);
+        if session.shows_arcball && !editor.is_playing() {
+            frame.arcball = editor
+                .manipulation(&camera)
+                .arcball_in_world
+                .map(|(centre_in_world, radius)| ArcballMark { centre_in_world, radius });
+        }
+        frame
+    }
+}
+
+fn draw_item(placed: &PlacedShape, world_from_shape: Affine3A, place: usize, outlined: bool) -> DrawItem {
+    DrawItem {
+        mesh: placed.shape.mesh(),
+        world_from_shape,
+        half_extents: placed.shape.half_extents(),
+        rounding: placed.shape.rounding(),
+        colour: placed.colour.to_linear(),
+        node: u32::try_from(place).expect("a scene has fewer than 2^32 nodes"),
+        outlined,
+    }
+}

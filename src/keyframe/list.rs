@@ -1,0 +1,180 @@
+//! The keyframe list with its current keyframe, and what the hotkeys do to it.
+
+use std::sync::{Arc, OnceLock};
+
+use crate::interpolation::{ControlPoints, rbt_control_points};
+use crate::pose::Pose;
+use crate::rbt::Rbt;
+
+/// The place of a keyframe in a list, from 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct KeyframeIndex(usize);
+
+impl KeyframeIndex {
+    /// The keyframe in that place.
+    #[must_use]
+    pub const fn new(place: usize) -> Self {
+        Self(place)
+    }
+
+    /// Its place, from 0.
+    #[must_use]
+    pub const fn get(self) -> usize {
+        self.0
+    }
+}
+
+/// A stored pose. Immutable: changing a keyframe replaces it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Keyframe {
+    /// What it records.
+    pub pose: Pose,
+}
+
+impl Keyframe {
+    /// A keyframe of this pose.
+    #[must_use]
+    pub const fn new(pose: Pose) -> Self {
+        Self { pose }
+    }
+}
+
+/// The inner Bézier control points of one interval, one pair for each RBT node.
+pub(super) type IntervalControlPoints = Arc<[ControlPoints<Rbt>]>;
+
+/// What copies of a list share: the keyframes, and for each interval the control points, made when first asked for.
+#[derive(Debug, Default)]
+struct Stored {
+    keyframes: Vec<Keyframe>,
+    control_points: Vec<OnceLock<IntervalControlPoints>>,
+}
+
+/// Keyframes in order and the current one. Cloning is cheap: copies share until one changes.
+///
+/// A list with keyframes always has a current one; an empty list has none.
+#[derive(Clone, Debug, Default)]
+pub struct KeyframeList {
+    stored: Arc<Stored>,
+    current: Option<KeyframeIndex>,
+}
+
+impl KeyframeList {
+    /// A list of these keyframes, the first of them current.
+    #[must_use]
+    pub fn new(keyframes: Vec<Keyframe>) -> Self {
+        let current = (!keyframes.is_empty()).then_some(KeyframeIndex(0));
+        let control_points = (0..keyframes.len()).map(|_| OnceLock::new()).collect();
+        Self { stored: Arc::new(Stored { keyframes, control_points }), current }
+    }
+
+    fn with_current(keyframes: Vec<Keyframe>, current: Option<usize>) -> Self {
+        debug_assert_eq!(current.is_none(), keyframes.is_empty(), "a list has a current keyframe unless it is empty");
+        Self { current: current.map(KeyframeIndex), ..Self::new(keyframes) }
+    }
+
+    /// How many keyframes there are.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.stored.keyframes.len()
+    }
+
+    /// Whether there is none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.stored.keyframes.is_empty()
+    }
+
+    /// All keyframes, in order.
+    #[must_use]
+    pub fn as_slice(&self) -> &[Keyframe] {
+        &self.stored.keyframes
+    }
+
+    /// The keyframe in a place, if there is one.
+    #[must_use]
+    pub fn get(&self, index: KeyframeIndex) -> Option<&Keyframe> {
+        self.stored.keyframes.get(index.0)
+    }
+
+    /// The place of the current keyframe; `None` only where the list is empty.
+    #[must_use]
+    pub const fn current(&self) -> Option<KeyframeIndex> {
+        self.current
+    }
+
+    /// The current keyframe.
+    #[must_use]
+    pub fn current_keyframe(&self) -> Option<&Keyframe> {
+        self.get(self.current?)
+    }
+
+    /// The last place, if there is one.
+    #[must_use]
+    pub fn last(&self) -> Option<KeyframeIndex> {
+        self.len().checked_sub(1).map(KeyframeIndex)
+    }
+
+    /// Makes a keyframe current. Places beyond the list change nothing; says whether there was one.
+    pub fn set_current(&mut self, index: KeyframeIndex) -> bool {
+        let exists = index.0 < self.len();
+        if exists {
+            self.current = Some(index);
+        }
+        exists
+    }
+
+    /// Inserts a keyframe right after the current one, or as the only one, and makes it current.
+    pub fn insert_after_current(&mut self, keyframe: Keyframe) -> KeyframeIndex {
+        self.insert(self.current.map_or(0, |current| current.0 + 1), keyframe)
+    }
+
+    /// Inserts a keyframe in a place, at most the list's length, and makes it current.
+    pub fn insert(&mut self, place: usize, keyframe: Keyframe) -> KeyframeIndex {
+        let mut keyframes = self.stored.keyframes.clone();
+        keyframes.insert(place, keyframe);
+        *self = Self::with_current(keyframes, Some(place));
+        KeyframeIndex(place)
+    }
+
+    /// Replaces the keyframe in a place, which must exist. The current one stays current.
+    pub fn replace(&mut self, index: KeyframeIndex, keyframe: Keyframe) {
+        let mut keyframes = self.stored.keyframes.clone();
+        keyframes[index.0] = keyframe;
+        *self = Self::with_current(keyframes, self.current.map(KeyframeIndex::get));
+    }
+
+    /// Removes the current keyframe and says which it was. The one before becomes current; where the first was removed, the one after it.
+    pub fn delete_current(&mut self) -> Option<KeyframeIndex> {
+        let removed = self.current?;
+        let mut keyframes = self.stored.keyframes.clone();
+        keyframes.remove(removed.0);
+        let current = (!keyframes.is_empty()).then(|| removed.0.saturating_sub(1));
+        *self = Self::with_current(keyframes, current);
+        Some(removed)
+    }
+
+    /// The control points of the interval from keyframe `start` to the one after it, which both must have a neighbour outside.
+    ///
+    /// Made once for each state of the list.
+    pub(super) fn control_points(&self, start: usize) -> &[ControlPoints<Rbt>] {
+        self.stored.control_points[start].get_or_init(|| {
+            let pose = |place: usize| self.stored.keyframes[place].pose.as_slice();
+            let (before, from, to, after) = (pose(start - 1), pose(start), pose(start + 1), pose(start + 2));
+            (0..from.len()).map(|rbt| rbt_control_points([before[rbt], from[rbt], to[rbt], after[rbt]])).collect()
+        })
+    }
+
+    /// Whether two lists hold the same keyframes, whatever is current; at no cost where they share.
+    #[must_use]
+    pub fn same_keyframes(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.stored, &other.stored)
+            || (self.len() == other.len()
+                && self.as_slice().iter().zip(other.as_slice()).all(|(a, b)| a.pose.same_as(&b.pose)))
+    }
+}
+
+impl PartialEq for KeyframeList {
+    fn eq(&self, other: &Self) -> bool {
+        self.current == other.current && self.same_keyframes(other)
+    }
+}

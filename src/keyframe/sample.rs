@@ -1,0 +1,105 @@
+//! Sampling: the pose at a key time.
+//!
+//! `key_time` counts played keyframes: with N keyframes in the list, N ≥ 4, n = N − 2 are played, and key time 0 is keyframe 1 of the
+//! list. The first and the last keyframe of the list only steer the spline.
+
+use thiserror::Error;
+
+use super::list::{KeyframeIndex, KeyframeList};
+use crate::interpolation::{Interpolation, bezier_rbt, linear_rbt};
+use crate::pose::Pose;
+
+/// The fewest keyframes that can be played: two steer, two are reached.
+pub const FEWEST_PLAYABLE: usize = 4;
+
+/// Why there is no pose at a key time.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum SampleError {
+    /// The list is too short.
+    #[error("{} cannot be played: the first and the last only steer, so at least 4 are needed", counted(*.keyframes))]
+    TooFewKeyframes {
+        /// How many there are.
+        keyframes: usize,
+    },
+    /// The key time is before the first or after the last played keyframe, or no number.
+    #[error("key time {key_time} is outside 0 to {last_key_time}")]
+    OutOfRange {
+        /// The key time asked for.
+        key_time: f64,
+        /// The last key time that can be shown.
+        last_key_time: usize,
+    },
+}
+
+fn counted(keyframes: usize) -> String {
+    if keyframes == 1 { "1 keyframe".to_owned() } else { format!("{keyframes} keyframes") }
+}
+
+/// A list that is long enough to play: what its samples are taken from.
+#[derive(Clone, Debug)]
+pub struct PlayRange<'a> {
+    keyframes: &'a KeyframeList,
+}
+
+impl<'a> PlayRange<'a> {
+    /// The played part of a list.
+    ///
+    /// # Errors
+    /// [`SampleError::TooFewKeyframes`] below 4 keyframes.
+    pub fn new(keyframes: &'a KeyframeList) -> Result<Self, SampleError> {
+        if keyframes.len() < FEWEST_PLAYABLE {
+            return Err(SampleError::TooFewKeyframes { keyframes: keyframes.len() });
+        }
+        Ok(Self { keyframes })
+    }
+
+    /// The key time of the last played keyframe: n − 1, at least 1.
+    #[must_use]
+    pub fn last_key_time(&self) -> usize {
+        self.keyframes.len() - 3
+    }
+
+    /// The keyframe of the list where playback ends: N − 2.
+    #[must_use]
+    pub fn last_keyframe(&self) -> KeyframeIndex {
+        KeyframeIndex::new(self.keyframes.len() - 2)
+    }
+
+    /// The pose at a key time in [0, n − 1]; at whole key times the keyframe itself, to the bit.
+    ///
+    /// # Errors
+    /// [`SampleError::OutOfRange`] outside of that.
+    pub fn pose_at(&self, key_time: f64, interpolation: Interpolation) -> Result<Pose, SampleError> {
+        let last_key_time = self.last_key_time();
+        #[expect(clippy::cast_precision_loss, reason = "no list has 2^52 keyframes")]
+        if !(0.0..=last_key_time as f64).contains(&key_time) {
+            return Err(SampleError::OutOfRange { key_time, last_key_time });
+        }
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it was found to lie in the list")]
+        let start = key_time.floor() as usize + 1;
+        #[expect(clippy::cast_possible_truncation, reason = "the fraction of a key time needs no more than f32")]
+        let alpha = key_time.fract() as f32;
+        Ok(self.blend(start, alpha, interpolation))
+    }
+
+    /// The pose at the fraction `alpha` of the interval that begins at keyframe `start` of the list.
+    fn blend(&self, start: usize, alpha: f32, interpolation: Interpolation) -> Pose {
+        let list = self.keyframes.as_slice();
+        let from = &list[start].pose;
+        if alpha == 0.0 {
+            return from.clone();
+        }
+        let to = &list[start + 1].pose;
+        if alpha == 1.0 {
+            return to.clone();
+        }
+        let pairs = from.as_slice().iter().zip(to.as_slice());
+        Pose::new(match interpolation {
+            Interpolation::Linear => pairs.map(|(&from, &to)| linear_rbt(from, to, alpha)).collect(),
+            Interpolation::CatmullRom => pairs
+                .zip(self.keyframes.control_points(start))
+                .map(|((&from, &to), &inner)| bezier_rbt(from, inner, to, alpha))
+                .collect(),
+        })
+    }
+}

@@ -1,0 +1,323 @@
+//! The scene graph: an arena of nodes in pre-order, so that parents stand before their children and a subtree is a range.
+
+use std::collections::HashMap;
+use std::ops::Range;
+
+use glam::Affine3A;
+
+use super::PlacedShape;
+use super::file::SceneError;
+use crate::pose::{Pose, RbtIndex};
+use crate::rbt::Rbt;
+
+/// A node of a scene, by its place in the pre-order walk; issued by the [`SceneGraph`] it belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct NodeId(u32);
+
+impl NodeId {
+    /// Its place in the arena, from 0.
+    #[must_use]
+    pub const fn get(self) -> usize {
+        self.0 as usize
+    }
+
+    fn from_place(place: usize) -> Self {
+        Self(u32::try_from(place).expect("a scene has fewer than 2^32 nodes"))
+    }
+}
+
+/// What a node is.
+#[derive(Clone, Debug, PartialEq)]
+pub enum NodeKind {
+    /// A rigid body transform that poses record.
+    Rbt(RbtIndex),
+    /// Geometry; it has no children.
+    Shape(PlacedShape),
+}
+
+/// One node.
+#[derive(Clone, Debug)]
+pub struct Node {
+    /// Its own name, unique among its siblings.
+    pub name: String,
+    /// The names from the root down to it, joined by `/`; unique in the scene.
+    pub path: String,
+    /// The node above it; `None` right under the root.
+    pub parent: Option<NodeId>,
+    /// What it is.
+    pub kind: NodeKind,
+    /// How many nodes stand above it: 0 right under the root.
+    pub depth: usize,
+    subtree_end: u32,
+}
+
+/// Nodes, shapes and the rest pose. Immutable once built.
+#[derive(Clone, Debug)]
+pub struct SceneGraph {
+    name: String,
+    nodes: Vec<Node>,
+    rbt_nodes: Vec<NodeId>,
+    by_path: HashMap<String, NodeId>,
+    rest: Pose,
+    eyes: Vec<RbtIndex>,
+    vertical_fov: f32,
+}
+
+impl SceneGraph {
+    /// The scene's name, as keyframe files carry it.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Every node, parents before children.
+    #[must_use]
+    pub fn nodes(&self) -> &[Node] {
+        &self.nodes
+    }
+
+    /// Every node with its id, parents before children.
+    pub fn nodes_with_ids(&self) -> impl Iterator<Item = (NodeId, &Node)> {
+        self.nodes.iter().enumerate().map(|(place, node)| (NodeId::from_place(place), node))
+    }
+
+    /// One node.
+    #[must_use]
+    pub fn node(&self, id: NodeId) -> &Node {
+        &self.nodes[id.get()]
+    }
+
+    /// The node and all below it, as a range of arena places.
+    #[must_use]
+    pub fn subtree(&self, id: NodeId) -> Range<usize> {
+        id.get()..self.nodes[id.get()].subtree_end as usize
+    }
+
+    /// How many RBT nodes there are: the length of every pose.
+    #[must_use]
+    pub fn rbt_count(&self) -> usize {
+        self.rbt_nodes.len()
+    }
+
+    /// The RBT nodes, in the order of poses and files.
+    pub fn rbt_indices(&self) -> impl Iterator<Item = RbtIndex> + use<> {
+        (0..self.rbt_nodes.len()).map(RbtIndex::new)
+    }
+
+    /// The node that an index of a pose stands for.
+    #[must_use]
+    pub fn rbt_node(&self, rbt: RbtIndex) -> NodeId {
+        self.rbt_nodes[rbt.get()]
+    }
+
+    /// The path of an RBT node.
+    #[must_use]
+    pub fn rbt_path(&self, rbt: RbtIndex) -> &str {
+        &self.node(self.rbt_node(rbt)).path
+    }
+
+    /// The paths of all RBT nodes, in the order of poses and files.
+    pub fn rbt_paths(&self) -> impl Iterator<Item = &str> {
+        self.rbt_nodes.iter().map(|&id| self.node(id).path.as_str())
+    }
+
+    /// The node with this path.
+    #[must_use]
+    pub fn find(&self, path: &str) -> Option<NodeId> {
+        self.by_path.get(path).copied()
+    }
+
+    /// The RBT node with this path; `None` if there is none or it is of another kind.
+    #[must_use]
+    pub fn find_rbt(&self, path: &str) -> Option<RbtIndex> {
+        match self.node(self.find(path)?).kind {
+            NodeKind::Rbt(rbt) => Some(rbt),
+            NodeKind::Shape(_) => None,
+        }
+    }
+
+    /// The pose that the scene was built with.
+    #[must_use]
+    pub fn rest_pose(&self) -> &Pose {
+        &self.rest
+    }
+
+    /// The RBT nodes that can be looked from, in the order in which the hotkey goes through them; never empty. The first is the sky camera.
+    #[must_use]
+    pub fn eyes(&self) -> &[RbtIndex] {
+        &self.eyes
+    }
+
+    /// Vertical field of view of every eye, in radians.
+    #[must_use]
+    pub fn vertical_fov(&self) -> f32 {
+        self.vertical_fov
+    }
+
+    /// `world_from_node` of every node under `pose`, in arena order: one forward loop, since parents come first.
+    #[must_use]
+    pub fn world_from_nodes(&self, pose: &Pose) -> Vec<Affine3A> {
+        let mut world_from_node: Vec<Affine3A> = Vec::with_capacity(self.nodes.len());
+        for node in &self.nodes {
+            let parent_from_node = match &node.kind {
+                NodeKind::Rbt(rbt) => pose.get(*rbt).to_affine(),
+                NodeKind::Shape(placed) => placed.parent_from_shape,
+            };
+            world_from_node.push(match node.parent {
+                Some(parent) => world_from_node[parent.get()] * parent_from_node,
+                None => parent_from_node,
+            });
+        }
+        world_from_node
+    }
+
+    /// `world_from_node` of one node under `pose`.
+    #[must_use]
+    pub fn world_from_node(&self, pose: &Pose, id: NodeId) -> Affine3A {
+        let mut world_from_node = Affine3A::IDENTITY;
+        let mut next = Some(id);
+        while let Some(id) = next {
+            let node = self.node(id);
+            let parent_from_node = match &node.kind {
+                NodeKind::Rbt(rbt) => pose.get(*rbt).to_affine(),
+                NodeKind::Shape(placed) => placed.parent_from_shape,
+            };
+            world_from_node = parent_from_node * world_from_node;
+            next = node.parent;
+        }
+        world_from_node
+    }
+
+    /// The rigid `world_from_node` of an RBT node under `pose`.
+    #[must_use]
+    pub fn world_from_rbt(&self, pose: &Pose, rbt: RbtIndex) -> Rbt {
+        Rbt::from_affine(&self.world_from_node(pose, self.rbt_node(rbt)))
+    }
+
+    /// The rigid `world_from_parent` of an RBT node under `pose`: the identity right under the root.
+    #[must_use]
+    pub fn world_from_parent(&self, pose: &Pose, rbt: RbtIndex) -> Rbt {
+        match self.node(self.rbt_node(rbt)).parent {
+            Some(parent) => Rbt::from_affine(&self.world_from_node(pose, parent)),
+            None => Rbt::IDENTITY,
+        }
+    }
+
+    /// The RBT node that carries a node: itself, or the nearest one above it.
+    #[must_use]
+    pub fn carrying_rbt(&self, id: NodeId) -> Option<RbtIndex> {
+        let mut next = Some(id);
+        while let Some(id) = next {
+            let node = self.node(id);
+            if let NodeKind::Rbt(rbt) = node.kind {
+                return Some(rbt);
+            }
+            next = node.parent;
+        }
+        None
+    }
+}
+
+/// Builds a [`SceneGraph`] node by node, in pre-order.
+#[derive(Debug, Default)]
+pub struct SceneBuilder {
+    nodes: Vec<Node>,
+    rbt_nodes: Vec<NodeId>,
+    rest: Vec<Rbt>,
+    by_path: HashMap<String, NodeId>,
+    open: Vec<NodeId>,
+}
+
+impl SceneBuilder {
+    /// A builder with no nodes.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Adds an RBT node under the innermost open one and opens it, so that what follows is below it until [`Self::close`].
+    ///
+    /// # Errors
+    /// When the name is empty, contains `/`, or stands twice under one parent.
+    pub fn open_rbt(&mut self, name: &str, rest_parent_from_node: Rbt) -> Result<NodeId, SceneError> {
+        let rbt = RbtIndex::new(self.rbt_nodes.len());
+        let id = self.push(name, NodeKind::Rbt(rbt))?;
+        self.rbt_nodes.push(id);
+        self.rest.push(rest_parent_from_node);
+        self.open.push(id);
+        Ok(id)
+    }
+
+    /// Adds a shape under the innermost open node.
+    ///
+    /// # Errors
+    /// When the name is empty, contains `/`, or stands twice under one parent.
+    pub fn shape(&mut self, name: &str, placed: PlacedShape) -> Result<NodeId, SceneError> {
+        self.push(name, NodeKind::Shape(placed))
+    }
+
+    /// Closes the innermost open node.
+    pub fn close(&mut self) {
+        if let Some(id) = self.open.pop() {
+            let end = NodeId::from_place(self.nodes.len()).0;
+            self.nodes[id.get()].subtree_end = end;
+        }
+    }
+
+    fn push(&mut self, name: &str, kind: NodeKind) -> Result<NodeId, SceneError> {
+        let parent = self.open.last().copied();
+        let parent_path = parent.map(|id| self.nodes[id.get()].path.as_str());
+        if name.is_empty() || name.contains('/') {
+            return Err(SceneError::NodeName {
+                name: name.to_owned(),
+                parent: parent_path.unwrap_or("the root").to_owned(),
+            });
+        }
+        let path = parent_path.map_or_else(|| name.to_owned(), |above| format!("{above}/{name}"));
+        let id = NodeId::from_place(self.nodes.len());
+        if self.by_path.insert(path.clone(), id).is_some() {
+            return Err(SceneError::DuplicatePath { path });
+        }
+        self.nodes.push(Node {
+            name: name.to_owned(),
+            path,
+            parent,
+            kind,
+            depth: self.open.len(),
+            subtree_end: id.0 + 1,
+        });
+        Ok(id)
+    }
+
+    /// The finished scene.
+    ///
+    /// `eye_paths` are the RBT nodes that can be looked from; `vertical_fov` is in radians, above 0 and below π.
+    ///
+    /// # Errors
+    /// When there is no RBT node, no eye, an eye that is no RBT node, or a field of view out of range.
+    pub fn finish(mut self, name: &str, eye_paths: &[String], vertical_fov: f32) -> Result<SceneGraph, SceneError> {
+        while !self.open.is_empty() {
+            self.close();
+        }
+        if !(vertical_fov > 0.0 && vertical_fov < std::f32::consts::PI) {
+            return Err(SceneError::FieldOfView { degrees: vertical_fov.to_degrees() });
+        }
+        let mut scene = SceneGraph {
+            name: name.to_owned(),
+            nodes: self.nodes,
+            rbt_nodes: self.rbt_nodes,
+            by_path: self.by_path,
+            rest: Pose::new(self.rest),
+            eyes: Vec::new(),
+            vertical_fov,
+        };
+        for path in eye_paths {
+            let eye = scene.find_rbt(path).ok_or_else(|| SceneError::Eye { path: path.clone() })?;
+            scene.eyes.push(eye);
+        }
+        if scene.eyes.is_empty() {
+            return Err(SceneError::NoEyes);
+        }
+        Ok(scene)
+    }
+}

@@ -1,0 +1,125 @@
+//! The file system: the only place that touches it.
+
+use std::fs;
+use std::io::{self, Read as _, Write as _};
+use std::path::{Path, PathBuf};
+
+use atomic_write_file::AtomicWriteFile;
+use thiserror::Error;
+
+/// Why a file was not read or written. The message does not name the file; whoever says it does.
+#[derive(Debug, Error)]
+pub enum StorageError {
+    /// The system refused.
+    #[error("{}", system_sentence(.0))]
+    System(#[from] io::Error),
+    /// The file is larger than what is read.
+    #[error("the file has {found} bytes, and at most {limit} are read")]
+    TooLarge {
+        /// Its size in bytes.
+        found: u64,
+        /// The limit in bytes.
+        limit: u64,
+    },
+}
+
+fn system_sentence(error: &io::Error) -> String {
+    match error.kind() {
+        io::ErrorKind::NotFound => "there is no such file or folder".to_owned(),
+        io::ErrorKind::PermissionDenied => "permission denied".to_owned(),
+        io::ErrorKind::IsADirectory => "it is a folder, not a file".to_owned(),
+        _ => error.to_string(),
+    }
+}
+
+/// Reads a whole file of at most `limit` bytes; a larger one is refused before it is read.
+///
+/// # Errors
+/// [`StorageError`]
+pub fn read(path: &Path, limit: u64) -> Result<Vec<u8>, StorageError> {
+    let file = fs::File::open(path)?;
+    let metadata = file.metadata()?;
+    if metadata.is_dir() {
+        return Err(io::Error::from(io::ErrorKind::IsADirectory).into());
+    }
+    if metadata.len() > limit {
+        return Err(StorageError::TooLarge { found: metadata.len(), limit });
+    }
+    read_stream(file, limit, metadata.len())
+}
+
+/// Reads a stream, such as standard input or a pipe, of at most `limit` bytes. `expected` bytes are made room for.
+///
+/// # Errors
+/// [`StorageError`]
+pub fn read_stream(stream: impl io::Read, limit: u64, expected: u64) -> Result<Vec<u8>, StorageError> {
+    let mut bytes = Vec::with_capacity(usize::try_from(expected).unwrap_or_default());
+    let read = stream.take(limit + 1).read_to_end(&mut bytes)?;
+    if u64::try_from(read).unwrap_or(u64::MAX) > limit {
+        return Err(StorageError::TooLarge { found: limit + 1, limit });
+    }
+    Ok(bytes)
+}
+
+/// Writes a whole file so that it holds either all of `bytes` or what it held before: beside it, synced, renamed over it.
+/// A symbolic link stays one; the file it leads to is written.
+///
+/// # Errors
+/// [`StorageError::System`]; the file is as it was then.
+pub fn write(path: &Path, bytes: &[u8]) -> Result<(), StorageError> {
+    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    if target.is_dir() {
+        return Err(io::Error::from(io::ErrorKind::IsADirectory).into());
+    }
+    let mut file = AtomicWriteFile::open(target)?;
+    file.write_all(bytes)?;
+    file.commit()?;
+    Ok(())
+}
+
+/// Copies a file, if it exists, to the first free name of `NAME.bak`, `NAME.bak2` and on, and says which.
+///
+/// # Errors
+/// [`StorageError::System`]
+pub fn keep_copy(path: &Path) -> Result<Option<PathBuf>, StorageError> {
+    if !path.is_file() {
+        return Ok(None);
+    }
+    let mut name = path.as_os_str().to_owned();
+    name.push(".bak");
+    let first = PathBuf::from(&name);
+    let free = std::iter::once(first)
+        .chain((2..).map(|count| {
+            let mut counted = name.clone();
+            counted.push(count.to_string());
+            PathBuf::from(counted)
+        }))
+        .find(|candidate| !candidate.exists())
+        .expect("the numbers do not end");
+    fs::copy(path, &free)?;
+    Ok(Some(free))
+}
+
+/// The first free name of `inbetween-0001.png` and on, in the folder of `beside`.
+#[must_use]
+pub fn next_screenshot_path(beside: &Path) -> PathBuf {
+    let folder = beside.parent().unwrap_or_else(|| Path::new(""));
+    (1_u32..)
+        .map(|count| folder.join(format!("inbetween-{count:04}.png")))
+        .find(|candidate| !candidate.exists())
+        .expect("the numbers do not end")
+}
+
+/// Makes a folder and those above it, where they are missing.
+///
+/// # Errors
+/// [`StorageError::System`]
+pub fn create_folder(path: &Path) -> Result<(), StorageError> {
+    Ok(fs::create_dir_all(path)?)
+}
+
+/// Whether a file or folder stands there.
+#[must_use]
+pub fn exists(path: &Path) -> bool {
+    path.exists()
+}
