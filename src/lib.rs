@@ -3,3 +3,4 @@
 pub mod rbt;
 pub mod scene;
 pub mod frame;
+pub mod render;
