@@ -12,3 +12,4 @@ pub mod rbt;
 pub mod render;
 pub mod scene;
 pub mod storage;
+pub mod timed;

@@ -105,11 +105,12 @@ fn no_shared_mutable_state() {
 }
 
 /// Rooms in the order of the architecture: each may name only rooms of a lower number, and itself.
-const ROOMS: [(&str, u8, &[&str]); 17] = [
+const ROOMS: [(&str, u8, &[&str]); 18] = [
     ("rbt", 0, &[]),
+    ("timed", 1, &[]),
     ("interpolation", 0, &["rbt"]),
     ("pose", 1, &[]),
-    ("scene", 1, &["pose", "json"]),
+    ("scene", 1, &["pose", "json", "timed"]),
     ("camera", 1, &["scene"]),
     ("json", 0, &["rbt"]),
     ("keyframe", 2, &[]),

@@ -305,6 +305,15 @@ impl Editor {
                 Ok("Click a node to choose it, or the ground to choose none.".to_owned())
             }
             ViewCommand::Choose(rbt) => self.choose(rbt),
+            ViewCommand::RestartSeconds => {
+                self.seconds_clock.ticks = 0;
+                Ok("Keys at their own times start again.".to_owned())
+            }
+            ViewCommand::HoldSeconds => {
+                self.seconds_clock.is_held = !self.seconds_clock.is_held;
+                let state = if self.seconds_clock.is_held { "are held" } else { "go on" };
+                Ok(format!("Keys at their own times {state} at {:.2} s.", self.seconds()))
+            }
             ViewCommand::ToggleArcball => {
                 self.session.shows_arcball = !self.session.shows_arcball;
                 Ok(String::new())

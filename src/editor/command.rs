@@ -104,6 +104,10 @@ pub enum ViewCommand {
     ToggleHelp,
     /// Shows or hides all panels.
     TogglePanels,
+    /// Sets the clock of keys at their own times to zero.
+    RestartSeconds,
+    /// Holds that clock, or lets it go on.
+    HoldSeconds,
 }
 
 /// Files and the program itself.

@@ -13,6 +13,8 @@ pub enum Key {
     Escape,
     /// F11.
     F11,
+    /// Home.
+    Home,
 }
 
 /// Which modifiers are held.
@@ -122,6 +124,7 @@ impl Chord {
             Key::Space => label.push_str("Space"),
             Key::Escape => label.push_str("Esc"),
             Key::F11 => label.push_str("F11"),
+            Key::Home => label.push_str("Home"),
         }
         label
     }
@@ -242,6 +245,20 @@ pub fn bindings() -> Vec<Binding> {
             "Next interpolation: linear, Catmull-Rom",
         ),
         row(
+            Group::Playing,
+            vec![key(Key::Home)],
+            view(ViewCommand::RestartSeconds),
+            "Restart timed keys",
+            "Set the clock of keys at their own times to zero (some lessons use the space bar for it)",
+        ),
+        row(
+            Group::Playing,
+            vec![Chord { key: Key::Home, modifiers: shift }],
+            view(ViewCommand::HoldSeconds),
+            "Hold timed keys",
+            "Hold the clock of keys at their own times, or let it go on",
+        ),
+        row(
             Group::View,
             vec![typed('v')],
             view(ViewCommand::NextEye),
@@ -321,7 +338,7 @@ pub fn binding_for(table: &[Binding], press: KeyPress) -> Option<&Binding> {
         .filter(|binding| binding.repeats || !press.is_repeat)
 }
 
-/// The press that a script's word means: a character itself, or `space`, `escape`, `f11`, with `shift+`, `ctrl+`, `alt+` before it.
+/// The press that a script's word means: a character itself, or `space`, `escape`, `f11`, `home`, with `shift+`, `ctrl+`, `alt+` before it.
 #[must_use]
 pub fn press_from_word(word: &str) -> Option<KeyPress> {
     let mut modifiers = Modifiers::default();
@@ -345,6 +362,7 @@ pub fn press_from_word(word: &str) -> Option<KeyPress> {
             "space" => Key::Space,
             "escape" | "esc" => Key::Escape,
             "f11" => Key::F11,
+            "home" => Key::Home,
             _ => return None,
         },
     };

@@ -182,7 +182,13 @@ impl Pipelines {
         self.made[kind as usize].insert(pipeline)
     }
 
-    fn make(&self, device: &wgpu::Device, kind: Kind, recipe: &Recipe, module: &wgpu::ShaderModule) -> wgpu::RenderPipeline {
+    fn make(
+        &self,
+        device: &wgpu::Device,
+        kind: Kind,
+        recipe: &Recipe,
+        module: &wgpu::ShaderModule,
+    ) -> wgpu::RenderPipeline {
         let second = match kind {
             Kind::Shape | Kind::Plane => Some(&self.sun_map_layout),
             Kind::Outline => Some(&self.mask_layout),
@@ -204,10 +210,9 @@ impl Pipelines {
         let is_mask = matches!(kind, Kind::MaskAll | Kind::MaskVisible);
         let target = wgpu::ColorTargetState {
             format: if is_mask { MASK_FORMAT } else { self.target_format },
-            blend: recipe.blend.then_some(wgpu::BlendState {
-                alpha: wgpu::BlendComponent::OVER,
-                ..wgpu::BlendState::ALPHA_BLENDING
-            }),
+            blend: recipe
+                .blend
+                .then_some(wgpu::BlendState { alpha: wgpu::BlendComponent::OVER, ..wgpu::BlendState::ALPHA_BLENDING }),
             write_mask: match kind {
                 Kind::MaskAll => wgpu::ColorWrites::RED,
                 Kind::MaskVisible => wgpu::ColorWrites::GREEN,
@@ -274,7 +279,10 @@ impl Pipelines {
                 stencil: wgpu::StencilState::default(),
                 bias,
             }),
-            multisample: wgpu::MultisampleState { count: if is_single { 1 } else { self.samples }, ..Default::default() },
+            multisample: wgpu::MultisampleState {
+                count: if is_single { 1 } else { self.samples },
+                ..Default::default()
+            },
             fragment: fragment.map(|entry_point| wgpu::FragmentState {
                 module,
                 entry_point: Some(entry_point),
@@ -299,5 +307,8 @@ fn shader(device: &wgpu::Device, source: Source) -> wgpu::ShaderModule {
         Source::Stroke => with_common!("stroke.wgsl"),
         Source::Outline => with_common!("outline.wgsl"),
     };
-    device.create_shader_module(wgpu::ShaderModuleDescriptor { label: None, source: wgpu::ShaderSource::Wgsl(text.into()) })
+    device.create_shader_module(wgpu::ShaderModuleDescriptor {
+        label: None,
+        source: wgpu::ShaderSource::Wgsl(text.into()),
+    })
 }

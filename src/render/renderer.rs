@@ -188,7 +188,9 @@ impl Renderer {
         self.sun_map_box = sun;
         self.draw_picture(gpu, encoder, frame, target, viewport);
         let outlined = frame.items.iter().filter(|item| item.outlined).map(Bounds::of);
-        if let Some(rectangle) = rectangle_px(&frame.view, outlined, [viewport.width, viewport.height], look::OUTLINE_PX + 2.0) {
+        if let Some(rectangle) =
+            rectangle_px(&frame.view, outlined, [viewport.width, viewport.height], look::OUTLINE_PX + 2.0)
+        {
             self.draw_outline(gpu, encoder, target, viewport, rectangle);
         }
     }
@@ -209,7 +211,11 @@ impl Renderer {
     fn draw_sun_map(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder) {
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("sun map"),
-            depth_stencil_attachment: Some(depth_attachment(&self.sun_map, wgpu::LoadOp::Clear(1.0), wgpu::StoreOp::Store)),
+            depth_stencil_attachment: Some(depth_attachment(
+                &self.sun_map,
+                wgpu::LoadOp::Clear(1.0),
+                wgpu::StoreOp::Store,
+            )),
             ..Default::default()
         });
         // The border stays as far away as can be: what is looked up outside is lit.
@@ -293,7 +299,13 @@ impl Renderer {
         self.draw_strokes(device, &mut pass, Kind::Dot, &self.uploaded.dots.clone());
     }
 
-    fn draw_strokes(&mut self, device: &wgpu::Device, pass: &mut wgpu::RenderPass<'_>, kind: Kind, strokes: &Range<u32>) {
+    fn draw_strokes(
+        &mut self,
+        device: &wgpu::Device,
+        pass: &mut wgpu::RenderPass<'_>,
+        kind: Kind,
+        strokes: &Range<u32>,
+    ) {
         if !strokes.is_empty() {
             pass.set_pipeline(self.pipelines.get(device, kind));
             pass.set_vertex_buffer(0, self.frame_buffer.slice(self.uploaded.strokes_start as u64..));
@@ -320,7 +332,11 @@ impl Renderer {
         };
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("mask"),
-            color_attachments: &[colour_attachment(view, resolve_target, wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT))],
+            color_attachments: &[colour_attachment(
+                view,
+                resolve_target,
+                wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT),
+            )],
             depth_stencil_attachment: Some(depth_attachment(depth, wgpu::LoadOp::Load, wgpu::StoreOp::Store)),
             ..Default::default()
         });
@@ -359,7 +375,8 @@ impl Renderer {
             Background::Colour(colour) => colour,
             Background::Transparent => return wgpu::Color::TRANSPARENT,
         };
-        let encode = |channel: f32| f64::from(if self.format.is_srgb() { channel } else { look::srgb_from_linear(channel) });
+        let encode =
+            |channel: f32| f64::from(if self.format.is_srgb() { channel } else { look::srgb_from_linear(channel) });
         wgpu::Color { r: encode(colour.x), g: encode(colour.y), b: encode(colour.z), a: 1.0 }
     }
 }
@@ -381,7 +398,11 @@ fn depth_attachment(
     load: wgpu::LoadOp<f32>,
     store: wgpu::StoreOp,
 ) -> wgpu::RenderPassDepthStencilAttachment<'_> {
-    wgpu::RenderPassDepthStencilAttachment { view, depth_ops: Some(wgpu::Operations { load, store }), stencil_ops: None }
+    wgpu::RenderPassDepthStencilAttachment {
+        view,
+        depth_ops: Some(wgpu::Operations { load, store }),
+        stencil_ops: None,
+    }
 }
 
 fn colour_attachment<'a>(
@@ -406,7 +427,8 @@ fn frame_buffer(device: &wgpu::Device, pipelines: &Pipelines, size: u64) -> (wgp
         usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST,
         mapped_at_creation: false,
     });
-    let binding = wgpu::BufferBinding { buffer: &buffer, offset: 0, size: std::num::NonZeroU64::new(INSTANCES_START as u64) };
+    let binding =
+        wgpu::BufferBinding { buffer: &buffer, offset: 0, size: std::num::NonZeroU64::new(INSTANCES_START as u64) };
     let globals = device.create_bind_group(&wgpu::BindGroupDescriptor {
         label: Some("globals"),
         layout: &pipelines.globals_layout,

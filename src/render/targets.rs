@@ -49,9 +49,13 @@ impl Targets {
             let bind_group = device.create_bind_group(&wgpu::BindGroupDescriptor {
                 label: Some("mask"),
                 layout: &pipelines.mask_layout,
-                entries: &[wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(&resolved) }],
+                entries: &[wgpu::BindGroupEntry {
+                    binding: 0,
+                    resource: wgpu::BindingResource::TextureView(&resolved),
+                }],
             });
-            let samples = (samples > 1).then(|| view(device, "mask samples", MASK_FORMAT, samples, size_px, attachment));
+            let samples =
+                (samples > 1).then(|| view(device, "mask samples", MASK_FORMAT, samples, size_px, attachment));
             Mask { resolved, samples, bind_group }
         })
     }
