@@ -33,11 +33,11 @@ fn check_cylinder(seconds: f64, translation: [f64; 3], rotations: &[DQuat], scal
 }
 
 /// At 2 s: yaw 180, pitch 45, roll 90. As one rotation that is (x, y, z, w) below: qz(180) = (0, 0, 1, 0), qy(45) = (0, s, 0, c),
-/// qx(90) = (h, 0, 0, h), with s = sin 22.5°, c = cos 22.5°, h = √½; their product is h (−s, c, c, −s).
+/// qx(90) = (h, 0, 0, h), with s = sin 22.5°, c = cos 22.5°, h = √½; their product is h (−s, c, c, s).
 fn at_two_seconds() -> DQuat {
     let (s, c) = 22.5_f64.to_radians().sin_cos();
     let h = 0.5_f64.sqrt();
-    DQuat::from_xyzw(-s * h, c * h, c * h, -s * h)
+    DQuat::from_xyzw(-s * h, c * h, c * h, s * h)
 }
 
 /// At 3 s: yaw 180 and roll 180 are together half a turn about y.
