@@ -1,0 +1,90 @@
+//! `inbetween sample`: poses as JSON or CSV.
+
+use std::fmt::Write as _;
+use std::io;
+
+use super::CliError;
+use super::animation::Animation;
+use super::arguments::{SampleArguments, SampleFormat};
+use super::output;
+use super::times::{FrameTime, frame_times};
+use crate::keyframe::SampleError;
+use crate::pose::Pose;
+use crate::scene::SceneGraph;
+
+/// Prints samples, all in the scene's order. Nothing is printed before all of the input is known to be good.
+///
+/// # Errors
+/// [`CliError`]
+pub fn run(arguments: &SampleArguments, scene: &SceneGraph) -> Result<(), CliError> {
+    let format = arguments.format;
+    let Some(file) = &arguments.file else {
+        let rest = (FrameTime { key_time: 0.0, ms: 0.0 }, scene.rest_pose().clone());
+        return print(format, scene, std::iter::once(Ok(rest)));
+    };
+    let animation = Animation::load(file, scene, arguments.interpolation)?;
+    let range = animation.play_range(file)?;
+    let pose_at = |time: FrameTime| range.pose_at(time.key_time, animation.interpolation).map(|pose| (time, pose));
+    let ms_between_keyframes = animation.ms_between_keyframes;
+    if let Some(fps) = arguments.fps {
+        return print(format, scene, frame_times(fps, ms_between_keyframes, range.last_key_time()).map(pose_at));
+    }
+    let key_times = arguments.at.as_ref().map_or(&[0.0][..], |key_times| &key_times.0);
+    let problems: Vec<String> = key_times
+        .iter()
+        .filter_map(|&key_time| range.check(key_time).err())
+        .map(|error| format!("{}: {error}", file.display()))
+        .collect();
+    if !problems.is_empty() {
+        return Err(CliError::BadInput { sentences: problems });
+    }
+    let times = key_times.iter().map(|&key_time| FrameTime::at_key_time(key_time, ms_between_keyframes));
+    print(format, scene, times.map(pose_at))
+}
+
+type Sample = Result<(FrameTime, Pose), SampleError>;
+
+fn print(format: SampleFormat, scene: &SceneGraph, samples: impl Iterator<Item = Sample>) -> Result<(), CliError> {
+    output::print(|output| match format {
+        SampleFormat::Json => print_json(output, scene, samples),
+        SampleFormat::Csv => print_csv(output, samples),
+    })
+}
+
+fn print_json(output: &mut dyn io::Write, scene: &SceneGraph, samples: impl Iterator<Item = Sample>) -> io::Result<()> {
+    let mut text = String::from("{\"nodes\": ");
+    output::push_rbt_paths(&mut text, scene);
+    text.push_str(", \"frames\": [\n");
+    for (place, sample) in samples.enumerate() {
+        let (FrameTime { key_time, ms }, pose) = sample.map_err(io::Error::other)?;
+        if place > 0 {
+            text.push_str(",\n");
+        }
+        let _ = write!(text, "{{\"key_time\": {key_time:?}, \"ms\": {ms:?}, \"pose\": ");
+        output::push_pose(&mut text, &pose);
+        text.push('}');
+        output.write_all(text.as_bytes())?;
+        text.clear();
+    }
+    text.push_str("\n]}\n");
+    output.write_all(text.as_bytes())
+}
+
+fn print_csv(output: &mut dyn io::Write, samples: impl Iterator<Item = Sample>) -> io::Result<()> {
+    let mut text = String::from("key_time,rbt_ind,tx,ty,tz,rw,rx,ry,rz\n");
+    for sample in samples {
+        let (FrameTime { key_time, .. }, pose) = sample.map_err(io::Error::other)?;
+        for (rbt, parent_from_node) in pose.as_slice().iter().enumerate() {
+            let _ = write!(text, "{key_time:?},{rbt}");
+            let [x, y, z, w] = parent_from_node.rotation.to_array();
+            for number in parent_from_node.translation.to_array().into_iter().chain([w, x, y, z]) {
+                text.push(',');
+                crate::json::push_f32(&mut text, number);
+            }
+            text.push('\n');
+        }
+        output.write_all(text.as_bytes())?;
+        text.clear();
+    }
+    output.write_all(text.as_bytes())
+}
