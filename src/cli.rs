@@ -10,6 +10,8 @@ mod error;
 mod nodes;
 mod output;
 mod picture;
+mod progress;
+mod render;
 mod sample;
 mod scene;
 mod script;
@@ -53,6 +55,7 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>) -> Result<(), CliErro
         Some(Subcommand::Check(arguments)) => check::run(&arguments, &scene::load(scene)?),
         Some(Subcommand::Nodes) => nodes::run(&scene::load(scene)?),
         Some(Subcommand::Sample(arguments)) => sample::run(&arguments, &scene::load(scene)?),
+        Some(Subcommand::Render(arguments)) => render::run(&arguments, scene),
         Some(Subcommand::Script(arguments)) => script::run(&arguments, scene::load(scene)?),
     }
 }

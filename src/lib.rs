@@ -10,5 +10,6 @@ pub mod json;
 pub mod keyframe;
 pub mod pose;
 pub mod rbt;
+pub mod render;
 pub mod scene;
 pub mod storage;

@@ -39,6 +39,8 @@ pub enum Subcommand {
     Nodes,
     /// Print poses as JSON or CSV: of an animation at key times, or the scene's rest pose.
     Sample(SampleArguments),
+    /// Render PNG images: of an animation, or of the scene's rest pose. Needs no display.
+    Render(RenderArguments),
     /// Run a script of hotkeys and gestures with no window.
     #[command(long_about = SCRIPT_HELP)]
     Script(ScriptArguments),
@@ -95,6 +97,34 @@ pub enum SampleFormat {
     Json,
     /// A row for each node of each frame: key_time,rbt_ind,tx,ty,tz,rw,rx,ry,rz.
     Csv,
+}
+
+/// Arguments of `render`.
+#[derive(Debug, Args)]
+pub struct RenderArguments {
+    /// The keyframe file; without it, the scene's rest pose is rendered.
+    pub file: Option<PathBuf>,
+    /// The PNG to write; with --fps, a folder for frame-00000.png and on.
+    #[arg(short, long, value_name = "OUT.png|DIR")]
+    pub output: PathBuf,
+    /// The key time to render, from 0 to N - 3 [default: 0].
+    #[arg(long, value_name = "KEY_TIME", requires = "file", conflicts_with_all = ["keyframe", "fps"], allow_hyphen_values = true, value_parser = key_time)]
+    pub at: Option<f64>,
+    /// The keyframe of the list to render, from 0 to N - 1.
+    #[arg(long, value_name = "INDEX", requires = "file", conflicts_with = "fps", allow_negative_numbers = true)]
+    pub keyframe: Option<i64>,
+    /// Render the whole playing range at so many frames a second, 1 to 1000, and its end.
+    #[arg(long, value_name = "N", requires = "file", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub fps: Option<u32>,
+    /// Width and height in pixels.
+    #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "640x480", value_parser = size)]
+    pub size: Size,
+    /// Samples a pixel, 1 or 4 [default: 4; 1 on a software adapter].
+    #[arg(long, value_name = "1|4", value_parser = samples())]
+    pub samples: Option<u32>,
+    /// Interpolate so, whatever the file says.
+    #[arg(long, value_name = "NAME", value_parser = interpolation())]
+    pub interpolation: Option<Interpolation>,
 }
 
 /// Arguments of `script`.
@@ -158,6 +188,10 @@ fn size(text: &str) -> Result<Size, String> {
 fn interpolation() -> impl TypedValueParser<Value = Interpolation> {
     PossibleValuesParser::new(Interpolation::ALL.map(Interpolation::name))
         .try_map(|name| Interpolation::from_name(&name).ok_or("unknown interpolation"))
+}
+
+fn samples() -> impl TypedValueParser<Value = u32> {
+    PossibleValuesParser::new(["1", "4"]).try_map(|samples| samples.parse::<u32>())
 }
 
 #[cfg(test)]

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use thiserror::Error;
 
 use crate::editor::CommandError;
+use crate::render::GpuError;
 use crate::storage::StorageError;
 
 /// Why a command was not done.
@@ -32,6 +33,12 @@ pub enum CliError {
     /// A script's file could not be written.
     #[error(transparent)]
     ScriptEnded(#[from] CommandError),
+    /// There is no GPU adapter, or it cannot draw the picture.
+    #[error(transparent)]
+    Gpu(#[from] GpuError),
+    /// A picture could not be made a PNG.
+    #[error("the picture cannot be encoded: {0}")]
+    Png(#[from] png::EncodingError),
     /// Standard output does not take what is written to it.
     #[error("standard output: {0}")]
     StandardOutput(#[source] io::Error),
@@ -51,8 +58,13 @@ impl CliError {
     /// The exit status of the process.
     pub fn exit_status(&self) -> u8 {
         match self {
-            Self::Usage(_) => 2,
-            Self::BadInput { .. } | Self::Unwritten { .. } | Self::ScriptEnded(_) | Self::StandardOutput(_) => 1,
+            Self::Usage(_) | Self::Gpu(GpuError::Size { .. }) => 2,
+            Self::Gpu(_) => 3,
+            Self::BadInput { .. }
+            | Self::Unwritten { .. }
+            | Self::ScriptEnded(_)
+            | Self::Png(_)
+            | Self::StandardOutput(_) => 1,
         }
     }
 }

@@ -5,20 +5,26 @@ use glam::Vec2;
 use super::CliError;
 use super::arguments::Size;
 use crate::frame::Frame;
+use crate::render::{Gpu, Offscreen, Renderer, default_samples};
 
 /// A renderer with its target.
 pub struct Painter {
     size: Size,
+    gpu: Gpu,
+    renderer: Renderer,
+    offscreen: Offscreen,
 }
 
 impl Painter {
     /// Acquires a GPU adapter for pictures of a size; with as many samples a pixel as suit it, unless told.
     ///
     /// # Errors
-    /// [`CliError`] where there is none.
+    /// [`CliError::Gpu`] where there is none, or it cannot draw pictures so large.
     pub fn new(size: Size, samples: Option<u32>) -> Result<Self, CliError> {
-        let _ = (size, samples);
-        Err(CliError::bad_input("inbetween", "this build has no renderer"))
+        let gpu = Gpu::headless()?;
+        let offscreen = Offscreen::new(&gpu, size.width, size.height)?;
+        let samples = samples.unwrap_or_else(|| default_samples(gpu.is_software));
+        Ok(Self { size, renderer: Renderer::new(&gpu, Offscreen::FORMAT, samples), offscreen, gpu })
     }
 
     /// The pictures' width and height in pixels.
@@ -31,7 +37,8 @@ impl Painter {
     ///
     /// # Errors
     /// [`CliError`]
-    pub fn png(&mut self, _frame: &Frame) -> Result<Vec<u8>, CliError> {
-        Err(CliError::bad_input("inbetween", "this build has no renderer"))
+    pub fn png(&mut self, frame: &Frame) -> Result<Vec<u8>, CliError> {
+        let image = self.offscreen.render(&self.gpu, &mut self.renderer, frame)?;
+        Ok(image.to_png()?)
     }
 }
