@@ -1,6 +1,7 @@
 //! Inbetween, a desktop 3D keyframe animator.
 
 pub mod camera;
+pub mod cli;
 pub mod clock;
 pub mod editor;
 pub mod frame;

@@ -1,3 +1,7 @@
-//! The program: see the library.
+//! The program: its command line, which opens the window where no other command is given.
 
-fn main() {}
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    inbetween::cli::run(std::env::args_os())
+}

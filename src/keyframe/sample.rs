@@ -65,16 +65,26 @@ impl<'a> PlayRange<'a> {
         KeyframeIndex::new(self.keyframes.len() - 2)
     }
 
+    /// Whether there is a pose at a key time, without making it.
+    ///
+    /// # Errors
+    /// [`SampleError::OutOfRange`] outside of [0, n − 1].
+    pub fn check(&self, key_time: f64) -> Result<(), SampleError> {
+        let last_key_time = self.last_key_time();
+        #[expect(clippy::cast_precision_loss, reason = "no list has 2^52 keyframes")]
+        if (0.0..=last_key_time as f64).contains(&key_time) {
+            Ok(())
+        } else {
+            Err(SampleError::OutOfRange { key_time, last_key_time })
+        }
+    }
+
     /// The pose at a key time in [0, n − 1]; at whole key times the keyframe itself, to the bit.
     ///
     /// # Errors
     /// [`SampleError::OutOfRange`] outside of that.
     pub fn pose_at(&self, key_time: f64, interpolation: Interpolation) -> Result<Pose, SampleError> {
-        let last_key_time = self.last_key_time();
-        #[expect(clippy::cast_precision_loss, reason = "no list has 2^52 keyframes")]
-        if !(0.0..=last_key_time as f64).contains(&key_time) {
-            return Err(SampleError::OutOfRange { key_time, last_key_time });
-        }
+        self.check(key_time)?;
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it was found to lie in the list")]
         let start = key_time.floor() as usize + 1;
         #[expect(clippy::cast_possible_truncation, reason = "the fraction of a key time needs no more than f32")]
