@@ -71,6 +71,10 @@ pub struct Session {
     pub is_picking: bool,
     /// Whether the arcball is drawn.
     pub shows_arcball: bool,
+    /// Whether the path of the chosen node is drawn.
+    pub shows_path: bool,
+    /// Whether other interpolations are shown beside the one in force while playing.
+    pub compares: bool,
     /// Whether the help is shown.
     pub shows_help: bool,
     /// Whether the panels are shown.
@@ -124,6 +128,8 @@ impl Editor {
                 sky_mode: SkyMode::default(),
                 is_picking: false,
                 shows_arcball: true,
+                shows_path: true,
+                compares: false,
                 shows_help: false,
                 shows_panels: true,
             },

@@ -79,7 +79,7 @@ impl Group {
 /// One row of the table.
 #[derive(Clone, Debug)]
 pub struct Binding {
-    /// The keys, the first of them the one that menus show.
+    /// The keys, the first of them the one that menus show; empty for what only menus do.
     pub chords: Vec<Chord>,
     /// What it does.
     pub command: Command,
@@ -280,6 +280,20 @@ pub fn bindings() -> Vec<Binding> {
             "Move the sky camera about the world's centre, or about itself",
         ),
         row(Group::View, vec![typed('a')], view(ViewCommand::ToggleArcball), "Arcball", "Show or hide the arcball"),
+        row(
+            Group::View,
+            vec![Chord { key: Key::Character('p'), modifiers: Modifiers { alt: true, ..plain } }],
+            view(ViewCommand::TogglePath),
+            "Motion path",
+            "Show or hide the path that the chosen node takes",
+        ),
+        row(
+            Group::View,
+            vec![],
+            view(ViewCommand::ToggleComparison),
+            "Compare interpolations",
+            "While playing, show the chosen robot under the other interpolations",
+        ),
         row(Group::View, vec![typed('h')], view(ViewCommand::ToggleHelp), "Help", "Show or hide this help"),
         row(Group::View, vec![key(Key::F11)], view(ViewCommand::TogglePanels), "Panels", "Hide or show all panels"),
         row(Group::View, vec![key(Key::Escape)], Command::Cancel, "Cancel", "Leave the mode, drag or dialog at hand"),
@@ -374,6 +388,9 @@ pub fn press_from_word(word: &str) -> Option<KeyPress> {
 pub fn markdown() -> String {
     let mut text = String::from("| key | does |\n|---|---|\n");
     for binding in bindings() {
+        if binding.chords.is_empty() {
+            continue;
+        }
         let keys: Vec<String> = binding.chords.iter().map(|chord| format!("`{}`", chord.label())).collect();
         text.push_str(&format!("| {} | {} |\n", keys.join(", "), binding.help));
     }

@@ -2,7 +2,7 @@
 
 use glam::{Affine3A, Vec2};
 
-use super::{ArcballMark, DrawItem, Frame, View};
+use super::{ArcballMark, DrawItem, Frame, View, overlays};
 use crate::camera::Camera;
 use crate::editor::Editor;
 use crate::pose::{Pose, RbtIndex};
@@ -49,6 +49,12 @@ impl Frame {
                 .manipulation(&camera)
                 .arcball_in_world
                 .map(|(centre_in_world, radius)| ArcballMark { centre_in_world, radius });
+        }
+        if session.shows_path {
+            overlays::add_path(&mut frame, editor);
+        }
+        if session.compares {
+            overlays::add_comparison(&mut frame, editor);
         }
         frame
     }
