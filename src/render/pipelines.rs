@@ -219,8 +219,11 @@ impl Pipelines {
         // Depth alone, in the picture's own pass, must still name the pass's colour target.
         let fragment = if kind == Kind::GhostDepth { Some("nothing_fragment") } else { recipe.fragment };
         let mut bias = wgpu::DepthBiasState::default();
-        if kind == Kind::Shadow {
-            bias = wgpu::DepthBiasState { constant: 1, slope_scale: 1.5, clamp: 0.0 };
+        match kind {
+            Kind::Shadow => bias = wgpu::DepthBiasState { constant: 1, slope_scale: 1.5, clamp: 0.0 },
+            // A ghost that lies exactly on its shape stays behind it: depth is reversed.
+            Kind::GhostDepth | Kind::Ghost => bias.constant = -256,
+            _ => {}
         }
         let corner_attributes = wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3];
         let instance_attributes = wgpu::vertex_attr_array![
