@@ -107,8 +107,8 @@ impl Kind {
             Self::Plane => shape("plane_vertex", Some("plane_fragment"), (GreaterEqual, true), false),
             Self::Sky => screen(Source::Sky, "sky_vertex", "sky_fragment", Some((GreaterEqual, false)), false),
             Self::Shadow => shape("shadow_vertex", None, (CompareFunction::LessEqual, true), false),
-            Self::GhostDepth => shape("place_vertex", None, (GreaterEqual, true), false),
-            Self::Ghost => shape("shape_vertex", Some("ghost_fragment"), (Equal, false), true),
+            Self::GhostDepth => shape("ghost_vertex", None, (GreaterEqual, true), false),
+            Self::Ghost => shape("ghost_vertex", Some("ghost_fragment"), (Equal, false), true),
             Self::Line => stroke("line_vertex", "line_fragment", GreaterEqual, 1.0),
             Self::LineHidden => stroke("line_vertex", "line_fragment", Less, 0.22),
             Self::LineOnTop => stroke("line_vertex", "line_fragment", Always, 1.0),
@@ -219,11 +219,8 @@ impl Pipelines {
         // Depth alone, in the picture's own pass, must still name the pass's colour target.
         let fragment = if kind == Kind::GhostDepth { Some("nothing_fragment") } else { recipe.fragment };
         let mut bias = wgpu::DepthBiasState::default();
-        match kind {
-            Kind::Shadow => bias = wgpu::DepthBiasState { constant: 1, slope_scale: 1.5, clamp: 0.0 },
-            // A ghost that lies exactly on its shape stays behind it: depth is reversed.
-            Kind::GhostDepth | Kind::Ghost => bias.constant = -256,
-            _ => {}
+        if kind == Kind::Shadow {
+            bias = wgpu::DepthBiasState { constant: 1, slope_scale: 1.5, clamp: 0.0 };
         }
         let corner_attributes = wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3];
         let instance_attributes = wgpu::vertex_attr_array![
