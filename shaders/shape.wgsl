@@ -219,7 +219,7 @@ fn mask_fragment() -> @location(0) vec4f {
 @vertex
 fn ghost_vertex(corner: Corner) -> ShapePixel {
     var out = shape_vertex_of(corner);
-    out.in_clip.z *= 0.9996;
+    out.in_clip.z *= 0.997;
     return out;
 }
 

@@ -10,7 +10,7 @@ use crate::render::mesh::Vertex;
 /// Depth of pictures and of the sun's map.
 pub const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 /// The outline's mask.
-pub const MASK_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rg8Unorm;
+pub const MASK_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
 /// All pipelines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
