@@ -209,6 +209,7 @@ impl Pipelines {
                 ..wgpu::BlendState::ALPHA_BLENDING
             }),
             write_mask: match kind {
+                Kind::MaskAll if self.samples > 1 => wgpu::ColorWrites::RED | wgpu::ColorWrites::GREEN,
                 Kind::MaskAll => wgpu::ColorWrites::RED,
                 Kind::MaskVisible => wgpu::ColorWrites::GREEN,
                 Kind::GhostDepth => wgpu::ColorWrites::empty(),
@@ -248,7 +249,9 @@ impl Pipelines {
             Input::Strokes => &stroke_buffers,
             Input::Nothing => &[],
         };
-        let is_single = matches!(kind, Kind::Shadow | Kind::Outline);
+        let is_single = is_mask || matches!(kind, Kind::Shadow | Kind::Outline);
+        // The mask has one sample a pixel: where depth has more, what hides the chosen node is not looked at.
+        let depth = if is_mask && self.samples > 1 { None } else { recipe.depth };
         device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
             label: None,
             layout: Some(&layout),
@@ -267,7 +270,7 @@ impl Pipelines {
                 cull_mode: (recipe.input == Input::Instances).then_some(wgpu::Face::Back),
                 ..Default::default()
             },
-            depth_stencil: recipe.depth.map(|(compare, write)| wgpu::DepthStencilState {
+            depth_stencil: depth.map(|(compare, write)| wgpu::DepthStencilState {
                 format: DEPTH_FORMAT,
                 depth_write_enabled: Some(write),
                 depth_compare: Some(compare),
