@@ -60,7 +60,13 @@ impl Frame {
     }
 }
 
-fn draw_item(placed: &PlacedShape, world_from_shape: Affine3A, seconds: f64, place: usize, outlined: bool) -> DrawItem {
+pub(super) fn draw_item(
+    placed: &PlacedShape,
+    world_from_shape: Affine3A,
+    seconds: f64,
+    place: usize,
+    outlined: bool,
+) -> DrawItem {
     DrawItem {
         mesh: placed.shape.mesh(),
         world_from_shape,
