@@ -11,3 +11,5 @@ pub mod pose;
 pub mod rbt;
 pub mod scene;
 pub mod storage;
+pub mod ui;
+pub mod window;
