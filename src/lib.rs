@@ -9,6 +9,7 @@ pub mod json;
 pub mod keyframe;
 pub mod pose;
 pub mod rbt;
+pub mod render;
 pub mod scene;
 pub mod storage;
 pub mod ui;

@@ -1,0 +1,35 @@
+// Shared by every shader: what is the same for a whole picture, and the last step of every pixel.
+// Colours are linear light until `finished`. No derivatives anywhere, so that pictures are the same to the byte.
+
+struct Globals {
+    clip_from_world: mat4x4f,
+    // x and y from -1 to 1, depth from 0 nearest the sun.
+    map_from_world: mat4x4f,
+    // w: the size of a pixel at distance 1.
+    eye_in_world: vec4f,
+    ray_ahead_in_world: vec4f,
+    // w: the viewport's width in pixels.
+    ray_right_in_world: vec4f,
+    // w: the viewport's height in pixels.
+    ray_up_in_world: vec4f,
+    // w: a shadow texel's side in scene units.
+    towards_sun_in_world: vec4f,
+    // w: the outline's width in pixels.
+    horizon: vec4f,
+    zenith: vec4f,
+    accent: vec4f,
+}
+
+@group(0) @binding(0) var<uniform> globals: Globals;
+
+// Whether the target stores what it is given, so that the shader must encode.
+override ENCODE_SRGB: bool = false;
+
+fn finished(colour: vec3f, opacity: f32) -> vec4f {
+    if ENCODE_SRGB {
+        let low = colour * 12.92;
+        let high = 1.055 * pow(max(colour, vec3f(0.0)), vec3f(1.0 / 2.4)) - 0.055;
+        return vec4f(select(high, low, colour <= vec3f(0.0031308)), opacity);
+    }
+    return vec4f(colour, opacity);
+}

@@ -1,0 +1,27 @@
+// The chosen node's outline, around the mask of all its shapes: red is all of it, green what nothing hides.
+
+@group(1) @binding(0) var mask: texture_2d<f32>;
+
+@vertex
+fn outline_vertex(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
+    return vec4f(f32(index & 1u) * 4.0 - 1.0, f32(index >> 1u) * 4.0 - 1.0, 0.0, 1.0);
+}
+
+@fragment
+fn outline_fragment(@builtin(position) in_pixels: vec4f) -> @location(0) vec4f {
+    let here = vec2i(in_pixels.xy);
+    let last = vec2i(textureDimensions(mask)) - 1;
+    let width = globals.horizon.w;
+    var reached = vec2f(0.0);
+    for (var y = -3; y <= 3; y++) {
+        for (var x = -3; x <= 3; x++) {
+            let weight = saturate(width + 0.9 - length(vec2f(f32(x), f32(y))));
+            if weight > 0.0 {
+                let there = clamp(here + vec2i(x, y), vec2i(0), last);
+                reached = max(reached, weight * textureLoad(mask, there, 0).rg);
+            }
+        }
+    }
+    let outside = 1.0 - textureLoad(mask, here, 0).r;
+    return finished(globals.accent.rgb, outside * max(reached.g, 0.4 * reached.r));
+}

@@ -1,0 +1,93 @@
+//! Where items are against the view: support radii, the view's side planes, and boxes in pixels.
+
+use glam::Vec3;
+
+use crate::frame::{DrawItem, View};
+
+/// An item's box in world space: its centre and three half edges.
+#[derive(Clone, Copy, Debug)]
+pub struct Bounds {
+    /// The centre, in world space.
+    pub centre_in_world: Vec3,
+    /// From the centre to three of its faces, in world space.
+    pub half_edges_in_world: [Vec3; 3],
+}
+
+impl Bounds {
+    /// The box around an item.
+    pub fn of(item: &DrawItem) -> Self {
+        let axes = item.world_from_shape.matrix3;
+        let half = item.half_extents;
+        Self {
+            centre_in_world: item.world_from_shape.translation.into(),
+            half_edges_in_world: [(axes.x_axis * half.x).into(), (axes.y_axis * half.y).into(), (axes.z_axis * half.z).into()],
+        }
+    }
+
+    /// How far the box reaches from its centre along a direction, in that direction's length.
+    pub fn reach(&self, direction: Vec3) -> f32 {
+        self.half_edges_in_world.iter().map(|edge| edge.dot(direction).abs()).sum()
+    }
+
+    fn corners_in_world(&self) -> impl Iterator<Item = Vec3> + '_ {
+        let [a, b, c] = self.half_edges_in_world;
+        (0..8).map(move |corner: u8| {
+            let sign = |bit: u8| if corner >> bit & 1 == 1 { 1.0 } else { -1.0 };
+            self.centre_in_world + a * sign(0) + b * sign(1) + c * sign(2)
+        })
+    }
+}
+
+/// The view's sides: what lies on the positive side of all five planes may be seen.
+#[derive(Clone, Copy, Debug)]
+pub struct ViewSides {
+    /// Where all the planes meet, in world space.
+    pub eye_in_world: Vec3,
+    normals_in_world: [Vec3; 5],
+}
+
+impl ViewSides {
+    /// The sides of a view.
+    pub fn of(view: &View) -> Self {
+        let up = (view.vertical_fov * 0.5).tan();
+        let right = up * view.aspect;
+        let normals_in_eye =
+            [Vec3::new(1.0, 0.0, -right), Vec3::new(-1.0, 0.0, -right), Vec3::new(0.0, 1.0, -up), Vec3::new(0.0, -1.0, -up), Vec3::NEG_Z];
+        Self {
+            eye_in_world: view.world_from_eye.translation.into(),
+            normals_in_world: normals_in_eye.map(|normal| view.world_from_eye.transform_vector3(normal.normalize())),
+        }
+    }
+
+    /// Whether a box, moved from where it is along `sweep_in_world`, may be seen on its way.
+    pub fn may_see(&self, bounds: &Bounds, sweep_in_world: Vec3) -> bool {
+        let from_eye = bounds.centre_in_world - self.eye_in_world;
+        self.normals_in_world.iter().all(|&normal| {
+            let distance = normal.dot(from_eye).max(normal.dot(from_eye + sweep_in_world));
+            distance >= -bounds.reach(normal)
+        })
+    }
+}
+
+/// The rectangle around boxes in a picture of so many pixels, grown by `margin_px`: x, y, width, height; the whole picture where
+/// a box reaches behind the eye, `None` where nothing is in it.
+pub fn rectangle_px(view: &View, boxes: impl Iterator<Item = Bounds>, size_px: [u32; 2], margin_px: f32) -> Option<[u32; 4]> {
+    let clip_from_world = view.clip_from_eye * glam::Mat4::from(view.eye_from_world);
+    let size = glam::Vec2::new(size_px[0] as f32, size_px[1] as f32);
+    let (mut least, mut most) = (glam::Vec2::INFINITY, glam::Vec2::NEG_INFINITY);
+    for bounds in boxes {
+        for corner in bounds.corners_in_world() {
+            let [x, y, _, w] = (clip_from_world * corner.extend(1.0)).to_array();
+            if w < 1e-3 {
+                return Some([0, 0, size_px[0], size_px[1]]);
+            }
+            let place = glam::Vec2::new(0.5 + 0.5 * x / w, 0.5 - 0.5 * y / w) * size;
+            least = least.min(place);
+            most = most.max(place);
+        }
+    }
+    let least = (least - margin_px).floor().clamp(glam::Vec2::ZERO, size);
+    let most = (most + margin_px).ceil().clamp(glam::Vec2::ZERO, size);
+    let extent = most - least;
+    (extent.x >= 1.0 && extent.y >= 1.0).then_some([least.x as u32, least.y as u32, extent.x as u32, extent.y as u32])
+}

@@ -1,0 +1,129 @@
+//! The adapter and its device, for a window or for none.
+
+use thiserror::Error;
+
+/// Why nothing can be drawn: each sentence says what is missing and how to get it.
+#[derive(Debug, Error)]
+pub enum GpuError {
+    /// No driver offers an adapter.
+    #[error(
+        "no GPU adapter was found: install a Vulkan driver, or Mesa's software one (Debian: apt-get install mesa-vulkan-drivers libvulkan1)"
+    )]
+    NoAdapter,
+    /// The adapter refuses to open a device.
+    #[error("the GPU adapter \"{adapter}\" cannot be opened ({reason}): update its driver, or install Mesa's software one (Debian: apt-get install mesa-vulkan-drivers libvulkan1)")]
+    NoDevice {
+        /// The adapter's name.
+        adapter: String,
+        /// What the driver says.
+        reason: String,
+    },
+    /// The window system offers no surface to draw on.
+    #[error("no surface can be made for the window ({reason}): a Vulkan or OpenGL driver that supports this display is needed")]
+    NoSurface {
+        /// What the driver says.
+        reason: String,
+    },
+    /// The picture has no pixels, or more in a row or column than the adapter can draw.
+    #[error("a picture of {width}x{height} pixels cannot be drawn: each side must be from 1 to {limit}")]
+    Size {
+        /// Width asked for, in pixels.
+        width: u32,
+        /// Height asked for, in pixels.
+        height: u32,
+        /// The longest side that the adapter can draw, in pixels.
+        limit: u32,
+    },
+    /// The picture was drawn but did not come back.
+    #[error("the picture cannot be read back from the GPU adapter \"{adapter}\": {reason}")]
+    ReadBack {
+        /// The adapter's name.
+        adapter: String,
+        /// What the driver says.
+        reason: String,
+    },
+}
+
+/// An adapter with its open device and queue.
+#[derive(Debug)]
+pub struct Gpu {
+    /// The instance that the adapter belongs to.
+    pub instance: wgpu::Instance,
+    /// The adapter.
+    pub adapter: wgpu::Adapter,
+    /// Its device.
+    pub device: wgpu::Device,
+    /// The device's queue.
+    pub queue: wgpu::Queue,
+    /// The adapter's name, driver, backend and kind.
+    pub info: wgpu::AdapterInfo,
+    /// Whether the CPU does the drawing, so that every pixel's work counts.
+    pub is_software: bool,
+}
+
+impl Gpu {
+    /// The best adapter that needs no display. Vulkan is asked first, since asking every backend costs tens of milliseconds.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::NoAdapter`] and [`GpuError::NoDevice`].
+    pub fn headless() -> Result<Self, GpuError> {
+        let open = |backends| {
+            let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
+            descriptor.backends = backends;
+            descriptor.flags = wgpu::InstanceFlags::empty();
+            Self::open(wgpu::Instance::new(descriptor), None)
+        };
+        open(wgpu::Backends::VULKAN).or_else(|_| open(wgpu::Backends::all() - wgpu::Backends::VULKAN))
+    }
+
+    /// The best adapter that can draw on a window, and the window's surface. `display` and `window` are handles that are
+    /// cheap to clone, such as winit's `OwnedDisplayHandle` and an `Arc<Window>`.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::NoSurface`], [`GpuError::NoAdapter`] and [`GpuError::NoDevice`].
+    pub fn for_window<D, W>(display: &D, window: &W) -> Result<(Self, wgpu::Surface<'static>), GpuError>
+    where
+        D: wgpu::wgt::WgpuHasDisplayHandle + Clone,
+        W: Into<wgpu::SurfaceTarget<'static>> + Clone,
+    {
+        let open = |backends| {
+            let mut descriptor = wgpu::InstanceDescriptor::new_with_display_handle(Box::new(display.clone()));
+            descriptor.backends = backends;
+            descriptor.flags = wgpu::InstanceFlags::empty();
+            let instance = wgpu::Instance::new(descriptor);
+            let surface =
+                instance.create_surface(window.clone()).map_err(|error| GpuError::NoSurface { reason: error.to_string() })?;
+            Ok((Self::open(instance, Some(&surface))?, surface))
+        };
+        open(wgpu::Backends::VULKAN).or_else(|_| open(wgpu::Backends::all() - wgpu::Backends::VULKAN))
+    }
+
+    fn open(instance: wgpu::Instance, surface: Option<&wgpu::Surface<'static>>) -> Result<Self, GpuError> {
+        let options = wgpu::RequestAdapterOptions {
+            power_preference: wgpu::PowerPreference::HighPerformance,
+            compatible_surface: surface,
+            ..Default::default()
+        };
+        let adapter = pollster::block_on(instance.request_adapter(&options)).map_err(|_| GpuError::NoAdapter)?;
+        let info = adapter.get_info();
+        let supported = adapter.limits();
+        let descriptor = wgpu::DeviceDescriptor {
+            label: Some("inbetween"),
+            required_limits: wgpu::Limits::default().or_worse_values_from(&supported).using_resolution(supported),
+            memory_hints: wgpu::MemoryHints::MemoryUsage,
+            ..Default::default()
+        };
+        let (device, queue) = pollster::block_on(adapter.request_device(&descriptor))
+            .map_err(|error| GpuError::NoDevice { adapter: info.name.clone(), reason: error.to_string() })?;
+        let is_software = info.device_type == wgpu::DeviceType::Cpu;
+        Ok(Self { instance, adapter, device, queue, info, is_software })
+    }
+
+    /// The longest side of a picture, in pixels.
+    #[must_use]
+    pub fn largest_side_px(&self) -> u32 {
+        self.device.limits().max_texture_dimension_2d
+    }
+}

@@ -1,0 +1,176 @@
+//! A frame as the bytes that one upload carries to the GPU: globals, then instances by mesh, then strokes.
+
+use std::f32::consts::TAU;
+use std::ops::Range;
+
+use bytemuck::{Pod, Zeroable, bytes_of};
+use glam::{Affine3A, Vec3};
+
+use crate::frame::{ArcballMark, DrawItem, Frame, View};
+use crate::render::look;
+use crate::render::uniforms::Globals;
+use crate::scene::MeshKind;
+
+/// One shape, as a vertex buffer steps through them.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+pub struct Instance {
+    /// The three rows of an affine, shape space to world space, that does not mirror.
+    world_from_shape: [[f32; 4]; 3],
+    half_extents: Vec3,
+    rounding: f32,
+    colour: Vec3,
+    node: u32,
+    opacity: f32,
+}
+
+impl Instance {
+    fn new(item: &DrawItem, opacity: f32) -> Self {
+        let mut world_from_shape = item.world_from_shape;
+        // Every mesh is its own mirror image, so a mirrored shape is the same shape unmirrored; culling then needs one winding.
+        if world_from_shape.matrix3.determinant() < 0.0 {
+            world_from_shape *= Affine3A::from_scale(Vec3::new(-1.0, 1.0, 1.0));
+        }
+        // A cone's slope depends on its size: leave that to the affine, which carries the unit cone's normals along.
+        let (mut half_extents, mut rounding) = (item.half_extents, item.rounding);
+        if item.mesh == MeshKind::Cone {
+            world_from_shape *= Affine3A::from_scale(half_extents);
+            (half_extents, rounding) = (Vec3::ONE, 0.0);
+        }
+        let rows = world_from_shape.matrix3.transpose();
+        let moved = world_from_shape.translation;
+        let row = |row: glam::Vec3A, moved: f32| [row.x, row.y, row.z, moved];
+        Self {
+            world_from_shape: [row(rows.x_axis, moved.x), row(rows.y_axis, moved.y), row(rows.z_axis, moved.z)],
+            half_extents,
+            rounding,
+            colour: item.colour,
+            node: item.node,
+            opacity,
+        }
+    }
+}
+
+/// One line or dot.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+pub struct Stroke {
+    from_in_world: Vec3,
+    to_in_world: Vec3,
+    colour: [f32; 4],
+    width_px: f32,
+}
+
+/// Straight pieces of each of the arcball's circles.
+const CIRCLE_PIECES: u16 = 72;
+
+/// The bytes and where everything is in them. Kept from frame to frame, so that nothing is allocated while nothing grows.
+#[derive(Debug, Default)]
+pub struct Packed {
+    /// What is uploaded.
+    pub bytes: Vec<u8>,
+    /// Instances of each kind, the outlined ones last.
+    pub items: [Range<u32>; 6],
+    /// The outlined instances of each kind.
+    pub outlined: [Range<u32>; 6],
+    /// Ghosts' instances of each kind.
+    pub ghosts: [Range<u32>; 6],
+    /// Where the instances of items lie in the bytes.
+    pub item_bytes: Range<usize>,
+    /// Where strokes begin in the bytes.
+    pub strokes_start: usize,
+    /// Strokes that are lines.
+    pub lines: Range<u32>,
+    /// Strokes that make the arcball.
+    pub arcball: Range<u32>,
+    /// Strokes that are dots.
+    pub dots: Range<u32>,
+}
+
+/// Where instances begin in the bytes: after the globals, where any adapter lets a buffer binding end.
+pub const INSTANCES_START: usize = 512;
+
+impl Packed {
+    /// Replaces what was packed by a frame.
+    pub fn pack(&mut self, frame: &Frame, globals: &Globals) {
+        self.bytes.clear();
+        self.bytes.extend_from_slice(bytes_of(globals));
+        self.bytes.resize(INSTANCES_START, 0);
+        let mut count = 0;
+        for (slot, kind) in MeshKind::ALL.into_iter().enumerate() {
+            let start = count;
+            for outlined in [false, true] {
+                let begin = count;
+                for item in frame.items.iter().filter(|item| item.mesh == kind && item.outlined == outlined) {
+                    self.bytes.extend_from_slice(bytes_of(&Instance::new(item, 1.0)));
+                    count += 1;
+                }
+                self.outlined[slot] = begin..count;
+            }
+            self.items[slot] = start..count;
+        }
+        self.item_bytes = INSTANCES_START..self.bytes.len();
+        for (slot, kind) in MeshKind::ALL.into_iter().enumerate() {
+            let start = count;
+            for ghost in frame.ghosts.iter().filter(|ghost| ghost.item.mesh == kind) {
+                self.bytes.extend_from_slice(bytes_of(&Instance::new(&ghost.item, ghost.opacity)));
+                count += 1;
+            }
+            self.ghosts[slot] = start..count;
+        }
+        self.strokes_start = self.bytes.len();
+        let mut strokes = 0;
+        let mut push = |stroke: Stroke| {
+            self.bytes.extend_from_slice(bytes_of(&stroke));
+            strokes += 1;
+            strokes
+        };
+        let mut end = 0;
+        for line in &frame.lines {
+            let (from_in_world, to_in_world) = (line.from_in_world, line.to_in_world);
+            end = push(Stroke { from_in_world, to_in_world, colour: line.colour.to_array(), width_px: line.width_px });
+        }
+        self.lines = 0..end;
+        if let Some(mark) = &frame.arcball {
+            arcball(mark, &frame.view, |stroke| end = push(stroke));
+        }
+        self.arcball = self.lines.end..end;
+        for dot in &frame.dots {
+            let (from_in_world, to_in_world) = (dot.centre_in_world, dot.centre_in_world);
+            end = push(Stroke { from_in_world, to_in_world, colour: dot.colour.to_array(), width_px: dot.diameter_px });
+        }
+        self.dots = self.arcball.end..end;
+    }
+}
+
+/// The ball's outline and three great circles, their far halves fainter.
+fn arcball(mark: &ArcballMark, view: &View, mut push: impl FnMut(Stroke)) {
+    let colour = look::linear(look::ARCBALL);
+    let from_eye = mark.centre_in_world - Vec3::from(view.world_from_eye.translation);
+    let distance = from_eye.length();
+    let mut circle = |centre: Vec3, u: Vec3, v: Vec3, is_outline: bool| {
+        let at = |piece: u16| {
+            let (sin, cos) = (TAU * f32::from(piece % CIRCLE_PIECES) / f32::from(CIRCLE_PIECES)).sin_cos();
+            centre + u * cos + v * sin
+        };
+        for piece in 0..CIRCLE_PIECES {
+            let (from_in_world, to_in_world) = (at(piece), at(piece + 1));
+            let outwards = (from_in_world + to_in_world) * 0.5 - mark.centre_in_world;
+            // 1 towards the eye, 0 away from it, easing over the rim where the ball is seen edge on.
+            let facing = (0.5 - 2.5 * outwards.dot(from_eye) / (mark.radius * distance)).clamp(0.0, 1.0);
+            let (opacity, width_px) = if is_outline { (0.75, 1.6) } else { (0.14 + 0.5 * facing, 1.2) };
+            push(Stroke { from_in_world, to_in_world, colour: colour.extend(opacity).to_array(), width_px });
+        }
+    };
+    let r = mark.radius;
+    for (u, v) in [(Vec3::X, Vec3::Y), (Vec3::Y, Vec3::Z), (Vec3::Z, Vec3::X)] {
+        circle(mark.centre_in_world, u * r, v * r, false);
+    }
+    if distance > r {
+        // Seen from a point, the ball's outline is a smaller circle nearer to the eye.
+        let towards_eye = -from_eye / distance;
+        let (along, rim) = (r * r / distance, r * (1.0 - (r / distance).powi(2)).sqrt());
+        let (u, v) = towards_eye.any_orthonormal_pair();
+        circle(mark.centre_in_world + towards_eye * along, u * rim, v * rim, true);
+    }
+}

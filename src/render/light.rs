@@ -1,0 +1,86 @@
+//! The sun's box: which part of the world the shadow map covers.
+//!
+//! The box is fitted to what casts a shadow into the view, in steps, so that shadows do not swim and the map need not be drawn
+//! again while little moves. It is a function of the frame alone, and what neither is seen nor casts a shadow into the view
+//! has no part in it.
+
+use glam::{Mat4, Vec3};
+
+use crate::frame::Frame;
+use crate::render::bounds::{Bounds, ViewSides};
+use crate::render::look;
+use crate::scene::MeshKind;
+
+/// Side of the shadow map in texels.
+pub const MAP_TEXELS: u32 = 1024;
+/// Beyond this distance from the eye nothing casts a shadow, in scene units.
+const FARTHEST_CASTER: f32 = 120.0;
+/// The longest way from a caster to its shadow, in scene units.
+const LONGEST_THROW: f32 = 80.0;
+/// The box's centre moves in steps of this part of its side.
+const CENTRE_STEP: f32 = 1.0 / 16.0;
+/// Steps for each doubling of the box's side.
+const STEPS_PER_DOUBLING: f32 = 3.0;
+/// The smallest box's side, in scene units.
+const SMALLEST_SIDE: f32 = 2.0;
+
+/// The part of the world that the shadow map covers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SunBox {
+    /// World space to the map: x and y from −1 to 1 (Y up), depth from 0 nearest the sun to 1.
+    pub map_from_world: Mat4,
+    /// A texel's side, in scene units.
+    pub texel: f32,
+}
+
+/// Unit direction from any point towards the sun, in world space.
+pub fn towards_sun_in_world() -> Vec3 {
+    look::TOWARDS_SUN_IN_WORLD.normalize()
+}
+
+impl SunBox {
+    /// The box around all that casts a shadow into the frame's view; `None` where nothing does.
+    pub fn fit(frame: &Frame) -> Option<Self> {
+        let sides = ViewSides::of(&frame.view);
+        let z = towards_sun_in_world();
+        let x = Vec3::Y.cross(z).normalize();
+        let y = z.cross(x);
+        let floor = frame
+            .items
+            .iter()
+            .map(Bounds::of)
+            .filter(|bounds| sides.may_see(bounds, Vec3::ZERO))
+            .map(|bounds| bounds.centre_in_world.y - bounds.reach(Vec3::Y))
+            .fold(f32::INFINITY, f32::min);
+        let (mut least, mut most) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
+        for item in frame.items.iter().filter(|item| item.mesh != MeshKind::Plane) {
+            let bounds = Bounds::of(item);
+            let centre = bounds.centre_in_world;
+            let throw = ((centre.y + bounds.reach(Vec3::Y) - floor) / z.y).clamp(0.0, LONGEST_THROW);
+            let near_enough = centre.distance(sides.eye_in_world) < FARTHEST_CASTER;
+            if near_enough && sides.may_see(&bounds, -z * throw) {
+                let place = Vec3::new(centre.dot(x), centre.dot(y), centre.dot(z));
+                let reach = Vec3::new(bounds.reach(x), bounds.reach(y), bounds.reach(z));
+                least = least.min(place - reach);
+                most = most.max(place + reach);
+            }
+        }
+        if !(most - least).is_finite() || least.x > most.x {
+            return None;
+        }
+        let needed = (most - least).truncate().max_element() * (1.0 + CENTRE_STEP) * 1.01;
+        let steps = (needed.max(SMALLEST_SIDE).log2() * STEPS_PER_DOUBLING).ceil();
+        let side = (steps / STEPS_PER_DOUBLING).exp2();
+        let snap = |v: f32| (v / (side * CENTRE_STEP)).round() * side * CENTRE_STEP;
+        let centre = [snap(f32::midpoint(least.x, most.x)), snap(f32::midpoint(least.y, most.y))];
+        let (nearest, farthest) = (most.z.ceil() + 1.0, least.z.floor() - 1.0);
+        let (across, deep) = (2.0 / side, 1.0 / (nearest - farthest));
+        let map_from_world = Mat4::from_cols(
+            Vec3::new(x.x * across, y.x * across, -z.x * deep).extend(0.0),
+            Vec3::new(x.y * across, y.y * across, -z.y * deep).extend(0.0),
+            Vec3::new(x.z * across, y.z * across, -z.z * deep).extend(0.0),
+            Vec3::new(-centre[0] * across, -centre[1] * across, nearest * deep).extend(1.0),
+        );
+        Some(Self { map_from_world, texel: side / MAP_TEXELS as f32 })
+    }
+}

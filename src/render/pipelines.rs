@@ -1,0 +1,303 @@
+//! Pipelines, each made when it is first needed: making one costs a plain picture milliseconds.
+
+use std::mem::size_of;
+
+use wgpu::{CompareFunction, ShaderStages, VertexFormat};
+
+use crate::render::instances::{Instance, Stroke};
+use crate::render::mesh::Vertex;
+
+/// Depth of pictures and of the sun's map.
+pub const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
+/// The outline's mask.
+pub const MASK_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rg8Unorm;
+
+/// All pipelines.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Opaque shapes but planes.
+    Shape,
+    /// Planes, with their grid.
+    Plane,
+    /// The sky behind everything.
+    Sky,
+    /// The sun's map.
+    Shadow,
+    /// Ghosts' depth, so that only what is nearest of them is blended.
+    GhostDepth,
+    /// Ghosts' colour.
+    Ghost,
+    /// Lines in front of everything.
+    Line,
+    /// Lines behind something, faint.
+    LineHidden,
+    /// Lines over everything.
+    LineOnTop,
+    /// Dots over everything.
+    Dot,
+    /// Outlined shapes, hidden or not.
+    MaskAll,
+    /// Outlined shapes where nothing hides them.
+    MaskVisible,
+    /// The outline around the mask.
+    Outline,
+}
+
+const COUNT: usize = Kind::Outline as usize + 1;
+
+#[derive(Clone, Copy, Debug)]
+enum Source {
+    Shape,
+    Sky,
+    Stroke,
+    Outline,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Input {
+    Instances,
+    Strokes,
+    Nothing,
+}
+
+/// What tells a pipeline from the others.
+struct Recipe {
+    source: Source,
+    vertex: &'static str,
+    fragment: Option<&'static str>,
+    input: Input,
+    /// How depth is compared, and whether it is written; `None` where there is no depth.
+    depth: Option<(CompareFunction, bool)>,
+    blend: bool,
+    kept: f64,
+}
+
+impl Kind {
+    fn recipe(self) -> Recipe {
+        use CompareFunction::{Always, Equal, GreaterEqual, Less};
+        let shape = |vertex, fragment, depth, blend| Recipe {
+            source: Source::Shape,
+            vertex,
+            fragment,
+            input: Input::Instances,
+            depth: Some(depth),
+            blend,
+            kept: 1.0,
+        };
+        let stroke = |vertex, fragment, compare, kept| Recipe {
+            source: Source::Stroke,
+            vertex,
+            fragment: Some(fragment),
+            input: Input::Strokes,
+            depth: Some((compare, false)),
+            blend: true,
+            kept,
+        };
+        let screen = |source, vertex, fragment, depth, blend| Recipe {
+            source,
+            vertex,
+            fragment: Some(fragment),
+            input: Input::Nothing,
+            depth,
+            blend,
+            kept: 1.0,
+        };
+        match self {
+            Self::Shape => shape("shape_vertex", Some("shape_fragment"), (GreaterEqual, true), false),
+            Self::Plane => shape("plane_vertex", Some("plane_fragment"), (GreaterEqual, true), false),
+            Self::Sky => screen(Source::Sky, "sky_vertex", "sky_fragment", Some((GreaterEqual, false)), false),
+            Self::Shadow => shape("shadow_vertex", None, (CompareFunction::LessEqual, true), false),
+            Self::GhostDepth => shape("place_vertex", None, (GreaterEqual, true), false),
+            Self::Ghost => shape("shape_vertex", Some("ghost_fragment"), (Equal, false), true),
+            Self::Line => stroke("line_vertex", "line_fragment", GreaterEqual, 1.0),
+            Self::LineHidden => stroke("line_vertex", "line_fragment", Less, 0.22),
+            Self::LineOnTop => stroke("line_vertex", "line_fragment", Always, 1.0),
+            Self::Dot => stroke("dot_vertex", "dot_fragment", Always, 1.0),
+            Self::MaskAll => shape("place_vertex", Some("mask_fragment"), (Always, false), false),
+            Self::MaskVisible => shape("place_vertex", Some("mask_fragment"), (GreaterEqual, false), false),
+            Self::Outline => screen(Source::Outline, "outline_vertex", "outline_fragment", None, true),
+        }
+    }
+}
+
+/// Pipelines for one target format and number of samples.
+#[derive(Debug)]
+pub struct Pipelines {
+    /// The layout of group 0: the globals.
+    pub globals_layout: wgpu::BindGroupLayout,
+    /// The layout of group 1 for shapes: the sun's map and its sampler.
+    pub sun_map_layout: wgpu::BindGroupLayout,
+    /// The layout of group 1 for the outline: its mask.
+    pub mask_layout: wgpu::BindGroupLayout,
+    target_format: wgpu::TextureFormat,
+    samples: u32,
+    shadow_taps: f64,
+    modules: [Option<wgpu::ShaderModule>; 4],
+    made: [Option<wgpu::RenderPipeline>; COUNT],
+}
+
+impl Pipelines {
+    /// None made yet.
+    pub fn new(device: &wgpu::Device, target_format: wgpu::TextureFormat, samples: u32, shadow_taps: u8) -> Self {
+        let layout = |label, entries: &[wgpu::BindGroupLayoutEntry]| {
+            device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(label), entries })
+        };
+        let entry = |binding, visibility, ty| wgpu::BindGroupLayoutEntry { binding, visibility, ty, count: None };
+        let texture = |sample_type| wgpu::BindingType::Texture {
+            sample_type,
+            view_dimension: wgpu::TextureViewDimension::D2,
+            multisampled: false,
+        };
+        let globals = wgpu::BindingType::Buffer {
+            ty: wgpu::BufferBindingType::Uniform,
+            has_dynamic_offset: false,
+            min_binding_size: None,
+        };
+        Self {
+            globals_layout: layout("globals", &[entry(0, ShaderStages::VERTEX_FRAGMENT, globals)]),
+            sun_map_layout: layout(
+                "sun map",
+                &[
+                    entry(0, ShaderStages::FRAGMENT, texture(wgpu::TextureSampleType::Depth)),
+                    entry(1, ShaderStages::FRAGMENT, wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Comparison)),
+                ],
+            ),
+            mask_layout: layout(
+                "mask",
+                &[entry(0, ShaderStages::FRAGMENT, texture(wgpu::TextureSampleType::Float { filterable: false }))],
+            ),
+            target_format,
+            samples,
+            shadow_taps: f64::from(shadow_taps),
+            modules: [const { None }; 4],
+            made: [const { None }; COUNT],
+        }
+    }
+
+    /// One pipeline, made now if it was not yet.
+    pub fn get(&mut self, device: &wgpu::Device, kind: Kind) -> &wgpu::RenderPipeline {
+        let recipe = kind.recipe();
+        let module = self.modules[recipe.source as usize].get_or_insert_with(|| shader(device, recipe.source)).clone();
+        let pipeline = self.made[kind as usize].take().unwrap_or_else(|| self.make(device, kind, &recipe, &module));
+        self.made[kind as usize].insert(pipeline)
+    }
+
+    fn make(&self, device: &wgpu::Device, kind: Kind, recipe: &Recipe, module: &wgpu::ShaderModule) -> wgpu::RenderPipeline {
+        let second = match kind {
+            Kind::Shape | Kind::Plane => Some(&self.sun_map_layout),
+            Kind::Outline => Some(&self.mask_layout),
+            _ => None,
+        };
+        let groups = [Some(&self.globals_layout), second];
+        let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+            label: None,
+            bind_group_layouts: &groups[..if second.is_some() { 2 } else { 1 }],
+            immediate_size: 0,
+        });
+        let encode = ("ENCODE_SRGB", if self.target_format.is_srgb() { 0.0 } else { 1.0 });
+        let constants: &[(&str, f64)] = match recipe.source {
+            Source::Shape => &[encode, ("SHADOW_TAPS", self.shadow_taps)],
+            Source::Stroke => &[encode, ("KEPT", recipe.kept)],
+            Source::Sky | Source::Outline => &[encode],
+        };
+        let compilation_options = wgpu::PipelineCompilationOptions { constants, ..Default::default() };
+        let is_mask = matches!(kind, Kind::MaskAll | Kind::MaskVisible);
+        let target = wgpu::ColorTargetState {
+            format: if is_mask { MASK_FORMAT } else { self.target_format },
+            blend: recipe.blend.then_some(wgpu::BlendState {
+                alpha: wgpu::BlendComponent::OVER,
+                ..wgpu::BlendState::ALPHA_BLENDING
+            }),
+            write_mask: match kind {
+                Kind::MaskAll => wgpu::ColorWrites::RED,
+                Kind::MaskVisible => wgpu::ColorWrites::GREEN,
+                Kind::GhostDepth => wgpu::ColorWrites::empty(),
+                _ => wgpu::ColorWrites::ALL,
+            },
+        };
+        let targets = [Some(target)];
+        // Depth alone, in the picture's own pass, must still name the pass's colour target.
+        let fragment = if kind == Kind::GhostDepth { Some("nothing_fragment") } else { recipe.fragment };
+        let mut bias = wgpu::DepthBiasState::default();
+        if kind == Kind::Shadow {
+            bias = wgpu::DepthBiasState { constant: 1, slope_scale: 1.5, clamp: 0.0 };
+        }
+        let corner_attributes = wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3];
+        let instance_attributes = wgpu::vertex_attr_array![
+            2 => Float32x4, 3 => Float32x4, 4 => Float32x4, 5 => Float32x4, 6 => Float32x3, 7 => Uint32, 8 => Float32
+        ];
+        let stroke_attributes: [_; 4] =
+            wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32x4, 3 => Float32];
+        let per_instance = |array_stride: usize, attributes| {
+            Some(wgpu::VertexBufferLayout {
+                array_stride: array_stride as u64,
+                step_mode: wgpu::VertexStepMode::Instance,
+                attributes,
+            })
+        };
+        let corners = Some(wgpu::VertexBufferLayout {
+            array_stride: size_of::<Vertex>() as u64,
+            step_mode: wgpu::VertexStepMode::Vertex,
+            attributes: &corner_attributes,
+        });
+        debug_assert_eq!(VertexFormat::Float32x4.size() * 4 + 20, size_of::<Instance>() as u64);
+        let instance_buffers = [corners, per_instance(size_of::<Instance>(), &instance_attributes)];
+        let stroke_buffers = [per_instance(size_of::<Stroke>(), &stroke_attributes)];
+        let buffers: &[_] = match recipe.input {
+            Input::Instances => &instance_buffers,
+            Input::Strokes => &stroke_buffers,
+            Input::Nothing => &[],
+        };
+        let is_single = matches!(kind, Kind::Shadow | Kind::Outline);
+        device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+            label: None,
+            layout: Some(&layout),
+            vertex: wgpu::VertexState {
+                module,
+                entry_point: Some(recipe.vertex),
+                compilation_options: compilation_options.clone(),
+                buffers,
+            },
+            primitive: wgpu::PrimitiveState {
+                topology: if recipe.input == Input::Strokes {
+                    wgpu::PrimitiveTopology::TriangleStrip
+                } else {
+                    wgpu::PrimitiveTopology::TriangleList
+                },
+                cull_mode: (recipe.input == Input::Instances).then_some(wgpu::Face::Back),
+                ..Default::default()
+            },
+            depth_stencil: recipe.depth.map(|(compare, write)| wgpu::DepthStencilState {
+                format: DEPTH_FORMAT,
+                depth_write_enabled: Some(write),
+                depth_compare: Some(compare),
+                stencil: wgpu::StencilState::default(),
+                bias,
+            }),
+            multisample: wgpu::MultisampleState { count: if is_single { 1 } else { self.samples }, ..Default::default() },
+            fragment: fragment.map(|entry_point| wgpu::FragmentState {
+                module,
+                entry_point: Some(entry_point),
+                compilation_options,
+                targets: &targets,
+            }),
+            multiview_mask: None,
+            cache: None,
+        })
+    }
+}
+
+fn shader(device: &wgpu::Device, source: Source) -> wgpu::ShaderModule {
+    macro_rules! with_common {
+        ($file:literal) => {
+            concat!(include_str!("../../shaders/common.wgsl"), include_str!(concat!("../../shaders/", $file)))
+        };
+    }
+    let text = match source {
+        Source::Shape => with_common!("shape.wgsl"),
+        Source::Sky => with_common!("sky.wgsl"),
+        Source::Stroke => with_common!("stroke.wgsl"),
+        Source::Outline => with_common!("outline.wgsl"),
+    };
+    device.create_shader_module(wgpu::ShaderModuleDescriptor { label: None, source: wgpu::ShaderSource::Wgsl(text.into()) })
+}

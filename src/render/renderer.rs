@@ -1,0 +1,416 @@
+//! The renderer: a frame into any texture view.
+
+use std::mem;
+use std::ops::Range;
+
+use bytemuck::cast_slice;
+use glam::Vec3;
+
+use crate::frame::Frame;
+use crate::render::bounds::{Bounds, rectangle_px};
+use crate::render::gpu::Gpu;
+use crate::render::instances::{INSTANCES_START, Packed};
+use crate::render::light::{MAP_TEXELS, SunBox};
+use crate::render::look;
+use crate::render::mesh::Mesh;
+use crate::render::pipelines::{Kind, Pipelines};
+use crate::render::targets::{Targets, sun_map};
+use crate::render::uniforms::Globals;
+use crate::scene::MeshKind;
+
+/// Samples a pixel where nothing else is asked for: 4 on a GPU, 1 where the CPU draws and each costs a whole picture.
+#[must_use]
+pub fn default_samples(is_software: bool) -> u32 {
+    if is_software { 1 } else { 4 }
+}
+
+/// What is behind everything.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Background {
+    /// The sky's gradient.
+    #[default]
+    Sky,
+    /// One linear-light colour, 0 to 1.
+    Colour(Vec3),
+    /// Nothing: opacity 0.
+    Transparent,
+}
+
+/// Which part of a target a picture fills, in pixels from the target's top left corner.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Viewport {
+    /// The whole target's width and height.
+    pub target_px: [u32; 2],
+    /// The picture's left border.
+    pub x: u32,
+    /// The picture's upper border.
+    pub y: u32,
+    /// The picture's width.
+    pub width: u32,
+    /// The picture's height.
+    pub height: u32,
+}
+
+impl Viewport {
+    /// The whole of a target.
+    #[must_use]
+    pub fn whole(width: u32, height: u32) -> Self {
+        Self { target_px: [width, height], x: 0, y: 0, width, height }
+    }
+
+    /// The part of this viewport that is inside its target; `None` where none is.
+    fn inside(self) -> Option<Self> {
+        let width = self.width.min(self.target_px[0].saturating_sub(self.x));
+        let height = self.height.min(self.target_px[1].saturating_sub(self.y));
+        (width > 0 && height > 0).then_some(Self { width, height, ..self })
+    }
+}
+
+/// Where each unit mesh lies in the shared buffers.
+#[derive(Clone, Debug, Default)]
+struct MeshPlace {
+    indices: Range<u32>,
+    first_vertex: i32,
+}
+
+/// Draws frames into views of one format. It keeps its buffers, textures and pipelines from frame to frame.
+#[derive(Debug)]
+pub struct Renderer {
+    format: wgpu::TextureFormat,
+    samples: u32,
+    background: Background,
+    pipelines: Pipelines,
+    meshes: [MeshPlace; 6],
+    vertices: wgpu::Buffer,
+    indices: wgpu::Buffer,
+    frame_buffer: wgpu::Buffer,
+    globals: wgpu::BindGroup,
+    sun_map: wgpu::TextureView,
+    sun_map_group: wgpu::BindGroup,
+    targets: Option<Targets>,
+    packed: Packed,
+    /// What the GPU's buffer holds.
+    uploaded: Packed,
+    /// The box that the sun's map was drawn for.
+    sun_map_box: Option<SunBox>,
+    sun_map_draws: u64,
+}
+
+impl Renderer {
+    /// A renderer for targets of a format, with 1 or 4 samples a pixel ([`default_samples`]).
+    #[must_use]
+    pub fn new(gpu: &Gpu, target_format: wgpu::TextureFormat, samples: u32) -> Self {
+        let device = &gpu.device;
+        let samples = if samples > 1 { 4 } else { 1 };
+        let pipelines = Pipelines::new(device, target_format, samples, if gpu.is_software { 1 } else { 4 });
+        let (mut corners, mut triangles) = (Vec::new(), Vec::new());
+        let meshes = MeshKind::ALL.map(|kind| {
+            let mesh = Mesh::unit(kind);
+            let start = triangles.len() as u32;
+            let first_vertex = corners.len() as i32;
+            corners.extend(mesh.vertices);
+            triangles.extend(mesh.indices);
+            MeshPlace { indices: start..triangles.len() as u32, first_vertex }
+        });
+        let vertices = filled_buffer(device, cast_slice(&corners), wgpu::BufferUsages::VERTEX);
+        let indices = filled_buffer(device, cast_slice(&triangles), wgpu::BufferUsages::INDEX);
+        let (frame_buffer, globals) = frame_buffer(device, &pipelines, 16 * 1024);
+        let (sun_map, sun_map_group) = sun_map(device, &pipelines);
+        Self {
+            format: target_format,
+            samples,
+            background: Background::Sky,
+            pipelines,
+            meshes,
+            vertices,
+            indices,
+            frame_buffer,
+            globals,
+            sun_map,
+            sun_map_group,
+            targets: None,
+            packed: Packed::default(),
+            uploaded: Packed::default(),
+            sun_map_box: None,
+            sun_map_draws: 0,
+        }
+    }
+
+    /// The format of the views that this renderer draws into.
+    #[must_use]
+    pub fn target_format(&self) -> wgpu::TextureFormat {
+        self.format
+    }
+
+    /// What is behind everything from now on.
+    pub fn set_background(&mut self, background: Background) {
+        self.background = background;
+    }
+
+    /// How often the sun's map was drawn so far: only when shapes moved or the box it covers did.
+    #[must_use]
+    pub fn sun_map_draws(&self) -> u64 {
+        self.sun_map_draws
+    }
+
+    /// Draws a frame and submits the work. `target` is a view of `viewport.target_px` pixels in the renderer's format; all of it is
+    /// cleared.
+    pub fn render(&mut self, gpu: &Gpu, frame: &Frame, target: &wgpu::TextureView, viewport: Viewport) {
+        let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        self.encode(gpu, &mut encoder, frame, target, viewport);
+        gpu.queue.submit([encoder.finish()]);
+    }
+
+    /// As [`Renderer::render`], into an encoder that the caller goes on with and submits before encoding another frame.
+    pub fn encode(
+        &mut self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        frame: &Frame,
+        target: &wgpu::TextureView,
+        viewport: Viewport,
+    ) {
+        let Some(viewport) = viewport.inside() else { return };
+        if self.targets.as_ref().is_none_or(|targets| targets.size_px != viewport.target_px) {
+            self.targets = Some(Targets::new(&gpu.device, self.format, self.samples, viewport.target_px));
+        }
+        let sun = SunBox::fit(frame);
+        let globals = Globals::new(&frame.view, sun.as_ref(), [viewport.width, viewport.height]);
+        self.packed.pack(frame, &globals);
+        let items_moved = self.packed.bytes[self.packed.item_bytes.clone()]
+            != *self.uploaded.bytes.get(self.uploaded.item_bytes.clone()).unwrap_or_default()
+            || self.packed.items != self.uploaded.items;
+        self.upload(gpu);
+        if sun.is_some() && (items_moved || sun != self.sun_map_box) {
+            self.draw_sun_map(&gpu.device, encoder);
+        }
+        // With no box the map is left as it was, for shapes that are now others.
+        self.sun_map_box = sun;
+        self.draw_picture(gpu, encoder, frame, target, viewport);
+        let outlined = frame.items.iter().filter(|item| item.outlined).map(Bounds::of);
+        if let Some(rectangle) = rectangle_px(&frame.view, outlined, [viewport.width, viewport.height], look::OUTLINE_PX + 2.0) {
+            self.draw_outline(gpu, encoder, target, viewport, rectangle);
+        }
+    }
+
+    /// Sends what was packed, unless the GPU has it already.
+    fn upload(&mut self, gpu: &Gpu) {
+        let needed = self.packed.bytes.len() as u64;
+        let grows = self.frame_buffer.size() < needed;
+        if grows {
+            (self.frame_buffer, self.globals) = frame_buffer(&gpu.device, &self.pipelines, needed.next_power_of_two());
+        }
+        if grows || self.packed.bytes != self.uploaded.bytes {
+            gpu.queue.write_buffer(&self.frame_buffer, 0, &self.packed.bytes);
+        }
+        mem::swap(&mut self.packed, &mut self.uploaded);
+    }
+
+    fn draw_sun_map(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder) {
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("sun map"),
+            depth_stencil_attachment: Some(depth_attachment(&self.sun_map, wgpu::LoadOp::Clear(1.0), wgpu::StoreOp::Store)),
+            ..Default::default()
+        });
+        // The border stays as far away as can be: what is looked up outside is lit.
+        pass.set_scissor_rect(1, 1, MAP_TEXELS - 2, MAP_TEXELS - 2);
+        pass.set_pipeline(self.pipelines.get(device, Kind::Shadow));
+        self.bind_instances(&mut pass);
+        for (mesh, instances) in self.meshes.iter().zip(&self.uploaded.items).take(MeshKind::Plane as usize) {
+            draw_mesh(&mut pass, mesh, instances);
+        }
+        self.sun_map_draws += 1;
+    }
+
+    fn draw_picture(
+        &mut self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        frame: &Frame,
+        target: &wgpu::TextureView,
+        viewport: Viewport,
+    ) {
+        let Some(targets) = &self.targets else { return };
+        let has_outline = frame.items.iter().any(|item| item.outlined);
+        let (view, resolve_target) = match &targets.samples {
+            Some(samples) => (samples, Some(target)),
+            None => (target, None),
+        };
+        let is_resolved = resolve_target.is_some();
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("picture"),
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                view,
+                depth_slice: None,
+                resolve_target,
+                ops: wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(self.clear_colour()),
+                    store: if is_resolved { wgpu::StoreOp::Discard } else { wgpu::StoreOp::Store },
+                },
+            })],
+            depth_stencil_attachment: Some(depth_attachment(
+                &targets.depth,
+                wgpu::LoadOp::Clear(0.0),
+                if has_outline { wgpu::StoreOp::Store } else { wgpu::StoreOp::Discard },
+            )),
+            ..Default::default()
+        });
+        set_viewport(&mut pass, viewport);
+        self.bind_instances(&mut pass);
+        pass.set_bind_group(1, &self.sun_map_group, &[]);
+        let device = &gpu.device;
+        let plane = MeshKind::Plane as usize;
+        let items = &self.uploaded.items;
+        if items[..plane].iter().any(|instances| !instances.is_empty()) {
+            pass.set_pipeline(self.pipelines.get(device, Kind::Shape));
+            for (mesh, instances) in self.meshes.iter().zip(items).take(plane) {
+                draw_mesh(&mut pass, mesh, instances);
+            }
+        }
+        if !items[plane].is_empty() {
+            pass.set_pipeline(self.pipelines.get(device, Kind::Plane));
+            draw_mesh(&mut pass, &self.meshes[plane], &items[plane]);
+        }
+        if self.background == Background::Sky {
+            pass.set_pipeline(self.pipelines.get(device, Kind::Sky));
+            pass.draw(0..3, 0..1);
+        }
+        // Lines come before ghosts, whose depth would hide them.
+        for kind in [Kind::LineHidden, Kind::Line] {
+            self.draw_strokes(device, &mut pass, kind, &self.uploaded.lines.clone());
+        }
+        let ghosts = self.uploaded.ghosts.clone();
+        if ghosts.iter().any(|instances| !instances.is_empty()) {
+            self.bind_instances(&mut pass);
+            for kind in [Kind::GhostDepth, Kind::Ghost] {
+                pass.set_pipeline(self.pipelines.get(device, kind));
+                for (mesh, instances) in self.meshes.iter().zip(&ghosts) {
+                    draw_mesh(&mut pass, mesh, instances);
+                }
+            }
+        }
+        self.draw_strokes(device, &mut pass, Kind::LineOnTop, &self.uploaded.arcball.clone());
+        self.draw_strokes(device, &mut pass, Kind::Dot, &self.uploaded.dots.clone());
+    }
+
+    fn draw_strokes(&mut self, device: &wgpu::Device, pass: &mut wgpu::RenderPass<'_>, kind: Kind, strokes: &Range<u32>) {
+        if !strokes.is_empty() {
+            pass.set_pipeline(self.pipelines.get(device, kind));
+            pass.set_vertex_buffer(0, self.frame_buffer.slice(self.uploaded.strokes_start as u64..));
+            pass.draw(0..4, strokes.clone());
+        }
+    }
+
+    /// The outline around all outlined shapes as one, inside a rectangle in pixels from the viewport's corner.
+    fn draw_outline(
+        &mut self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        target: &wgpu::TextureView,
+        viewport: Viewport,
+        [x, y, width, height]: [u32; 4],
+    ) {
+        let device = &gpu.device;
+        let Some(targets) = &mut self.targets else { return };
+        targets.mask(device, &self.pipelines, self.samples);
+        let Some(Targets { depth, mask: Some(mask), .. }) = &self.targets else { return };
+        let (view, resolve_target) = match &mask.samples {
+            Some(samples) => (samples, Some(&mask.resolved)),
+            None => (&mask.resolved, None),
+        };
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("mask"),
+            color_attachments: &[colour_attachment(view, resolve_target, wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT))],
+            depth_stencil_attachment: Some(depth_attachment(depth, wgpu::LoadOp::Load, wgpu::StoreOp::Store)),
+            ..Default::default()
+        });
+        set_viewport(&mut pass, viewport);
+        self.bind_instances(&mut pass);
+        for kind in [Kind::MaskAll, Kind::MaskVisible] {
+            pass.set_pipeline(self.pipelines.get(device, kind));
+            for (mesh, instances) in self.meshes.iter().zip(&self.uploaded.outlined) {
+                draw_mesh(&mut pass, mesh, instances);
+            }
+        }
+        drop(pass);
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("outline"),
+            color_attachments: &[colour_attachment(target, None, wgpu::LoadOp::Load)],
+            ..Default::default()
+        });
+        set_viewport(&mut pass, viewport);
+        pass.set_scissor_rect(viewport.x + x, viewport.y + y, width, height);
+        pass.set_pipeline(self.pipelines.get(device, Kind::Outline));
+        pass.set_bind_group(0, &self.globals, &[]);
+        pass.set_bind_group(1, &mask.bind_group, &[]);
+        pass.draw(0..3, 0..1);
+    }
+
+    fn bind_instances(&self, pass: &mut wgpu::RenderPass<'_>) {
+        pass.set_bind_group(0, &self.globals, &[]);
+        pass.set_vertex_buffer(0, self.vertices.slice(..));
+        pass.set_vertex_buffer(1, self.frame_buffer.slice(INSTANCES_START as u64..));
+        pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint16);
+    }
+
+    fn clear_colour(&self) -> wgpu::Color {
+        let colour = match self.background {
+            Background::Sky => look::linear(look::SURROUND),
+            Background::Colour(colour) => colour,
+            Background::Transparent => return wgpu::Color::TRANSPARENT,
+        };
+        let encode = |channel: f32| f64::from(if self.format.is_srgb() { channel } else { look::srgb_from_linear(channel) });
+        wgpu::Color { r: encode(colour.x), g: encode(colour.y), b: encode(colour.z), a: 1.0 }
+    }
+}
+
+fn draw_mesh(pass: &mut wgpu::RenderPass<'_>, mesh: &MeshPlace, instances: &Range<u32>) {
+    if !instances.is_empty() {
+        pass.draw_indexed(mesh.indices.clone(), mesh.first_vertex, instances.clone());
+    }
+}
+
+fn set_viewport(pass: &mut wgpu::RenderPass<'_>, viewport: Viewport) {
+    let Viewport { x, y, width, height, .. } = viewport;
+    pass.set_viewport(x as f32, y as f32, width as f32, height as f32, 0.0, 1.0);
+    pass.set_scissor_rect(x, y, width, height);
+}
+
+fn depth_attachment(
+    view: &wgpu::TextureView,
+    load: wgpu::LoadOp<f32>,
+    store: wgpu::StoreOp,
+) -> wgpu::RenderPassDepthStencilAttachment<'_> {
+    wgpu::RenderPassDepthStencilAttachment { view, depth_ops: Some(wgpu::Operations { load, store }), stencil_ops: None }
+}
+
+fn colour_attachment<'a>(
+    view: &'a wgpu::TextureView,
+    resolve_target: Option<&'a wgpu::TextureView>,
+    load: wgpu::LoadOp<wgpu::Color>,
+) -> Option<wgpu::RenderPassColorAttachment<'a>> {
+    let ops = wgpu::Operations { load, store: wgpu::StoreOp::Store };
+    Some(wgpu::RenderPassColorAttachment { view, depth_slice: None, resolve_target, ops })
+}
+
+fn filled_buffer(device: &wgpu::Device, bytes: &[u8], usage: wgpu::BufferUsages) -> wgpu::Buffer {
+    use wgpu::util::DeviceExt;
+    device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: None, contents: bytes, usage })
+}
+
+/// The buffer that holds a whole frame, and the binding of its globals.
+fn frame_buffer(device: &wgpu::Device, pipelines: &Pipelines, size: u64) -> (wgpu::Buffer, wgpu::BindGroup) {
+    let buffer = device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some("frame"),
+        size,
+        usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST,
+        mapped_at_creation: false,
+    });
+    let binding = wgpu::BufferBinding { buffer: &buffer, offset: 0, size: std::num::NonZeroU64::new(INSTANCES_START as u64) };
+    let globals = device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: Some("globals"),
+        layout: &pipelines.globals_layout,
+        entries: &[wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::Buffer(binding) }],
+    });
+    (buffer, globals)
+}

@@ -1,0 +1,101 @@
+//! The textures a picture needs beside its target, kept while its size stays the same.
+
+use crate::render::light::MAP_TEXELS;
+use crate::render::pipelines::{DEPTH_FORMAT, MASK_FORMAT, Pipelines};
+
+/// Depth, the samples before they are resolved, and the outline's mask.
+#[derive(Debug)]
+pub struct Targets {
+    /// Width and height in pixels.
+    pub size_px: [u32; 2],
+    /// Depth.
+    pub depth: wgpu::TextureView,
+    /// The samples, where there is more than one a pixel.
+    pub samples: Option<wgpu::TextureView>,
+    /// The outline's mask, once there was an outline.
+    pub mask: Option<Mask>,
+}
+
+/// The outline's mask.
+#[derive(Debug)]
+pub struct Mask {
+    /// One sample a pixel.
+    pub resolved: wgpu::TextureView,
+    /// The samples, where there is more than one a pixel.
+    pub samples: Option<wgpu::TextureView>,
+    /// The mask as the outline reads it.
+    pub bind_group: wgpu::BindGroup,
+}
+
+impl Targets {
+    /// Textures for a target of so many pixels.
+    pub fn new(device: &wgpu::Device, format: wgpu::TextureFormat, samples: u32, size_px: [u32; 2]) -> Self {
+        let attachment = wgpu::TextureUsages::RENDER_ATTACHMENT;
+        Self {
+            size_px,
+            depth: view(device, "depth", DEPTH_FORMAT, samples, size_px, attachment),
+            samples: (samples > 1).then(|| view(device, "samples", format, samples, size_px, attachment)),
+            mask: None,
+        }
+    }
+
+    /// The outline's mask, made now if it was not yet.
+    pub fn mask(&mut self, device: &wgpu::Device, pipelines: &Pipelines, samples: u32) -> &Mask {
+        let size_px = self.size_px;
+        self.mask.get_or_insert_with(|| {
+            let attachment = wgpu::TextureUsages::RENDER_ATTACHMENT;
+            let readable = attachment | wgpu::TextureUsages::TEXTURE_BINDING;
+            let resolved = view(device, "mask", MASK_FORMAT, 1, size_px, readable);
+            let bind_group = device.create_bind_group(&wgpu::BindGroupDescriptor {
+                label: Some("mask"),
+                layout: &pipelines.mask_layout,
+                entries: &[wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(&resolved) }],
+            });
+            let samples = (samples > 1).then(|| view(device, "mask samples", MASK_FORMAT, samples, size_px, attachment));
+            Mask { resolved, samples, bind_group }
+        })
+    }
+}
+
+/// The sun's map and how shapes look things up in it.
+pub fn sun_map(device: &wgpu::Device, pipelines: &Pipelines) -> (wgpu::TextureView, wgpu::BindGroup) {
+    let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING;
+    let map = view(device, "sun map", DEPTH_FORMAT, 1, [MAP_TEXELS; 2], usage);
+    let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
+        label: Some("sun map"),
+        mag_filter: wgpu::FilterMode::Linear,
+        min_filter: wgpu::FilterMode::Linear,
+        compare: Some(wgpu::CompareFunction::LessEqual),
+        ..Default::default()
+    });
+    let bind_group = device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: Some("sun map"),
+        layout: &pipelines.sun_map_layout,
+        entries: &[
+            wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(&map) },
+            wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::Sampler(&sampler) },
+        ],
+    });
+    (map, bind_group)
+}
+
+fn view(
+    device: &wgpu::Device,
+    label: &str,
+    format: wgpu::TextureFormat,
+    sample_count: u32,
+    [width, height]: [u32; 2],
+    usage: wgpu::TextureUsages,
+) -> wgpu::TextureView {
+    let texture = device.create_texture(&wgpu::TextureDescriptor {
+        label: Some(label),
+        size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
+        mip_level_count: 1,
+        sample_count,
+        dimension: wgpu::TextureDimension::D2,
+        format,
+        usage,
+        view_formats: &[],
+    });
+    texture.create_view(&wgpu::TextureViewDescriptor::default())
+}
