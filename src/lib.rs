@@ -13,3 +13,5 @@ pub mod rbt;
 pub mod render;
 pub mod scene;
 pub mod storage;
+pub mod ui;
+pub mod window;

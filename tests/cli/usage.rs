@@ -57,6 +57,22 @@ fn nodes_are_the_twenty_two() {
     assert_eq!(paths[21], "robot2/head");
 }
 
+#[cfg(target_os = "linux")]
+#[test]
+fn without_a_display_the_window_is_status_3() {
+    let sandbox = Sandbox::new();
+    sandbox.write("a.json", keyframe_file(4).to_string());
+    for arguments in [&[][..], &["a.json"], &["none.json"]] {
+        let mut command = sandbox.command(arguments);
+        for variable in ["DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET"] {
+            command.env_remove(variable);
+        }
+        let outcome = Sandbox::outcome(command);
+        assert_eq!((outcome.status, outcome.stdout.as_str()), (3, ""));
+        assert!(outcome.stderr.contains("apt-get install"), "{}", outcome.stderr);
+    }
+}
+
 const ONE_NODE: &str =
     r#"{"format": "inbetween.scene", "version": 1, "name": "one", "eyes": ["eye"], "nodes": [{"name": "eye"}]}"#;
 
