@@ -14,3 +14,5 @@ pub mod render;
 pub mod scene;
 pub mod storage;
 pub mod timed;
+pub mod ui;
+pub mod window;

@@ -8,6 +8,7 @@ use thiserror::Error;
 use crate::editor::CommandError;
 use crate::render::GpuError;
 use crate::storage::StorageError;
+use crate::window::WindowError;
 
 /// Why a command was not done.
 #[derive(Debug, Error)]
@@ -36,6 +37,9 @@ pub enum CliError {
     /// There is no GPU adapter, or it cannot draw the picture.
     #[error(transparent)]
     Gpu(#[from] GpuError),
+    /// There is no display, or the window ended.
+    #[error(transparent)]
+    Window(#[from] WindowError),
     /// A picture could not be made a PNG.
     #[error("the picture cannot be encoded: {0}")]
     Png(#[from] png::EncodingError),
@@ -59,10 +63,11 @@ impl CliError {
     pub fn exit_status(&self) -> u8 {
         match self {
             Self::Usage(_) | Self::Gpu(GpuError::Size { .. }) => 2,
-            Self::Gpu(_) => 3,
+            Self::Gpu(_) | Self::Window(WindowError::NoDisplay { .. } | WindowError::Gpu(_)) => 3,
             Self::BadInput { .. }
             | Self::Unwritten { .. }
             | Self::ScriptEnded(_)
+            | Self::Window(WindowError::Ended { .. })
             | Self::Png(_)
             | Self::StandardOutput(_) => 1,
         }

@@ -132,7 +132,9 @@ impl Editor {
         self.history.end_run();
     }
 
-    fn where_we_are(&self) -> String {
+    /// The current keyframe and the range of the list: `Keyframe 3 (0 to 5)`.
+    #[must_use]
+    pub fn where_we_are(&self) -> String {
         match (self.document.keyframes.current(), self.document.keyframes.last()) {
             (Some(current), Some(last)) => format!("Keyframe {} (0 to {})", current.get(), last.get()),
             _ => "No keyframes".to_owned(),

@@ -66,7 +66,8 @@ pub struct Gpu {
 }
 
 impl Gpu {
-    /// The best adapter that needs no display. Vulkan is asked first, since asking every backend costs tens of milliseconds.
+    /// The best adapter that needs no display. Vulkan is asked first, since asking every backend costs tens of milliseconds;
+    /// OpenGL is not asked: what it draws without a display differs from driver to driver.
     ///
     /// # Errors
     ///
@@ -78,7 +79,7 @@ impl Gpu {
             descriptor.flags = wgpu::InstanceFlags::empty();
             Self::open(wgpu::Instance::new(descriptor), None)
         };
-        open(wgpu::Backends::VULKAN).or_else(|_| open(wgpu::Backends::all() - wgpu::Backends::VULKAN))
+        open(wgpu::Backends::VULKAN).or_else(|_| open(wgpu::Backends::PRIMARY - wgpu::Backends::VULKAN))
     }
 
     /// The best adapter that can draw on a window, and the window's surface. `display` and `window` are handles that are

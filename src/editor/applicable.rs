@@ -1,0 +1,106 @@
+//! Whether a command would do anything: what menus and buttons show as disabled.
+
+use super::{Command, Edit, Editor, FileCommand, GestureCommand, PlaybackCommand, SkyMode, ViewCommand};
+use crate::keyframe::PlayRange;
+
+impl Editor {
+    /// Whether a command can do what it is for. Applying one that cannot is harmless: it is refused with a message, or changes nothing.
+    #[must_use]
+    pub fn can(&self, command: &Command) -> bool {
+        let is_still = !self.is_playing();
+        match command {
+            Command::Edit(edit) => self.can_edit(edit),
+            Command::Playback(PlaybackCommand::PlayOrStop) => {
+                self.is_playing() || PlayRange::new(&self.document.keyframes).is_ok()
+            }
+            Command::Playback(PlaybackCommand::PauseOrResume) => self.is_playing() || self.is_paused(),
+            Command::View(ViewCommand::ToggleSkyMode) => self.session.eye == 0 && self.session.chosen.is_none(),
+            Command::View(_) => true,
+            Command::File(FileCommand::Import | FileCommand::Open(_) | FileCommand::ChooseOpen) => is_still,
+            Command::File(_) => true,
+            Command::Gesture(GestureCommand::Begin) => is_still,
+            Command::Gesture(_) => self.gesture.is_some(),
+            Command::Undo => is_still && self.gesture.is_none() && self.undo_label().is_some(),
+            Command::Redo => is_still && self.gesture.is_none() && self.redo_label().is_some(),
+            Command::Cancel => self.gesture.is_some() || self.session.is_picking || self.session.shows_help,
+        }
+    }
+
+    fn can_edit(&self, edit: &Edit) -> bool {
+        let is_still = !self.is_playing();
+        let keyframes = &self.document.keyframes;
+        match edit {
+            Edit::NextInterpolation
+            | Edit::SetInterpolation(_)
+            | Edit::Faster
+            | Edit::Slower
+            | Edit::SetMsBetweenKeyframes(_) => true,
+            Edit::DisplayCurrent | Edit::DeleteCurrent => is_still && !keyframes.is_empty(),
+            Edit::GoToNext => is_still && keyframes.current() != keyframes.last(),
+            Edit::GoToPrevious => is_still && keyframes.current().is_some_and(|current| current.get() > 0),
+            Edit::GoTo(index) => is_still && keyframes.get(*index).is_some(),
+            Edit::RotateChosen { .. } | Edit::TranslateChosen(_) => is_still && self.session.chosen.is_some(),
+            Edit::UpdateCurrent
+            | Edit::CreateKeyframe
+            | Edit::ResetPose
+            | Edit::SetTranslation(..)
+            | Edit::SetRotation(..)
+            | Edit::Wheel(_) => is_still,
+        }
+    }
+
+    /// What the eye is and how a drag moves, in a few words: `sky view · world-sky`.
+    #[must_use]
+    pub fn view_sentence(&self) -> String {
+        let eye = self.scene.node(self.scene.rbt_node(self.eye())).name.as_str();
+        let handled = match (self.session.chosen, self.session.eye, self.session.sky_mode) {
+            (Some(chosen), ..) => format!("moves {}", self.scene.rbt_path(chosen)),
+            (None, 0, SkyMode::WorldCentre) => "world-sky".to_owned(),
+            (None, 0, SkyMode::Eye) => "sky-sky".to_owned(),
+            (None, ..) => "moves itself".to_owned(),
+        };
+        format!("{eye} view · {handled}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::PathBuf;
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::editor::keymap::bindings;
+
+    fn editor(keyframes: usize) -> Editor {
+        let mut editor = Editor::new(
+            Arc::new(crate::scene::built_in_scene(crate::scene::DEFAULT_SCENE).unwrap()),
+            PathBuf::from("animation.json"),
+        );
+        for _ in 0..keyframes {
+            editor.apply(Command::Edit(Edit::CreateKeyframe)).unwrap();
+        }
+        editor
+    }
+
+    #[test]
+    fn what_is_refused_is_shown_as_disabled() {
+        let mut playing = editor(4);
+        playing.apply(Command::Playback(PlaybackCommand::PlayOrStop)).unwrap();
+        for editor in [editor(0), editor(1), editor(4), playing] {
+            for binding in bindings() {
+                let is_refused = editor.clone().apply(binding.command.clone()).is_err();
+                assert!(!(is_refused && editor.can(&binding.command)), "{} is refused but not disabled", binding.name);
+            }
+        }
+    }
+
+    #[test]
+    fn the_view_is_named() {
+        let mut editor = editor(0);
+        assert_eq!(editor.view_sentence(), "sky view · world-sky");
+        editor.apply(Command::View(ViewCommand::ToggleSkyMode)).unwrap();
+        assert_eq!(editor.view_sentence(), "sky view · sky-sky");
+        editor.apply(Command::View(ViewCommand::NextEye)).unwrap();
+        assert_eq!(editor.view_sentence(), "robot1 view · moves itself");
+    }
+}

@@ -1,0 +1,162 @@
+//! The panels: menus, node tree, inspector, transport, keyframe strip, status, help and dialogs.
+//!
+//! Widgets read a shared [`Editor`] and push [`Command`]s; nothing here changes it. Only zoom, scroll, what is folded and what is being
+//! typed live in [`Ui`]. Nothing here knows the window, the GPU, files or the clock.
+
+pub mod angles;
+mod dialogs;
+mod help;
+mod icons;
+mod inspector;
+mod menu;
+mod overlay;
+mod status;
+mod strip;
+pub mod theme;
+mod transport;
+mod tree;
+
+use std::path::Path;
+
+use egui::{CentralPanel, Frame, Margin, Panel, Rect, ScrollArea};
+
+use crate::editor::keymap::{Binding, bindings};
+use crate::editor::{Command, Editor};
+use dialogs::Dialog;
+use theme::Tokens;
+
+/// What the user answered to the question about unsaved work.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum QuitAnswer {
+    /// Make a keyframe of the pose on screen, write the file, and quit.
+    KeepPoseAndSave,
+    /// Write the file, and quit.
+    Save,
+    /// Quit.
+    Discard,
+}
+
+/// What a path is asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PathPurpose {
+    /// To open it.
+    Open,
+    /// To write to it.
+    SaveAs,
+}
+
+/// What came of showing the panels once.
+#[derive(Clone, Debug, PartialEq)]
+pub struct UiOutput {
+    /// What the user asked for, in order.
+    pub commands: Vec<Command>,
+    /// Where the 3D view is, in points from the window's top left.
+    pub viewport: Rect,
+    /// The answer to [`Ui::ask_before_quitting`], once.
+    pub quit_answer: Option<QuitAnswer>,
+}
+
+/// The panels' own state.
+#[derive(Debug)]
+pub struct Ui {
+    bindings: Vec<Binding>,
+    tree: tree::Tree,
+    angles: angles::ShownAngles,
+    strip: strip::Strip,
+    dialog: Option<Dialog>,
+}
+
+impl Default for Ui {
+    fn default() -> Self {
+        Self {
+            bindings: bindings(),
+            tree: tree::Tree::default(),
+            angles: angles::ShownAngles::default(),
+            strip: strip::Strip::default(),
+            dialog: None,
+        }
+    }
+}
+
+impl Ui {
+    /// Panels as they are at first.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Asks for a path in a field of our own, for want of a system's dialog. The answer is a command.
+    pub fn ask_for_path(&mut self, purpose: PathPurpose, proposed: &Path) {
+        self.dialog = Some(Dialog::for_path(purpose, proposed));
+    }
+
+    /// Asks what to do with unsaved work before quitting. The answer is [`UiOutput::quit_answer`]; there is none where the user cancels.
+    pub fn ask_before_quitting(&mut self) {
+        self.dialog = Some(Dialog::Quit);
+    }
+
+    /// Whether a dialog waits for an answer: no hotkey fires then, and the scene takes no drags.
+    #[must_use]
+    pub const fn has_dialog(&self) -> bool {
+        self.dialog.is_some()
+    }
+
+    /// Whether a text field, or a dialog, has the keyboard, so that no hotkey may fire.
+    #[must_use]
+    pub fn has_keyboard(&self, context: &egui::Context) -> bool {
+        self.has_dialog() || context.text_edit_focused()
+    }
+
+    /// Shows the panels in the whole window's `ui`.
+    pub fn show(&mut self, ui: &mut egui::Ui, editor: &Editor) -> UiOutput {
+        let mut output = UiOutput { commands: Vec::new(), viewport: Rect::NOTHING, quit_answer: None };
+        if editor.session().shows_panels {
+            self.show_panels(ui, editor, &mut output.commands);
+        }
+        output.viewport = CentralPanel::no_frame().show(ui, |ui| ui.max_rect()).inner;
+        overlay::show(ui, output.viewport, editor);
+        if editor.session().shows_help {
+            help::show(ui, output.viewport, &self.bindings, &mut output.commands);
+        }
+        dialogs::show(ui, &mut self.dialog, editor, &mut output);
+        output
+    }
+
+    fn show_panels(&mut self, ui: &mut egui::Ui, editor: &Editor, commands: &mut Vec<Command>) {
+        let tokens = Tokens::of(ui);
+        let plain = |fill, x, y| Frame::new().fill(fill).inner_margin(Margin::symmetric(x, y));
+        Panel::top("menu bar").exact_size(theme::MENU_BAR).frame(plain(tokens.panel, 4, 1)).show(ui, |ui| {
+            menu::show(ui, editor, &self.bindings, commands);
+        });
+        Panel::bottom("status").exact_size(theme::STATUS).frame(plain(tokens.panel, 8, 2)).show(ui, |ui| {
+            status::show(ui, editor);
+        });
+        Panel::bottom("strip").exact_size(theme::STRIP).frame(plain(tokens.window, 0, 0)).show(ui, |ui| {
+            self.strip.show(ui, editor, commands);
+        });
+        Panel::bottom("transport").exact_size(theme::TRANSPORT).frame(plain(tokens.panel, 8, 4)).show(ui, |ui| {
+            transport::show(ui, editor, &self.bindings, commands);
+        });
+        Panel::right("side")
+            .default_size(theme::SIDE)
+            .size_range(200.0..=480.0)
+            .frame(plain(tokens.panel, 0, 0))
+            .show(ui, |ui| self.show_side(ui, editor, commands));
+    }
+
+    fn show_side(&mut self, ui: &mut egui::Ui, editor: &Editor, commands: &mut Vec<Command>) {
+        Panel::bottom("inspector").frame(Frame::new().inner_margin(Margin::same(12))).show(ui, |ui| {
+            inspector::show(ui, editor, &mut self.angles, commands);
+        });
+        ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+            Frame::new().inner_margin(Margin { left: 4, right: 4, top: 8, bottom: 8 }).show(ui, |ui| {
+                self.tree.show(ui, editor, commands);
+            });
+        });
+    }
+}
+
+/// The row of the table for a command.
+fn binding_of<'a>(bindings: &'a [Binding], command: &Command) -> Option<&'a Binding> {
+    bindings.iter().find(|binding| binding.command == *command)
+}

@@ -1,0 +1,110 @@
+//! The help over the scene: every binding by its group, and what the mouse does.
+
+use egui::{Align2, Area, Color32, Frame, Margin, Order, Rect, RichText, ScrollArea, Sense, Stroke, Ui, vec2};
+
+use super::icons::was_pressed;
+use super::theme::{CORNER, Tokens, number_font};
+use crate::editor::keymap::{Binding, Group};
+use crate::editor::{Command, ViewCommand};
+
+/// What the mouse does over the scene, as (gesture, meaning).
+pub const MOUSE: [(&str, &str); 7] = [
+    ("Left drag", "Turn, by the arcball"),
+    ("Right drag", "Move in the view's plane"),
+    ("Middle drag", "Move along the view"),
+    ("Left+right drag", "Move along the view"),
+    ("Space+left drag", "Move along the view"),
+    ("Wheel", "Move along the view"),
+    ("Ctrl+click", "Choose the node to move; the ground chooses none"),
+];
+
+/// Width of the column of keys, in points.
+const KEYS: f32 = 116.0;
+/// Width of the column of sentences, in points.
+const SENTENCES: f32 = 292.0;
+
+/// Shows the help; a click on its cross asks to hide it.
+pub fn show(ui: &Ui, viewport: Rect, bindings: &[Binding], commands: &mut Vec<Command>) {
+    let tokens = Tokens::of(ui);
+    Area::new(egui::Id::unique("help"))
+        .order(Order::Middle)
+        .pivot(Align2::CENTER_CENTER)
+        .fixed_pos(viewport.center())
+        .constrain_to(viewport)
+        .show(ui.ctx(), |ui| {
+            Frame::new()
+                .fill(tokens.panel)
+                .stroke(Stroke::new(1.0, tokens.line))
+                .corner_radius(2 * CORNER)
+                .inner_margin(Margin::same(16))
+                .show(ui, |ui| {
+                    let room = viewport.size() - vec2(48.0, 64.0);
+                    ScrollArea::both()
+                        .max_width(room.x)
+                        .max_height(room.y)
+                        .show(ui, |ui| contents(ui, bindings, commands));
+                });
+        });
+}
+
+fn contents(ui: &mut Ui, bindings: &[Binding], commands: &mut Vec<Command>) {
+    ui.horizontal_top(|ui| {
+        ui.spacing_mut().item_spacing.x = 24.0;
+        ui.vertical(|ui| {
+            group(ui, bindings, Group::Keyframes);
+            group(ui, bindings, Group::Playing);
+            heading(ui, "Mouse over the scene");
+            for (gesture, meaning) in MOUSE {
+                row(ui, &[gesture.to_owned()], meaning);
+            }
+        });
+        ui.vertical(|ui| {
+            group(ui, bindings, Group::View);
+            group(ui, bindings, Group::File);
+            ui.add_space(16.0);
+            let width = KEYS + SENTENCES;
+            ui.allocate_ui_with_layout(vec2(width, 24.0), egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                if was_pressed(&ui.button("Close")) {
+                    commands.push(Command::View(ViewCommand::ToggleHelp));
+                }
+                ui.label(RichText::new("h or Esc").small().color(Tokens::of(ui).dim));
+            });
+        });
+    });
+}
+
+fn group(ui: &mut Ui, bindings: &[Binding], group: Group) {
+    heading(ui, group.heading());
+    for binding in bindings.iter().filter(|binding| binding.group == group) {
+        let keys: Vec<String> = binding.chords.iter().map(crate::editor::keymap::Chord::label).collect();
+        row(ui, &keys, binding.help);
+    }
+    ui.add_space(12.0);
+}
+
+fn heading(ui: &mut Ui, text: &str) {
+    ui.label(RichText::new(text).strong().color(Tokens::of(ui).accent));
+    ui.add_space(2.0);
+}
+
+fn row(ui: &mut Ui, keys: &[String], meaning: &str) {
+    let tokens = Tokens::of(ui);
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        let (rect, _) = ui.allocate_exact_size(vec2(KEYS, 18.0), Sense::hover());
+        let mut left = rect.left();
+        for key in keys {
+            let galley = ui.painter().layout_no_wrap(key.clone(), number_font(), tokens.text);
+            let cap =
+                Rect::from_min_size(egui::pos2(left, rect.top() + 1.0), vec2(galley.size().x.max(6.0) + 10.0, 17.0));
+            ui.painter().rect(cap, 3.0, tokens.raised, Stroke::new(1.0, tokens.line), egui::StrokeKind::Inside);
+            ui.painter().galley(cap.center() - galley.size() / 2.0, galley, Color32::PLACEHOLDER);
+            left = cap.right() + 4.0;
+        }
+        let (rect, response) = ui.allocate_exact_size(vec2(SENTENCES, 18.0), Sense::hover());
+        let label = format!("{}: {meaning}", keys.join(" or "));
+        response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Label, true, &label));
+        let font = egui::FontId::proportional(12.0);
+        ui.painter().text(rect.left_center(), Align2::LEFT_CENTER, meaning, font, tokens.text);
+    });
+}

@@ -1,0 +1,165 @@
+//! Icons, drawn: one set, one stroke, on a square of 16 points.
+
+use egui::{Color32, Painter, Pos2, Rect, Response, Role, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, pos2, vec2};
+
+use super::theme::{CORNER, ROW, Tokens};
+
+/// The set.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Icon {
+    /// To the previous keyframe.
+    Previous,
+    /// Play.
+    Play,
+    /// Stop.
+    Stop,
+    /// Pause.
+    Pause,
+    /// To the next keyframe.
+    Next,
+    /// A keyframe more.
+    NewKeyframe,
+    /// The keyframe takes the scene's pose.
+    UpdateKeyframe,
+    /// The scene takes the keyframe's pose.
+    DisplayKeyframe,
+    /// A keyframe less.
+    DeleteKeyframe,
+    /// A camera.
+    Camera,
+    /// The ground.
+    Ground,
+    /// A node with others below it.
+    Body,
+    /// A joint.
+    Joint,
+    /// An eye: look from here.
+    Eye,
+}
+
+/// Draws an icon about a centre.
+pub fn paint(painter: &Painter, icon: Icon, centre: Pos2, colour: Color32) {
+    let at = |x: f32, y: f32| centre + vec2(x, y);
+    let stroke = Stroke::new(1.5, colour);
+    let fill = |points: Vec<Pos2>| {
+        painter.add(Shape::convex_polygon(points, colour, Stroke::NONE));
+    };
+    let bar = |x: f32, y: f32, width: f32, height: f32| {
+        painter.rect_filled(Rect::from_min_size(at(x, y), vec2(width, height)), 0.5, colour);
+    };
+    let line = |from: Pos2, to: Pos2| {
+        painter.line_segment([from, to], stroke);
+    };
+    match icon {
+        Icon::Previous => {
+            bar(-5.5, -5.0, 2.0, 10.0);
+            fill(vec![at(5.0, -5.0), at(5.0, 5.0), at(-2.5, 0.0)]);
+        }
+        Icon::Next => {
+            bar(3.5, -5.0, 2.0, 10.0);
+            fill(vec![at(-5.0, -5.0), at(2.5, 0.0), at(-5.0, 5.0)]);
+        }
+        Icon::Play => fill(vec![at(-4.0, -6.0), at(6.0, 0.0), at(-4.0, 6.0)]),
+        Icon::Stop => bar(-5.0, -5.0, 10.0, 10.0),
+        Icon::Pause => {
+            bar(-4.5, -5.5, 3.0, 11.0);
+            bar(1.5, -5.5, 3.0, 11.0);
+        }
+        Icon::NewKeyframe => {
+            diamond(painter, at(-2.0, 0.0), 5.5, Color32::TRANSPARENT, stroke);
+            line(at(5.5, -6.5), at(5.5, -0.5));
+            line(at(2.5, -3.5), at(8.5, -3.5));
+        }
+        Icon::DeleteKeyframe => {
+            diamond(painter, at(-2.0, 0.0), 5.5, Color32::TRANSPARENT, stroke);
+            line(at(2.5, -5.0), at(8.5, -5.0));
+        }
+        Icon::UpdateKeyframe => {
+            diamond(painter, at(0.0, 3.0), 4.5, colour, Stroke::NONE);
+            line(at(0.0, -8.0), at(0.0, -3.5));
+            line(at(-2.5, -5.5), at(0.0, -3.0));
+            line(at(2.5, -5.5), at(0.0, -3.0));
+        }
+        Icon::DisplayKeyframe => {
+            diamond(painter, at(0.0, 3.0), 4.5, colour, Stroke::NONE);
+            line(at(0.0, -7.5), at(0.0, -3.0));
+            line(at(-2.5, -5.0), at(0.0, -7.5));
+            line(at(2.5, -5.0), at(0.0, -7.5));
+        }
+        Icon::Camera => {
+            let body = Rect::from_min_max(at(-6.0, -3.5), at(2.0, 4.0));
+            painter.rect_stroke(body, 1.5, stroke, egui::StrokeKind::Middle);
+            fill(vec![at(3.0, 0.0), at(6.5, -3.0), at(6.5, 3.5)]);
+        }
+        Icon::Ground => {
+            let corners = [at(-3.0, -3.0), at(3.0, -3.0), at(6.5, 3.5), at(-6.5, 3.5)];
+            painter.add(Shape::closed_line(corners.to_vec(), stroke));
+            line(at(-4.75, 0.25), at(4.75, 0.25));
+        }
+        Icon::Body => {
+            painter.circle_stroke(at(0.0, -4.0), 2.2, stroke);
+            let torso = Rect::from_min_max(at(-3.5, -0.5), at(3.5, 6.0));
+            painter.rect_stroke(torso, 1.5, stroke, egui::StrokeKind::Middle);
+        }
+        Icon::Joint => {
+            painter.circle_stroke(at(-2.5, 2.5), 2.2, stroke);
+            line(at(-0.9, 0.9), at(4.5, -4.5));
+        }
+        Icon::Eye => {
+            let lid = |side: f32| {
+                (0..=8u8).map(move |step| {
+                    let along = f32::from(step) / 4.0 - 1.0;
+                    at(along * 6.5, side * 4.0 * (1.0 - along * along))
+                })
+            };
+            painter.line(lid(-1.0).collect(), stroke);
+            painter.line(lid(1.0).collect(), stroke);
+            painter.circle_filled(centre, 1.8, colour);
+        }
+    }
+}
+
+/// Draws a keyframe's diamond.
+pub fn diamond(painter: &Painter, centre: Pos2, radius: f32, fill: Color32, stroke: Stroke) {
+    let corners = vec![
+        pos2(centre.x, centre.y - radius),
+        pos2(centre.x + radius, centre.y),
+        pos2(centre.x, centre.y + radius),
+        pos2(centre.x - radius, centre.y),
+    ];
+    painter.add(Shape::convex_polygon(corners, fill, stroke));
+}
+
+/// A button that shows an icon. `name` is what it does, `key` its hotkey; both stand in the tooltip, the name is what screen readers say.
+pub fn button(ui: &mut Ui, icon: Icon, name: &str, key: &str, is_enabled: bool, is_lit: bool) -> bool {
+    let (rect, response) = ui
+        .allocate_exact_size(Vec2::new(ROW + 6.0, ROW + 2.0), if is_enabled { Sense::click() } else { Sense::hover() });
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, is_enabled, name));
+    let tokens = Tokens::of(ui);
+    if is_enabled && (response.hovered() || response.has_focus()) {
+        let fill = if response.is_pointer_button_down_on() { tokens.line } else { tokens.hovered };
+        ui.painter().rect_filled(rect, CORNER, fill);
+    }
+    if response.has_focus() {
+        ui.painter().rect_stroke(rect, CORNER, Stroke::new(1.0, tokens.accent), egui::StrokeKind::Inside);
+    }
+    let colour = match (is_enabled, is_lit) {
+        (false, _) => tokens.dim.gamma_multiply(0.5),
+        (true, true) => tokens.accent,
+        (true, false) => tokens.text,
+    };
+    paint(ui.painter(), icon, rect.center(), colour);
+    let tip = if key.is_empty() { name.to_owned() } else { format!("{name}  ·  {key}") };
+    let response = response.on_hover_text(tip);
+    was_pressed(&response)
+}
+
+/// Whether a button was pressed. One that was clicked gives the keyboard back, so that it does not take the space bar afterwards.
+#[must_use]
+pub fn was_pressed(response: &Response) -> bool {
+    let pressed = response.clicked();
+    if pressed && response.ctx.input(|input| input.pointer.any_released()) {
+        response.surrender_focus();
+    }
+    pressed
+}

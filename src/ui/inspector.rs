@@ -1,0 +1,135 @@
+//! The inspector: the numbers of the node at hand, which can be typed and dragged. A drag of a number is one step of undo.
+
+use egui::{DragValue, Label, Response, RichText, Ui, vec2};
+use glam::Vec3;
+
+use super::angles::{ShownAngles, rotation_from_degrees, with_component};
+use super::theme::{GRID, ROW, Tokens};
+use crate::editor::{Command, Edit, Editor, GestureCommand};
+
+/// Scene units for each point that a number is dragged.
+const UNITS_PER_POINT: f32 = 0.01;
+/// Degrees for each point that an angle is dragged.
+const DEGREES_PER_POINT: f32 = 0.5;
+
+/// Shows the numbers of the node at hand.
+pub fn show(ui: &mut Ui, editor: &Editor, angles: &mut ShownAngles, commands: &mut Vec<Command>) {
+    let tokens = Tokens::of(ui);
+    let scene = editor.scene();
+    let rbt = editor.node_at_hand();
+    let node = scene.node(scene.rbt_node(rbt));
+    ui.horizontal(|ui| {
+        ui.label(RichText::new(&node.name).strong().size(14.0));
+        let what = match (editor.session().chosen, node.path.rsplit_once('/')) {
+            (None, _) => "the eye; nothing is chosen",
+            (Some(_), Some((above, _))) => above,
+            (Some(_), None) => "",
+        };
+        ui.add(Label::new(RichText::new(what).small().color(tokens.dim)).truncate());
+    });
+    ui.add_space(GRID);
+    ui.add_enabled_ui(!editor.is_playing(), |ui| {
+        let parent_from_node = editor.displayed_pose().get(rbt);
+
+        label(ui, "Translation");
+        let mut translation = parent_from_node.translation.to_array();
+        let names = ["x", "y", "z"];
+        if let Some(changed) = numbers(ui, "Translation", &names, &mut translation, UNITS_PER_POINT, 3, commands) {
+            finish(&changed, Command::Edit(Edit::SetTranslation(rbt, Vec3::from(translation))), commands);
+        }
+
+        label(ui, "Rotation, degrees");
+        let mut degrees = angles.of(rbt, parent_from_node.rotation);
+        let names = ["yaw", "pitch", "roll"];
+        if let Some(changed) = numbers(ui, "Rotation", &names, &mut degrees, DEGREES_PER_POINT, 1, commands) {
+            angles.set(rbt, degrees);
+            let rotation = rotation_from_degrees(degrees);
+            finish(&changed, Command::Edit(Edit::SetRotation(rbt, rotation)), commands);
+        }
+
+        label(ui, "Quaternion");
+        let before = parent_from_node.rotation.to_array();
+        let mut parts = before;
+        let names = ["x", "y", "z", "w"];
+        if let Some(changed) = numbers(ui, "Quaternion", &names, &mut parts, UNITS_PER_POINT, 3, commands) {
+            let component = (0..4).find(|&place| parts[place].to_bits() != before[place].to_bits());
+            let rotation = component.map_or(parent_from_node.rotation, |place| {
+                with_component(parent_from_node.rotation, place, parts[place])
+            });
+            finish(&changed, Command::Edit(Edit::SetRotation(rbt, rotation)), commands);
+        }
+    });
+    if editor.is_playing() {
+        ui.label(RichText::new("Stop (y) or pause (Shift+P) to change these.").small().color(tokens.dim));
+    } else if editor.session().chosen.is_none() {
+        ui.label(RichText::new("Ctrl+click a part to choose it.").small().color(tokens.dim));
+    }
+}
+
+fn label(ui: &mut Ui, text: &str) {
+    ui.add_space(GRID);
+    ui.label(RichText::new(text).small().color(Tokens::of(ui).dim));
+}
+
+/// What happened to a row of numbers.
+struct Changed {
+    has_value: bool,
+    drag_ended: bool,
+}
+
+/// A row of numbers with their names. `Some` where one changed or a drag of one ended; the beginning of a drag is pushed here.
+fn numbers(
+    ui: &mut Ui,
+    what: &str,
+    names: &[&str],
+    values: &mut [f32],
+    per_point: f32,
+    decimals: usize,
+    commands: &mut Vec<Command>,
+) -> Option<Changed> {
+    let mut changed = Changed { has_value: false, drag_ended: false };
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = GRID;
+        #[expect(clippy::cast_precision_loss, reason = "there are at most four")]
+        let count = values.len() as f32;
+        let width = (ui.available_width() - (count - 1.0) * GRID) / count;
+        for (value, name) in values.iter_mut().zip(names) {
+            ui.vertical(|ui| {
+                ui.spacing_mut().item_spacing.y = 1.0;
+                ui.set_width(width);
+                let response = number(ui, &format!("{what} {name}"), value, per_point, decimals, width);
+                ui.vertical_centered(|ui| ui.label(RichText::new(*name).size(10.0).color(Tokens::of(ui).dim)));
+                if response.drag_started() {
+                    commands.push(Command::Gesture(GestureCommand::Begin));
+                }
+                changed.has_value |= response.changed();
+                changed.drag_ended |= response.drag_stopped();
+            });
+        }
+    });
+    (changed.has_value || changed.drag_ended).then_some(changed)
+}
+
+fn number(ui: &mut Ui, name: &str, value: &mut f32, per_point: f32, decimals: usize, width: f32) -> Response {
+    let spacing = ui.spacing_mut();
+    spacing.button_padding = vec2(2.0, 2.0);
+    spacing.interact_size = vec2(width, ROW);
+    // A field is a little sunken.
+    let tokens = Tokens::of(ui);
+    let inactive = &mut ui.visuals_mut().widgets.inactive;
+    inactive.weak_bg_fill = tokens.window;
+    inactive.bg_stroke.color = tokens.line;
+    let number = DragValue::new(value).speed(per_point).fixed_decimals(decimals).update_while_editing(false);
+    let response = ui.add_sized(vec2(width, ROW), number);
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::SpinButton, ui.is_enabled(), name));
+    response.on_hover_text(format!("{name}: drag, or click and type"))
+}
+
+fn finish(changed: &Changed, command: Command, commands: &mut Vec<Command>) {
+    if changed.has_value {
+        commands.push(command);
+    }
+    if changed.drag_ended {
+        commands.push(Command::Gesture(GestureCommand::Commit));
+    }
+}

@@ -1,0 +1,33 @@
+//! The status line: where we are, the last message, and how large the scene is.
+
+use egui::{Align, Label, Layout, RichText, Ui};
+
+use super::theme::Tokens;
+use crate::editor::{Editor, Severity};
+
+/// Shows the line.
+pub fn show(ui: &mut Ui, editor: &Editor) {
+    let tokens = Tokens::of(ui);
+    ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+        let nodes = format!("{} nodes", editor.scene().rbt_count());
+        ui.label(RichText::new(nodes).small().color(tokens.dim));
+        ui.add_space(8.0);
+        ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+            let place = editor.where_we_are();
+            let message = editor.message();
+            let said = message
+                .text
+                .strip_prefix(&place)
+                .map_or(message.text.as_str(), |rest| rest.trim_start_matches([':', '.', ' ']));
+            ui.label(RichText::new(&place).small().color(tokens.dim));
+            if !said.is_empty() {
+                let colour = match message.severity {
+                    Severity::Information => tokens.text,
+                    Severity::Error => tokens.error,
+                };
+                ui.label(RichText::new("·").small().color(tokens.dim));
+                ui.add(Label::new(RichText::new(said).size(12.0).color(colour)).truncate());
+            }
+        });
+    });
+}

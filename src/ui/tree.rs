@@ -1,0 +1,162 @@
+//! The tree of RBT nodes: a click chooses, a triangle folds, an eye looks from there.
+
+use std::collections::HashSet;
+
+use egui::{Align2, Color32, Pos2, Rect, Response, RichText, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2};
+
+use super::icons::{Icon, paint, was_pressed};
+use super::theme::{CORNER, ROW, Tokens, text_font};
+use crate::editor::{Command, Editor, ViewCommand};
+use crate::pose::RbtIndex;
+use crate::scene::{NodeId, NodeKind, SceneGraph};
+
+/// Which nodes are folded.
+#[derive(Clone, Debug, Default)]
+pub struct Tree {
+    folded: HashSet<RbtIndex>,
+}
+
+/// One row, as it is drawn.
+struct Row<'a> {
+    rbt: RbtIndex,
+    name: &'a str,
+    depth: usize,
+    has_children: bool,
+    eye: Option<usize>,
+}
+
+impl Tree {
+    /// Shows the tree.
+    pub fn show(&mut self, ui: &mut Ui, editor: &Editor, commands: &mut Vec<Command>) {
+        let tokens = Tokens::of(ui);
+        ui.horizontal(|ui| {
+            ui.add_space(8.0);
+            ui.label(RichText::new("Scene").small().color(tokens.dim));
+        });
+        ui.spacing_mut().item_spacing.y = 0.0;
+        let scene = editor.scene();
+        let mut folded_until = 0;
+        for rbt in scene.rbt_indices() {
+            let id = scene.rbt_node(rbt);
+            if id.get() < folded_until {
+                continue;
+            }
+            let below = scene.subtree(id);
+            if self.folded.contains(&rbt) {
+                folded_until = below.end;
+            }
+            let row = Row {
+                rbt,
+                name: &scene.node(id).name,
+                depth: depth(scene, id),
+                has_children: below.skip(1).any(|place| matches!(scene.nodes()[place].kind, NodeKind::Rbt(_))),
+                eye: scene.eyes().iter().position(|&eye| eye == rbt),
+            };
+            self.row(ui, editor, &row, commands);
+        }
+        // What is left of the panel chooses nothing.
+        let rest = ui.available_rect_before_wrap();
+        if rest.is_positive() && ui.interact(rest, ui.scope_id().with("rest"), Sense::CLICK).clicked() {
+            commands.push(Command::View(ViewCommand::Choose(None)));
+        }
+    }
+
+    fn row(&mut self, ui: &mut Ui, editor: &Editor, row: &Row<'_>, commands: &mut Vec<Command>) {
+        let tokens = Tokens::of(ui);
+        let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::click());
+        let is_chosen = editor.session().chosen == Some(row.rbt);
+        response.widget_info(|| WidgetInfo::selected(Role::ListBoxOption, true, is_chosen, row.name));
+        highlight(ui, rect, &response, is_chosen);
+        let left = rect.left() + 6.0 + 14.0 * points(row.depth);
+        let middle = rect.center().y;
+        if row.has_children {
+            self.triangle(ui, row.rbt, pos2(left + 5.0, middle));
+        }
+        let icon = match (row.eye, row.has_children, row.name) {
+            (Some(0), ..) => Icon::Camera,
+            (_, _, "ground") => Icon::Ground,
+            (_, _, _) if row.depth == 0 => Icon::Body,
+            _ => Icon::Joint,
+        };
+        paint(ui.painter(), icon, pos2(left + 21.0, middle), if is_chosen { tokens.accent } else { tokens.dim });
+        let text = pos2(left + 34.0, middle);
+        ui.painter().text(text, Align2::LEFT_CENTER, row.name, text_font(), tokens.text);
+        if let Some(eye) = row.eye {
+            self.eye(ui, editor, eye, row.name, rect, commands);
+        }
+        if was_pressed(&response.on_hover_text(if is_chosen {
+            "A click chooses nothing"
+        } else {
+            "Choose it: drags move it"
+        })) {
+            commands.push(Command::View(ViewCommand::Choose((!is_chosen).then_some(row.rbt))));
+        }
+    }
+
+    fn triangle(&mut self, ui: &Ui, rbt: RbtIndex, centre: Pos2) {
+        let tokens = Tokens::of(ui);
+        let is_folded = self.folded.contains(&rbt);
+        let area = Rect::from_center_size(centre, vec2(16.0, ROW));
+        let response = ui.interact(area, ui.scope_id().with(("fold", rbt)), Sense::click());
+        response.widget_info(|| WidgetInfo::labeled(Role::Button, true, if is_folded { "Unfold" } else { "Fold" }));
+        let at = |x: f32, y: f32| centre + vec2(x, y);
+        let corners = if is_folded {
+            vec![at(-2.0, -4.0), at(3.0, 0.0), at(-2.0, 4.0)]
+        } else {
+            vec![at(-4.0, -2.0), at(4.0, -2.0), at(0.0, 3.0)]
+        };
+        let colour = if response.hovered() { tokens.text } else { tokens.dim };
+        ui.painter().add(Shape::convex_polygon(corners, colour, Stroke::NONE));
+        if was_pressed(&response) && !self.folded.remove(&rbt) {
+            self.folded.insert(rbt);
+        }
+    }
+
+    #[expect(clippy::unused_self, reason = "it is a part of the tree")]
+    fn eye(&self, ui: &Ui, editor: &Editor, eye: usize, name: &str, row: Rect, commands: &mut Vec<Command>) {
+        let tokens = Tokens::of(ui);
+        let centre = pos2(row.right() - 14.0, row.center().y);
+        let area = Rect::from_center_size(centre, vec2(24.0, ROW));
+        let response = ui.interact(area, ui.scope_id().with(("eye", eye)), Sense::click());
+        let says = format!("Look from {name}");
+        response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &says));
+        let is_eye = editor.session().eye == eye;
+        let colour = match (is_eye, response.hovered()) {
+            (true, _) => tokens.accent,
+            (false, true) => tokens.text,
+            (false, false) => tokens.strong_line,
+        };
+        paint(ui.painter(), Icon::Eye, centre, colour);
+        let tip = if is_eye { format!("{name} is the eye  ·  v") } else { format!("{says}  ·  v") };
+        if was_pressed(&response.on_hover_text(tip)) {
+            commands.push(Command::View(ViewCommand::SetEye(eye)));
+        }
+    }
+}
+
+fn highlight(ui: &Ui, rect: Rect, response: &Response, is_chosen: bool) {
+    let tokens = Tokens::of(ui);
+    let fill = match (is_chosen, response.hovered()) {
+        (true, _) => tokens.accent_fill,
+        (false, true) => tokens.raised,
+        (false, false) => Color32::TRANSPARENT,
+    };
+    if fill != Color32::TRANSPARENT {
+        ui.painter().rect_filled(rect, CORNER, fill);
+    }
+    if response.has_focus() {
+        ui.painter().rect_stroke(rect, CORNER, Stroke::new(1.0, tokens.accent), egui::StrokeKind::Inside);
+    }
+}
+
+/// How many RBT nodes stand above one.
+fn depth(scene: &SceneGraph, id: NodeId) -> usize {
+    std::iter::successors(scene.node(id).parent, |&above| scene.node(above).parent)
+        .filter(|&above| matches!(scene.node(above).kind, NodeKind::Rbt(_)))
+        .count()
+}
+
+#[expect(clippy::cast_precision_loss, reason = "trees are not that deep")]
+const fn points(depth: usize) -> f32 {
+    depth as f32
+}

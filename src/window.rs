@@ -1,0 +1,100 @@
+//! The window: events in, commands to the editor, pictures out, and the effects that the editor asks for.
+//!
+//! Only here are winit's names known and, for the window, the clock on the wall read. What can be decided without a window is
+//! plain data with tables of tests: [`keys`] and [`pointer`].
+
+mod dialog;
+mod effects;
+pub mod keys;
+pub mod pointer;
+mod shell;
+mod stage;
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+use thiserror::Error;
+use winit::event_loop::EventLoop;
+
+use crate::editor::{Command, Editor};
+use crate::render::GpuError;
+use crate::ui::PathPurpose;
+use shell::Shell;
+
+/// Why there is no window: what is missing and how to get it.
+#[derive(Debug, Error)]
+pub enum WindowError {
+    /// No display answers.
+    #[error(
+        "no display can be opened ({reason}): start this from a desktop session, set DISPLAY or WAYLAND_DISPLAY, or use a virtual one \
+         (Debian: apt-get install xvfb libxkbcommon-x11-0, then xvfb-run inbetween); check, sample, render and script need none"
+    )]
+    NoDisplay {
+        /// What the window system says.
+        reason: String,
+    },
+    /// No adapter can draw on the window.
+    #[error(transparent)]
+    Gpu(#[from] GpuError),
+    /// The window system ended the program.
+    #[error("the window system ended the program: {reason}")]
+    Ended {
+        /// What it says.
+        reason: String,
+    },
+}
+
+/// What happens to the window from elsewhere than the window system.
+#[derive(Clone, Debug)]
+pub(crate) enum Happening {
+    /// The system's dialog was answered, or is not there.
+    PathChosen {
+        /// What for.
+        purpose: PathPurpose,
+        /// Which; `None`: cancelled, or no dialog.
+        path: Option<PathBuf>,
+        /// How long it took.
+        took: Duration,
+    },
+    /// The device is gone: everything on it is made again.
+    DeviceLost,
+}
+
+/// Opens the window on an editor, does `at_start`, and goes on until the user quits.
+///
+/// # Errors
+/// [`WindowError`], all of them before the user can have changed anything but the last.
+pub fn run(editor: Editor, at_start: Vec<Command>) -> Result<(), WindowError> {
+    let event_loop = event_loop()?;
+    let mut shell = Shell::new(editor, at_start, event_loop.create_proxy());
+    let ended = event_loop.run_app(&mut shell);
+    if let Some(error) = shell.take_error() {
+        return Err(error);
+    }
+    ended.map_err(|error| WindowError::Ended { reason: error.to_string() })
+}
+
+/// The event loop. Where a library of the window system is missing, its binding panics: that is no display either.
+fn event_loop() -> Result<EventLoop<Happening>, WindowError> {
+    let hook = std::panic::take_hook();
+    std::panic::set_hook(Box::new(|_| {}));
+    let made = catch_unwind(AssertUnwindSafe(|| EventLoop::with_user_event().build()));
+    std::panic::set_hook(hook);
+    let reason = match made {
+        Ok(Ok(event_loop)) => return Ok(event_loop),
+        Ok(Err(error)) => error.to_string(),
+        Err(panic) => panic
+            .downcast_ref::<String>()
+            .cloned()
+            .or_else(|| panic.downcast_ref::<&str>().map(|text| (*text).to_owned()))
+            .unwrap_or_else(|| "a library of the window system is missing".to_owned()),
+    };
+    Err(WindowError::NoDisplay { reason })
+}
+
+/// The clock on the wall.
+#[must_use]
+pub(crate) fn now() -> Instant {
+    Instant::now()
+}

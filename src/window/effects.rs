@@ -1,0 +1,92 @@
+//! What the editor asks of the shell, done: files read and written, pictures taken, questions asked.
+
+use std::path::{Path, PathBuf};
+
+use super::dialog;
+use super::shell::Shell;
+use crate::editor::{Command, Edit, Effect, FileCommand, Severity};
+use crate::keyframe::LARGEST_FILE_BYTES;
+use crate::storage;
+use crate::ui::{PathPurpose, QuitAnswer};
+
+impl Shell {
+    /// Applies a command and does what it asks for. Refusals are the editor's message already.
+    pub(super) fn apply(&mut self, command: Command) {
+        let Ok(effects) = self.editor.apply(command) else { return };
+        for effect in effects {
+            self.perform(effect);
+        }
+    }
+
+    fn perform(&mut self, effect: Effect) {
+        // What fails is the editor's message afterwards.
+        match effect {
+            Effect::ReadKeyframes { path } => {
+                let bytes = storage::read(&path, LARGEST_FILE_BYTES).map_err(|error| error.to_string());
+                let _ = self.editor.keyframes_read(&path, bytes);
+            }
+            Effect::WriteKeyframes { path, text, is_known } => {
+                let outcome = write(&path, &text, is_known);
+                let _ = self.editor.keyframes_written(&path, outcome);
+            }
+            Effect::Screenshot { path } => {
+                let path = path.unwrap_or_else(|| storage::next_screenshot_path(self.editor.path()));
+                let outcome = self.screenshot(&path);
+                let _ = self.editor.screenshot_taken(&path, outcome);
+            }
+            Effect::ChooseOpen => self.choose_path(PathPurpose::Open),
+            Effect::ChooseSaveAs => self.choose_path(PathPurpose::SaveAs),
+            Effect::Quit => self.quit_or_ask(),
+        }
+    }
+
+    fn screenshot(&self, path: &Path) -> Result<(), String> {
+        let stage = self.stage.as_ref().ok_or("there is no window to take a picture of")?;
+        let picture = stage.picture(&self.editor).map_err(|error| error.to_string())?;
+        let png = picture.to_png().map_err(|error| error.to_string())?;
+        storage::write(path, &png).map_err(|error| error.to_string())
+    }
+
+    fn choose_path(&mut self, purpose: PathPurpose) {
+        if !std::mem::replace(&mut self.is_choosing_path, true) {
+            dialog::ask(purpose, self.editor.path(), self.proxy.clone());
+        }
+    }
+
+    /// The system's dialog was answered, or there is none: then a field of our own asks.
+    pub(super) fn path_chosen(&mut self, purpose: PathPurpose, path: Option<PathBuf>, took: std::time::Duration) {
+        self.is_choosing_path = false;
+        match (path, purpose) {
+            (Some(path), PathPurpose::Open) => self.apply(Command::File(FileCommand::Open(path))),
+            (Some(path), PathPurpose::SaveAs) => self.apply(Command::File(FileCommand::SaveAs(path))),
+            (None, _) if took < dialog::TOO_FAST_FOR_A_USER => self.ui.ask_for_path(purpose, self.editor.path()),
+            (None, _) => {}
+        }
+    }
+
+    fn quit_or_ask(&mut self) {
+        if self.editor.has_unsaved_changes() || self.editor.has_unsaved_posing() {
+            self.ui.ask_before_quitting();
+        } else {
+            self.is_quitting = true;
+        }
+    }
+
+    /// Does what the user answered to the question about unsaved work. A file that cannot be written keeps the window open.
+    pub(super) fn quit_answered(&mut self, answer: QuitAnswer) {
+        if answer == QuitAnswer::KeepPoseAndSave {
+            self.apply(Command::Edit(Edit::CreateKeyframe));
+        }
+        if answer != QuitAnswer::Discard {
+            self.apply(Command::File(FileCommand::Write));
+        }
+        self.is_quitting = answer == QuitAnswer::Discard || self.editor.message().severity == Severity::Information;
+    }
+}
+
+/// Writes a keyframe file; what stood there and is not known is kept beside it.
+fn write(path: &Path, text: &str, is_known: bool) -> Result<Option<PathBuf>, String> {
+    let kept = if is_known { None } else { storage::keep_copy(path).map_err(|error| error.to_string())? };
+    storage::write(path, text.as_bytes()).map_err(|error| error.to_string())?;
+    Ok(kept)
+}

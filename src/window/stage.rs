@@ -1,0 +1,261 @@
+//! What the picture is made on: window, surface, device, the scene's renderer and the panels'. All of it can be lost and made again.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use egui_wgpu::{RendererOptions, ScreenDescriptor};
+use glam::Vec2;
+use winit::event_loop::{ActiveEventLoop, EventLoopProxy};
+use winit::window::Window;
+
+use super::{Happening, WindowError};
+use crate::editor::Editor;
+use crate::frame::Frame;
+use crate::render::{Gpu, GpuError, Image, Offscreen, Renderer, Viewport, default_samples};
+use crate::ui::{Ui, UiOutput, theme};
+
+/// The 3D view, in physical pixels of the window.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct View {
+    /// Its top left corner.
+    pub min_px: Vec2,
+    /// Its width and height.
+    pub size_px: Vec2,
+}
+
+impl View {
+    fn new(viewport: egui::Rect, pixels_per_point: f32) -> Self {
+        let corner = |at: egui::Pos2| (Vec2::new(at.x, at.y) * pixels_per_point).round();
+        let min_px = corner(viewport.min);
+        Self { min_px, size_px: (corner(viewport.max) - min_px).max(Vec2::ONE) }
+    }
+
+    /// Whether a pixel of the window is in it.
+    #[must_use]
+    pub fn contains(&self, at_px: Vec2) -> bool {
+        let inside = at_px - self.min_px;
+        inside.cmpge(Vec2::ZERO).all() && inside.cmplt(self.size_px).all()
+    }
+}
+
+/// Everything that a device belongs to.
+pub struct Stage {
+    /// The window.
+    pub window: Arc<Window>,
+    /// The panels' memory.
+    pub context: egui::Context,
+    /// The panels' input.
+    pub input: egui_winit::State,
+    /// Where the scene was drawn last.
+    pub view: View,
+    gpu: Gpu,
+    surface: wgpu::Surface<'static>,
+    configuration: wgpu::SurfaceConfiguration,
+    is_configured: bool,
+    scene_format: wgpu::TextureFormat,
+    renderer: Renderer,
+    panels: egui_wgpu::Renderer,
+}
+
+/// Panels that were laid out and wait to be painted, all of them, over the scene.
+pub struct LaidOut {
+    /// What the panels ask for.
+    pub output: UiOutput,
+    /// When the panels want to be shown again.
+    pub again_after: Duration,
+    jobs: Vec<egui::ClippedPrimitive>,
+    textures: egui::TexturesDelta,
+    pixels_per_point: f32,
+}
+
+impl Stage {
+    /// Makes everything for a window.
+    ///
+    /// # Errors
+    /// [`WindowError::Gpu`]
+    pub fn new(
+        event_loop: &ActiveEventLoop,
+        window: Arc<Window>,
+        proxy: &EventLoopProxy<Happening>,
+    ) -> Result<Self, WindowError> {
+        let (gpu, surface) = Gpu::for_window(&event_loop.owned_display_handle(), &window)?;
+        let lost = proxy.clone();
+        gpu.device.set_device_lost_callback(move |reason, _| {
+            if reason != wgpu::DeviceLostReason::Destroyed {
+                // Without a loop there is nothing left to mend.
+                let _ = lost.send_event(Happening::DeviceLost);
+            }
+        });
+        let no_surface = || GpuError::NoSurface { reason: "the adapter cannot draw on it".to_owned() };
+        let size = window.inner_size();
+        let mut configuration =
+            surface.get_default_config(&gpu.adapter, size.width.max(1), size.height.max(1)).ok_or_else(no_surface)?;
+        // The panels blend in sRGB's own numbers, the scene in linear light: one texture, two views of it.
+        let formats = surface.get_capabilities(&gpu.adapter).formats;
+        let flags = gpu.adapter.get_downlevel_capabilities().flags;
+        let plain = formats
+            .iter()
+            .copied()
+            .find(|format| matches!(format, wgpu::TextureFormat::Bgra8Unorm | wgpu::TextureFormat::Rgba8Unorm));
+        let mut scene_format = configuration.format;
+        if let Some(plain) = plain.filter(|_| flags.contains(wgpu::DownlevelFlags::SURFACE_VIEW_FORMATS)) {
+            configuration.format = plain;
+            scene_format = plain.add_srgb_suffix();
+            configuration.view_formats = vec![scene_format];
+        }
+        configuration.present_mode = wgpu::PresentMode::AutoVsync;
+        configuration.desired_maximum_frame_latency = 1;
+        let renderer = Renderer::new(&gpu, scene_format, default_samples(gpu.is_software));
+        let options = RendererOptions { dithering: false, ..RendererOptions::default() };
+        let panels = egui_wgpu::Renderer::new(&gpu.device, configuration.format, options);
+        let context = egui::Context::default();
+        theme::install(&context);
+        #[expect(clippy::cast_possible_truncation, reason = "scale factors are small")]
+        let scale = window.scale_factor() as f32;
+        let most = usize::try_from(gpu.largest_side_px()).ok();
+        let viewport = egui::ViewportId::ROOT;
+        let input = egui_winit::State::new(context.clone(), viewport, event_loop, Some(scale), window.theme(), most);
+        Ok(Self {
+            window,
+            context,
+            input,
+            view: View::default(),
+            gpu,
+            surface,
+            configuration,
+            is_configured: false,
+            scene_format,
+            renderer,
+            panels,
+        })
+    }
+
+    /// The surface is configured anew before it is drawn on again.
+    pub const fn is_outdated(&mut self) {
+        self.is_configured = false;
+    }
+
+    /// Lays out the panels, with the input that came since. `None` where the window has no size. What comes back must be painted.
+    pub fn lay_out(&mut self, ui: &mut Ui, editor: &Editor) -> Option<LaidOut> {
+        let size = self.window.inner_size();
+        if size.width == 0 || size.height == 0 {
+            return None;
+        }
+        if (size.width, size.height) != (self.configuration.width, self.configuration.height) {
+            (self.configuration.width, self.configuration.height) = (size.width, size.height);
+            self.is_configured = false;
+        }
+        let raw_input = self.input.take_egui_input(&self.window);
+        let mut output = UiOutput { commands: Vec::new(), viewport: egui::Rect::NOTHING, quit_answer: None };
+        // The panels may be laid out twice in one go.
+        let mut shown = self.context.run_ui(raw_input, |root| {
+            let now = ui.show(root, editor);
+            output.commands.extend(now.commands);
+            output.viewport = now.viewport;
+            output.quit_answer = output.quit_answer.or(now.quit_answer);
+        });
+        self.input.handle_platform_output(&self.window, std::mem::take(&mut shown.platform_output));
+        let root = shown.viewport_output.get(&egui::ViewportId::ROOT);
+        self.view = View::new(output.viewport, shown.pixels_per_point);
+        Some(LaidOut {
+            output,
+            again_after: root.map_or(Duration::MAX, |root| root.repaint_delay),
+            jobs: self.context.tessellate(std::mem::take(&mut shown.shapes), shown.pixels_per_point),
+            textures: std::mem::take(&mut shown.textures_delta),
+            pixels_per_point: shown.pixels_per_point,
+        })
+    }
+
+    /// Paints the scene as it is now, and panels over it.
+    pub fn paint(&mut self, editor: &Editor, mut laid_out: LaidOut) {
+        for (id, deltas) in laid_out.textures.set.drain() {
+            for delta in deltas {
+                self.panels.update_texture(&self.gpu.device, &self.gpu.queue, id, &delta);
+            }
+        }
+        self.draw(editor, &laid_out.jobs, laid_out.pixels_per_point);
+        for id in laid_out.textures.free.drain() {
+            self.panels.free_texture(&id);
+        }
+    }
+
+    fn draw(&mut self, editor: &Editor, jobs: &[egui::ClippedPrimitive], pixels_per_point: f32) {
+        let Some(texture) = self.next_texture() else { return };
+        let view = |format| {
+            texture.texture.create_view(&wgpu::TextureViewDescriptor { format: Some(format), ..Default::default() })
+        };
+        let size_in_pixels = [self.configuration.width, self.configuration.height];
+        let mut encoder = self.gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let frame = Frame::of_editor(editor, self.view.size_px);
+        let viewport = viewport(self.view, size_in_pixels);
+        self.renderer.encode(&self.gpu, &mut encoder, &frame, &view(self.scene_format), viewport);
+        let screen = ScreenDescriptor { size_in_pixels, pixels_per_point };
+        let mut buffers = self.panels.update_buffers(&self.gpu.device, &self.gpu.queue, &mut encoder, jobs, &screen);
+        let over = view(self.configuration.format);
+        let pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("panels"),
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                view: &over,
+                depth_slice: None,
+                resolve_target: None,
+                ops: wgpu::Operations { load: wgpu::LoadOp::Load, store: wgpu::StoreOp::Store },
+            })],
+            ..Default::default()
+        });
+        self.panels.render(&mut pass.forget_lifetime(), jobs, &screen);
+        buffers.push(encoder.finish());
+        self.gpu.queue.submit(buffers);
+        self.window.pre_present_notify();
+        self.gpu.queue.present(texture);
+    }
+
+    /// The texture to draw on, where there is one now; a surface that went out of date is configured anew once.
+    fn next_texture(&mut self) -> Option<wgpu::SurfaceTexture> {
+        for _ in 0..2 {
+            if !self.is_configured {
+                self.surface.configure(&self.gpu.device, &self.configuration);
+                self.is_configured = true;
+            }
+            match self.surface.get_current_texture() {
+                wgpu::CurrentSurfaceTexture::Success(texture) => return Some(texture),
+                wgpu::CurrentSurfaceTexture::Suboptimal(texture) => {
+                    self.is_configured = false;
+                    return Some(texture);
+                }
+                wgpu::CurrentSurfaceTexture::Lost => {
+                    self.is_configured = false;
+                    if let Ok(surface) = self.gpu.instance.create_surface(Arc::clone(&self.window)) {
+                        self.surface = surface;
+                    }
+                }
+                wgpu::CurrentSurfaceTexture::Outdated => self.is_configured = false,
+                wgpu::CurrentSurfaceTexture::Timeout
+                | wgpu::CurrentSurfaceTexture::Occluded
+                | wgpu::CurrentSurfaceTexture::Validation => return None,
+            }
+        }
+        None
+    }
+
+    /// A picture of the scene alone, as large as the 3D view.
+    ///
+    /// # Errors
+    /// [`GpuError`]
+    pub fn picture(&self, editor: &Editor) -> Result<Image, GpuError> {
+        let [width, height] = whole(self.view.size_px);
+        let mut renderer = Renderer::new(&self.gpu, Offscreen::FORMAT, default_samples(self.gpu.is_software));
+        let frame = Frame::of_editor(editor, self.view.size_px);
+        Offscreen::new(&self.gpu, width, height)?.render(&self.gpu, &mut renderer, &frame)
+    }
+}
+
+fn viewport(view: View, target_px: [u32; 2]) -> Viewport {
+    let [x, y] = whole(view.min_px);
+    let [width, height] = whole(view.size_px);
+    Viewport { target_px, x, y, width, height }
+}
+
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "they are whole and not negative")]
+const fn whole(pixels: Vec2) -> [u32; 2] {
+    [pixels.x as u32, pixels.y as u32]
+}
