@@ -231,7 +231,7 @@ impl Renderer {
         viewport: Viewport,
     ) {
         let Some(targets) = &self.targets else { return };
-        let has_outline = frame.items.iter().any(|item| item.outlined);
+        let has_outline = self.samples == 1 && frame.items.iter().any(|item| item.outlined);
         let (view, resolve_target) = match &targets.samples {
             Some(samples) => (samples, Some(target)),
             None => (target, None),
@@ -312,21 +312,20 @@ impl Renderer {
     ) {
         let device = &gpu.device;
         let Some(targets) = &mut self.targets else { return };
-        targets.mask(device, &self.pipelines, self.samples);
+        targets.mask(device, &self.pipelines);
         let Some(Targets { depth, mask: Some(mask), .. }) = &self.targets else { return };
-        let (view, resolve_target) = match &mask.samples {
-            Some(samples) => (samples, Some(&mask.resolved)),
-            None => (&mask.resolved, None),
-        };
+        let is_depth_tested = self.samples == 1;
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("mask"),
-            color_attachments: &[colour_attachment(view, resolve_target, wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT))],
-            depth_stencil_attachment: Some(depth_attachment(depth, wgpu::LoadOp::Load, wgpu::StoreOp::Store)),
+            color_attachments: &[colour_attachment(&mask.view, wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT))],
+            depth_stencil_attachment: is_depth_tested
+                .then(|| depth_attachment(depth, wgpu::LoadOp::Load, wgpu::StoreOp::Store)),
             ..Default::default()
         });
         set_viewport(&mut pass, viewport);
         self.bind_instances(&mut pass);
-        for kind in [Kind::MaskAll, Kind::MaskVisible] {
+        let kinds = [Kind::MaskAll, Kind::MaskVisible];
+        for &kind in if is_depth_tested { &kinds[..] } else { &kinds[..1] } {
             pass.set_pipeline(self.pipelines.get(device, kind));
             for (mesh, instances) in self.meshes.iter().zip(&self.uploaded.outlined) {
                 draw_mesh(&mut pass, mesh, instances);
@@ -335,7 +334,7 @@ impl Renderer {
         drop(pass);
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("outline"),
-            color_attachments: &[colour_attachment(target, None, wgpu::LoadOp::Load)],
+            color_attachments: &[colour_attachment(target, wgpu::LoadOp::Load)],
             ..Default::default()
         });
         set_viewport(&mut pass, viewport);
@@ -384,13 +383,12 @@ fn depth_attachment(
     wgpu::RenderPassDepthStencilAttachment { view, depth_ops: Some(wgpu::Operations { load, store }), stencil_ops: None }
 }
 
-fn colour_attachment<'a>(
-    view: &'a wgpu::TextureView,
-    resolve_target: Option<&'a wgpu::TextureView>,
+fn colour_attachment(
+    view: &wgpu::TextureView,
     load: wgpu::LoadOp<wgpu::Color>,
-) -> Option<wgpu::RenderPassColorAttachment<'a>> {
+) -> Option<wgpu::RenderPassColorAttachment<'_>> {
     let ops = wgpu::Operations { load, store: wgpu::StoreOp::Store };
-    Some(wgpu::RenderPassColorAttachment { view, depth_slice: None, resolve_target, ops })
+    Some(wgpu::RenderPassColorAttachment { view, depth_slice: None, resolve_target: None, ops })
 }
 
 fn filled_buffer(device: &wgpu::Device, bytes: &[u8], usage: wgpu::BufferUsages) -> wgpu::Buffer {
