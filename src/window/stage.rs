@@ -88,15 +88,15 @@ impl Stage {
         });
         let no_surface = || GpuError::NoSurface { reason: "the adapter cannot draw on it".to_owned() };
         let size = window.inner_size();
-        let mut configuration = surface
-            .get_default_config(&gpu.adapter, size.width.max(1), size.height.max(1))
-            .ok_or_else(no_surface)?;
+        let mut configuration =
+            surface.get_default_config(&gpu.adapter, size.width.max(1), size.height.max(1)).ok_or_else(no_surface)?;
         // The panels blend in sRGB's own numbers, the scene in linear light: one texture, two views of it.
         let formats = surface.get_capabilities(&gpu.adapter).formats;
         let flags = gpu.adapter.get_downlevel_capabilities().flags;
-        let plain = formats.iter().copied().find(|format| {
-            matches!(format, wgpu::TextureFormat::Bgra8Unorm | wgpu::TextureFormat::Rgba8Unorm)
-        });
+        let plain = formats
+            .iter()
+            .copied()
+            .find(|format| matches!(format, wgpu::TextureFormat::Bgra8Unorm | wgpu::TextureFormat::Rgba8Unorm));
         let mut scene_format = configuration.format;
         if let Some(plain) = plain.filter(|_| flags.contains(wgpu::DownlevelFlags::SURFACE_VIEW_FORMATS)) {
             configuration.format = plain;
@@ -114,8 +114,7 @@ impl Stage {
         let scale = window.scale_factor() as f32;
         let most = usize::try_from(gpu.largest_side_px()).ok();
         let viewport = egui::ViewportId::ROOT;
-        let input =
-            egui_winit::State::new(context.clone(), viewport, event_loop, Some(scale), window.theme(), most);
+        let input = egui_winit::State::new(context.clone(), viewport, event_loop, Some(scale), window.theme(), most);
         Ok(Self {
             window,
             context,
@@ -191,8 +190,7 @@ impl Stage {
         let viewport = viewport(self.view, size_in_pixels);
         self.renderer.encode(&self.gpu, &mut encoder, &frame, &view(self.scene_format), viewport);
         let screen = ScreenDescriptor { size_in_pixels, pixels_per_point };
-        let mut buffers =
-            self.panels.update_buffers(&self.gpu.device, &self.gpu.queue, &mut encoder, jobs, &screen);
+        let mut buffers = self.panels.update_buffers(&self.gpu.device, &self.gpu.queue, &mut encoder, jobs, &screen);
         let over = view(self.configuration.format);
         let pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("panels"),
