@@ -28,7 +28,8 @@ pub fn frame_times(
 ) -> impl ExactSizeIterator<Item = FrameTime> {
     let end_ms = last_key_time * ms_between_keyframes as usize;
     let before_end = (end_ms * fps as usize).div_ceil(1000);
-    (0..before_end + 1).map(move |frame| {
+    let count = before_end + 1;
+    (0..count).map(move |frame| {
         if frame == before_end {
             return FrameTime { key_time: last_key_time as f64, ms: end_ms as f64 };
         }
