@@ -28,7 +28,8 @@ pub fn frame_times(
 ) -> impl ExactSizeIterator<Item = FrameTime> {
     let end_ms = last_key_time * ms_between_keyframes as usize;
     let before_end = (end_ms * fps as usize).div_ceil(1000);
-    (0..before_end + 1).map(move |frame| {
+    let count = before_end + 1;
+    (0..count).map(move |frame| {
         if frame == before_end {
             return FrameTime { key_time: last_key_time as f64, ms: end_ms as f64 };
         }
@@ -47,8 +48,8 @@ mod tests {
         let times: Vec<FrameTime> = frame_times(3, 500, 2).collect();
         let ms: Vec<f64> = times.iter().map(|time| time.ms).collect();
         assert_eq!(ms, [0.0, 1000.0 / 3.0, 2000.0 / 3.0, 1000.0]);
-        assert_eq!(times[1].key_time, 1000.0 / 1500.0);
-        assert_eq!(times[3].key_time, 2.0);
+        assert_eq!(times[1], FrameTime { key_time: 1000.0 / 1500.0, ms: 1000.0 / 3.0 });
+        assert_eq!(times[3], FrameTime { key_time: 2.0, ms: 1000.0 });
     }
 
     #[test]

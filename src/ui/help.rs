@@ -19,9 +19,12 @@ pub const MOUSE: [(&str, &str); 7] = [
 ];
 
 /// Width of the column of keys, in points.
-const KEYS: f32 = 116.0;
+const KEYS: f32 = 172.0;
 /// Width of the column of sentences, in points.
-const SENTENCES: f32 = 292.0;
+const SENTENCES: f32 = 264.0;
+
+/// Height of a line, in points.
+const LINE: f32 = 19.0;
 
 /// Shows the help; a click on its cross asks to hide it.
 pub fn show(ui: &Ui, viewport: Rect, bindings: &[Binding], commands: &mut Vec<Command>) {
@@ -40,8 +43,8 @@ pub fn show(ui: &Ui, viewport: Rect, bindings: &[Binding], commands: &mut Vec<Co
                 .show(ui, |ui| {
                     let room = viewport.size() - vec2(48.0, 64.0);
                     ScrollArea::both()
-                        .max_width(room.x)
-                        .max_height(room.y)
+                        .min_scrolled_width(room.x)
+                        .min_scrolled_height(room.y)
                         .show(ui, |ui| contents(ui, bindings, commands));
                 });
         });
@@ -49,7 +52,8 @@ pub fn show(ui: &Ui, viewport: Rect, bindings: &[Binding], commands: &mut Vec<Co
 
 fn contents(ui: &mut Ui, bindings: &[Binding], commands: &mut Vec<Command>) {
     ui.horizontal_top(|ui| {
-        ui.spacing_mut().item_spacing.x = 24.0;
+        ui.spacing_mut().item_spacing = vec2(24.0, 2.0);
+        ui.spacing_mut().interact_size.y = LINE;
         ui.vertical(|ui| {
             group(ui, bindings, Group::Keyframes);
             group(ui, bindings, Group::Playing);
@@ -89,9 +93,9 @@ fn heading(ui: &mut Ui, text: &str) {
 
 fn row(ui: &mut Ui, keys: &[String], meaning: &str) {
     let tokens = Tokens::of(ui);
-    ui.horizontal(|ui| {
+    ui.horizontal_top(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
-        let (rect, _) = ui.allocate_exact_size(vec2(KEYS, 18.0), Sense::hover());
+        let (rect, _) = ui.allocate_exact_size(vec2(KEYS, LINE), Sense::hover());
         let mut left = rect.left();
         for key in keys {
             let galley = ui.painter().layout_no_wrap(key.clone(), number_font(), tokens.text);
@@ -101,10 +105,11 @@ fn row(ui: &mut Ui, keys: &[String], meaning: &str) {
             ui.painter().galley(cap.center() - galley.size() / 2.0, galley, Color32::PLACEHOLDER);
             left = cap.right() + 4.0;
         }
-        let (rect, response) = ui.allocate_exact_size(vec2(SENTENCES, 18.0), Sense::hover());
+        let galley = ui.painter().layout(meaning.to_owned(), egui::FontId::proportional(12.0), tokens.text, SENTENCES);
+        let height = galley.size().y.max(LINE);
+        let (rect, response) = ui.allocate_exact_size(vec2(SENTENCES, height), Sense::hover());
         let label = format!("{}: {meaning}", keys.join(" or "));
         response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Label, true, &label));
-        let font = egui::FontId::proportional(12.0);
-        ui.painter().text(rect.left_center(), Align2::LEFT_CENTER, meaning, font, tokens.text);
+        ui.painter().galley(rect.left_top() + vec2(0.0, (height - galley.size().y) / 2.0), galley, tokens.text);
     });
 }

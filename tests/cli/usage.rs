@@ -32,7 +32,7 @@ fn wrong_usage_is_status_2() {
         &["nodes", "--unknown"],
     ] {
         println!("{arguments:?}");
-        sandbox.run(arguments).is_misuse();
+        sandbox.run(arguments).misuses();
     }
     assert_eq!(sandbox.names(), ["a.json"]);
 }
