@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use egui::Order;
+use egui::{CursorIcon, Order};
 use glam::Vec2;
 use winit::application::ApplicationHandler;
 use winit::dpi::{LogicalSize, PhysicalPosition};
@@ -17,8 +17,9 @@ use super::pointer::{Action, Button, Pointer};
 use super::stage::Stage;
 use super::{Happening, WindowError, now};
 use crate::clock::AnimationClock;
-use crate::editor::keymap::{Binding, binding_for, bindings};
-use crate::editor::{Command, Edit, Editor, FileCommand, GestureCommand, ViewCommand};
+use crate::editor::keymap::{Binding, Key, binding_for, bindings};
+use crate::editor::{Command, DragKind, Edit, Editor, FileCommand, GestureCommand, ViewCommand};
+use crate::pose::RbtIndex;
 use crate::ui::Ui;
 
 /// A window that stood still for longer goes on from there: it does not catch up.
@@ -122,8 +123,10 @@ impl Shell {
 
     /// Shows the panels, does what they ask for, and draws the scene as it is then: a drag is seen in the same picture.
     fn redraw(&mut self) {
+        let cursor = self.cursor();
+        let hovered = self.hovered();
         let Some(stage) = &mut self.stage else { return };
-        let Some(mut laid_out) = stage.lay_out(&mut self.ui, &self.editor) else { return };
+        let Some(mut laid_out) = stage.lay_out(&mut self.ui, &self.editor, cursor) else { return };
         let commands = std::mem::take(&mut laid_out.output.commands);
         let answer = laid_out.output.quit_answer.take();
         let again = !commands.is_empty() || answer.is_some() || laid_out.again_after.is_zero();
@@ -135,11 +138,38 @@ impl Shell {
             self.quit_answered(answer);
         }
         if let Some(stage) = &mut self.stage {
-            stage.paint(&self.editor, laid_out);
+            stage.paint(&self.editor, hovered, laid_out);
             if again {
                 stage.window.request_redraw();
             }
         }
+    }
+
+    /// The pointer's shape over the scene: what a drag does, or that a click chooses.
+    fn cursor(&self) -> Option<CursorIcon> {
+        match self.pointer.dragging(self.space.is_held()) {
+            Some(_) if !self.editor.is_dragging() => Some(CursorIcon::NotAllowed),
+            Some(DragKind::Rotate) => Some(CursorIcon::Grabbing),
+            Some(DragKind::Translate) => Some(CursorIcon::Move),
+            Some(DragKind::Dolly) => Some(CursorIcon::ResizeVertical),
+            None => (self.editor.session().is_picking && self.is_over_scene(self.pointer_px))
+                .then_some(CursorIcon::Crosshair),
+        }
+    }
+
+    /// The node that a click would choose, while a click chooses.
+    fn hovered(&self) -> Option<RbtIndex> {
+        let stage = self.stage.as_ref()?;
+        if !self.picks() || self.pointer.is_held() || !self.is_over_scene(self.pointer_px) {
+            return None;
+        }
+        let camera = self.editor.camera(stage.view.size_px);
+        self.editor.node_under(camera.ray_through(self.in_view(self.pointer_px)))
+    }
+
+    /// Whether a left click in the scene chooses.
+    fn picks(&self) -> bool {
+        self.editor.session().is_picking || self.modifiers.control_key()
     }
 
     fn request_redraw(&self) {
@@ -163,6 +193,9 @@ impl Shell {
                 return;
             }
         } else if !input.is_pressed || is_typing {
+            return;
+        }
+        if press.typed == Some(Key::Escape) && self.ui.takes_escape(&stage.context) {
             return;
         }
         if let Some(command) = binding_for(&self.bindings, press).map(|binding| binding.command.clone()) {
@@ -195,7 +228,7 @@ impl Shell {
         for action in self.pointer.move_to(self.in_view(at_px), self.space.is_held()) {
             self.act(action);
         }
-        is_held || !was_over_scene || !self.is_over_scene(at_px)
+        is_held || self.picks() || !was_over_scene || !self.is_over_scene(at_px)
     }
 
     fn button(&mut self, state: ElementState, button: MouseButton) {
@@ -207,7 +240,7 @@ impl Shell {
         };
         let action = match state {
             ElementState::Pressed if self.is_over_scene(self.pointer_px) => {
-                let picks = self.editor.session().is_picking || self.modifiers.control_key();
+                let picks = self.picks();
                 self.pointer.press(button, self.in_view(self.pointer_px), picks)
             }
             ElementState::Pressed => None,
@@ -230,7 +263,7 @@ impl Shell {
                 self.space.drag();
                 self.apply(Command::Gesture(GestureCommand::Begin));
             }
-            // A drag that was refused or taken back does nothing more.
+            // Nothing goes on that was refused or taken back.
             Action::Move { .. } | Action::Commit if !self.editor.is_dragging() => {}
             Action::Move { kind, from_px, to_px } => {
                 let motion = self.editor.manipulation(&camera).motion(kind, from_px, to_px);
@@ -323,7 +356,11 @@ impl ApplicationHandler<Happening> for Shell {
                 shows = true;
             }
             WindowEvent::DroppedFile(path) => self.apply(Command::File(FileCommand::Open(path))),
-            WindowEvent::ModifiersChanged(modifiers) => self.modifiers = modifiers.state(),
+            WindowEvent::ModifiersChanged(modifiers) => {
+                // With Ctrl a click chooses, and the node that it would choose is outlined.
+                shows |= self.modifiers.control_key() != modifiers.state().control_key();
+                self.modifiers = modifiers.state();
+            }
             WindowEvent::KeyboardInput { event, is_synthetic, .. } => {
                 self.key(&KeyInput::new(&event, is_synthetic, self.modifiers));
             }
