@@ -5,6 +5,7 @@
 
 mod dialog;
 mod effects;
+mod handling;
 pub mod keys;
 pub mod pointer;
 mod shell;
