@@ -86,6 +86,10 @@ struct ShapePixel {
 
 @vertex
 fn shape_vertex(corner: Corner) -> ShapePixel {
+    return shape_vertex_of(corner);
+}
+
+fn shape_vertex_of(corner: Corner) -> ShapePixel {
     let in_world = world_position(corner);
     let normal = world_normal(corner);
     var out: ShapePixel;
@@ -209,6 +213,14 @@ fn nothing_fragment() -> @location(0) vec4f {
 @fragment
 fn mask_fragment() -> @location(0) vec4f {
     return vec4f(1.0);
+}
+
+// A hair behind its place, so that a ghost exactly on its shape stays hidden: depth is reversed.
+@vertex
+fn ghost_vertex(corner: Corner) -> ShapePixel {
+    var out = shape_vertex_of(corner);
+    out.in_clip.z *= 0.997;
+    return out;
 }
 
 @fragment

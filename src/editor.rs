@@ -23,6 +23,7 @@ pub use error::CommandError;
 pub use history::MOST_STEPS;
 pub use manipulate::{DragKind, Manipulation};
 
+use crate::clock::TICKS_PER_SECOND;
 use crate::keyframe::PlayRange;
 use crate::pose::{Pose, RbtIndex};
 use crate::scene::{Ray, SceneGraph};
@@ -71,10 +72,28 @@ pub struct Session {
     pub is_picking: bool,
     /// Whether the arcball is drawn.
     pub shows_arcball: bool,
+    /// Whether the path of the chosen node is drawn.
+    pub shows_path: bool,
+    /// Whether other interpolations are shown beside the one in force while playing.
+    pub compares: bool,
     /// Whether the help is shown.
     pub shows_help: bool,
     /// Whether the panels are shown.
     pub shows_panels: bool,
+}
+
+/// The clock of keys at their own times: ticks since the start of the program, or since it was set to zero.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+struct SecondsClock {
+    ticks: u64,
+    is_held: bool,
+}
+
+impl SecondsClock {
+    #[expect(clippy::cast_precision_loss, reason = "no program runs for 2^52 ticks")]
+    fn seconds(self) -> f64 {
+        self.ticks as f64 / f64::from(TICKS_PER_SECOND)
+    }
 }
 
 /// All state of the program but the window's.
@@ -85,6 +104,7 @@ pub struct Editor {
     history: History,
     session: Session,
     playback: Playback,
+    seconds_clock: SecondsClock,
     /// The document before the drag that is going on.
     gesture: Option<Document>,
     message: Message,
@@ -109,10 +129,13 @@ impl Editor {
                 sky_mode: SkyMode::default(),
                 is_picking: false,
                 shows_arcball: true,
+                shows_path: true,
+                compares: false,
                 shows_help: false,
                 shows_panels: true,
             },
             playback: Playback::default(),
+            seconds_clock: SecondsClock::default(),
             gesture: None,
             message: Message::default(),
             path,
@@ -213,7 +236,7 @@ impl Editor {
     /// The node that a ray through the view meets: what a click there would choose.
     #[must_use]
     pub fn node_under(&self, ray: Ray) -> Option<RbtIndex> {
-        self.scene.pick(&self.displayed_pose(), ray)?.rbt
+        self.scene.pick(&self.displayed_pose(), self.seconds(), ray)?.rbt
     }
 
     /// What the next undo would take back, as in "new keyframe".
@@ -228,8 +251,38 @@ impl Editor {
         self.history.redo_label()
     }
 
+    /// How far the keys at their own times are, in seconds; 0 in a scene that has none.
+    #[must_use]
+    pub fn seconds(&self) -> f64 {
+        self.seconds_clock.seconds()
+    }
+
+    /// Whether the clock of the keys at their own times is held.
+    #[must_use]
+    pub const fn holds_seconds(&self) -> bool {
+        self.seconds_clock.is_held
+    }
+
+    /// Whether something moves with time, so that ticks are wanted: something plays, or keys at their own times are not over.
+    #[must_use]
+    pub fn wants_ticks(&self) -> bool {
+        self.is_playing() || self.moves_by_itself()
+    }
+
+    fn moves_by_itself(&self) -> bool {
+        !self.seconds_clock.is_held && self.scene.last_second().is_some_and(|last| self.seconds() < last)
+    }
+
     /// Takes in ticks of the animation clock. Says whether the picture may have changed.
     pub fn tick(&mut self, ticks: u64) -> bool {
+        let moved_by_itself = self.moves_by_itself() && ticks > 0;
+        if self.scene.is_timed() && !self.seconds_clock.is_held {
+            self.seconds_clock.ticks += ticks;
+        }
+        self.tick_playback(ticks) || moved_by_itself
+    }
+
+    fn tick_playback(&mut self, ticks: u64) -> bool {
         let Playback::Playing(position) = &mut self.playback else { return false };
         position.advance(ticks);
         let has_ended = match PlayRange::new(&self.document.keyframes) {

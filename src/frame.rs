@@ -4,6 +4,7 @@
 //! ghosts, lines, dots, the arcball. Tests of scenes stop here; only tests of pixels need an adapter.
 
 mod build;
+mod overlays;
 
 use glam::{Affine3A, Mat4, Vec3, Vec4};
 

@@ -1,9 +1,11 @@
 //! Keyframes: the list that hotkeys manage, the pose at a key time, and the file.
 
+mod compare;
 mod file;
 mod list;
 mod sample;
 
+pub use compare::Blend;
 pub use file::{KeyframeFile, KeyframeFileError, LARGEST_FILE_BYTES, keyframes_from_json, keyframes_to_json};
 pub use list::{Keyframe, KeyframeIndex, KeyframeList};
 pub use sample::{PlayRange, SampleError};

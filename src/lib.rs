@@ -1,6 +1,7 @@
 //! Inbetween, a desktop 3D keyframe animator.
 
 pub mod camera;
+pub mod cli;
 pub mod clock;
 pub mod editor;
 pub mod frame;
@@ -12,5 +13,6 @@ pub mod rbt;
 pub mod render;
 pub mod scene;
 pub mod storage;
+pub mod timed;
 pub mod ui;
 pub mod window;

@@ -8,7 +8,7 @@ use super::{
     Command, CommandError, Document, Edit, Editor, Effect, GestureCommand, Message, PlaybackCommand, Severity, SkyMode,
     ViewCommand,
 };
-use crate::keyframe::{Keyframe, KeyframeIndex, KeyframeList, MS_BETWEEN_KEYFRAMES_RANGE, PlayRange};
+use crate::keyframe::{Blend, Keyframe, KeyframeIndex, KeyframeList, MS_BETWEEN_KEYFRAMES_RANGE, PlayRange};
 use crate::pose::RbtIndex;
 use crate::rbt::Rbt;
 
@@ -307,6 +307,28 @@ impl Editor {
                 Ok("Click a node to choose it, or the ground to choose none.".to_owned())
             }
             ViewCommand::Choose(rbt) => self.choose(rbt),
+            ViewCommand::RestartSeconds => {
+                self.seconds_clock.ticks = 0;
+                Ok("Keys at their own times start again.".to_owned())
+            }
+            ViewCommand::HoldSeconds => {
+                self.seconds_clock.is_held = !self.seconds_clock.is_held;
+                let state = if self.seconds_clock.is_held { "are held" } else { "go on" };
+                Ok(format!("Keys at their own times {state} at {:.2} s.", self.seconds()))
+            }
+            ViewCommand::TogglePath => {
+                self.session.shows_path = !self.session.shows_path;
+                let state = if self.session.shows_path { "shown" } else { "hidden" };
+                Ok(format!("The path of the chosen node is {state}."))
+            }
+            ViewCommand::ToggleComparison => {
+                self.session.compares = !self.session.compares;
+                if !self.session.compares {
+                    return Ok("The comparison is off.".to_owned());
+                }
+                let [other, nlerp, matrices] = Blend::others(self.document.interpolation).map(Blend::label);
+                Ok(format!("Comparing the chosen robot while playing: {other} is blue, {nlerp} green, {matrices} red."))
+            }
             ViewCommand::ToggleArcball => {
                 self.session.shows_arcball = !self.session.shows_arcball;
                 Ok(String::new())

@@ -104,6 +104,14 @@ pub enum ViewCommand {
     ToggleHelp,
     /// Shows or hides all panels.
     TogglePanels,
+    /// Shows or hides the path that the chosen node takes.
+    TogglePath,
+    /// Shows or hides, while playing, what the interpolations that are not in force would show.
+    ToggleComparison,
+    /// Sets the clock of keys at their own times to zero.
+    RestartSeconds,
+    /// Holds that clock, or lets it go on.
+    HoldSeconds,
 }
 
 /// Files and the program itself.

@@ -86,16 +86,4 @@ impl History {
     pub fn redo_label(&self) -> Option<&'static str> {
         self.redo.last().map(|step| step.label)
     }
-
-    /// How many steps can be undone.
-    #[must_use]
-    pub fn len(&self) -> usize {
-        self.undo.len()
-    }
-
-    /// Whether nothing can be undone.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.undo.is_empty()
-    }
 }

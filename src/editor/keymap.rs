@@ -13,6 +13,8 @@ pub enum Key {
     Escape,
     /// F11.
     F11,
+    /// Home.
+    Home,
 }
 
 /// Which modifiers are held.
@@ -77,7 +79,7 @@ impl Group {
 /// One row of the table.
 #[derive(Clone, Debug)]
 pub struct Binding {
-    /// The keys, the first of them the one that menus show.
+    /// The keys, the first of them the one that menus show; empty for what only menus do.
     pub chords: Vec<Chord>,
     /// What it does.
     pub command: Command,
@@ -122,6 +124,7 @@ impl Chord {
             Key::Space => label.push_str("Space"),
             Key::Escape => label.push_str("Esc"),
             Key::F11 => label.push_str("F11"),
+            Key::Home => label.push_str("Home"),
         }
         label
     }
@@ -242,6 +245,20 @@ pub fn bindings() -> Vec<Binding> {
             "Next interpolation: linear, Catmull-Rom",
         ),
         row(
+            Group::Playing,
+            vec![key(Key::Home)],
+            view(ViewCommand::RestartSeconds),
+            "Restart timed keys",
+            "Set the clock of keys at their own times to zero (some lessons use the space bar for it)",
+        ),
+        row(
+            Group::Playing,
+            vec![Chord { key: Key::Home, modifiers: shift }],
+            view(ViewCommand::HoldSeconds),
+            "Hold timed keys",
+            "Hold the clock of keys at their own times, or let it go on",
+        ),
+        row(
             Group::View,
             vec![typed('v')],
             view(ViewCommand::NextEye),
@@ -263,6 +280,20 @@ pub fn bindings() -> Vec<Binding> {
             "Move the sky camera about the world's centre, or about itself",
         ),
         row(Group::View, vec![typed('a')], view(ViewCommand::ToggleArcball), "Arcball", "Show or hide the arcball"),
+        row(
+            Group::View,
+            vec![Chord { key: Key::Character('p'), modifiers: Modifiers { alt: true, ..plain } }],
+            view(ViewCommand::TogglePath),
+            "Motion path",
+            "Show or hide the path that the chosen node takes",
+        ),
+        row(
+            Group::View,
+            vec![],
+            view(ViewCommand::ToggleComparison),
+            "Compare interpolations",
+            "While playing, show the chosen robot under the other interpolations",
+        ),
         row(Group::View, vec![typed('h')], view(ViewCommand::ToggleHelp), "Help", "Show or hide this help"),
         row(Group::View, vec![key(Key::F11)], view(ViewCommand::TogglePanels), "Panels", "Hide or show all panels"),
         row(Group::View, vec![key(Key::Escape)], Command::Cancel, "Cancel", "Leave the mode, drag or dialog at hand"),
@@ -321,7 +352,7 @@ pub fn binding_for(table: &[Binding], press: KeyPress) -> Option<&Binding> {
         .filter(|binding| binding.repeats || !press.is_repeat)
 }
 
-/// The press that a script's word means: a character itself, or `space`, `escape`, `f11`, with `shift+`, `ctrl+`, `alt+` before it.
+/// The press that a script's word means: a character itself, or `space`, `escape`, `f11`, `home`, with `shift+`, `ctrl+`, `alt+` before it.
 #[must_use]
 pub fn press_from_word(word: &str) -> Option<KeyPress> {
     let mut modifiers = Modifiers::default();
@@ -345,6 +376,7 @@ pub fn press_from_word(word: &str) -> Option<KeyPress> {
             "space" => Key::Space,
             "escape" | "esc" => Key::Escape,
             "f11" => Key::F11,
+            "home" => Key::Home,
             _ => return None,
         },
     };
@@ -356,6 +388,9 @@ pub fn press_from_word(word: &str) -> Option<KeyPress> {
 pub fn markdown() -> String {
     let mut text = String::from("| key | does |\n|---|---|\n");
     for binding in bindings() {
+        if binding.chords.is_empty() {
+            continue;
+        }
         let keys: Vec<String> = binding.chords.iter().map(|chord| format!("`{}`", chord.label())).collect();
         text.push_str(&format!("| {} | {} |\n", keys.join(", "), binding.help));
     }

@@ -2,7 +2,7 @@
 
 use glam::{Affine3A, Vec2};
 
-use super::{ArcballMark, DrawItem, Frame, View};
+use super::{ArcballMark, DrawItem, Frame, View, overlays};
 use crate::camera::Camera;
 use crate::editor::Editor;
 use crate::pose::{Pose, RbtIndex};
@@ -23,16 +23,16 @@ impl View {
 }
 
 impl Frame {
-    /// The picture of a scene under a pose, with the shapes of `chosen` outlined.
+    /// The picture of a scene under a pose, `seconds` into the keys at their own times, with the shapes of `chosen` outlined.
     #[must_use]
-    pub fn new(scene: &SceneGraph, pose: &Pose, camera: &Camera, chosen: Option<RbtIndex>) -> Self {
-        let world_from_node = scene.world_from_nodes(pose);
+    pub fn new(scene: &SceneGraph, pose: &Pose, seconds: f64, camera: &Camera, chosen: Option<RbtIndex>) -> Self {
+        let world_from_node = scene.world_from_nodes(pose, seconds);
         let items = scene
             .nodes_with_ids()
             .filter_map(|(id, node)| {
                 let NodeKind::Shape(placed) = &node.kind else { return None };
                 let outlined = chosen.is_some() && scene.carrying_rbt(id) == chosen;
-                Some(draw_item(placed, world_from_node[id.get()], id.get(), outlined))
+                Some(draw_item(placed, world_from_node[id.get()], seconds, id.get(), outlined))
             })
             .collect();
         Self { view: View::new(camera), items, ghosts: Vec::new(), lines: Vec::new(), dots: Vec::new(), arcball: None }
@@ -51,24 +51,36 @@ impl Frame {
     pub fn of_editor(editor: &Editor, size_px: Vec2) -> Self {
         let camera = editor.camera(size_px);
         let session = editor.session();
-        let mut frame = Self::new(editor.scene(), &editor.displayed_pose(), &camera, session.chosen);
+        let mut frame = Self::new(editor.scene(), &editor.displayed_pose(), editor.seconds(), &camera, session.chosen);
         if session.shows_arcball && !editor.is_playing() {
             frame.arcball = editor
                 .manipulation(&camera)
                 .arcball_in_world
                 .map(|(centre_in_world, radius)| ArcballMark { centre_in_world, radius });
         }
+        if session.shows_path {
+            overlays::add_path(&mut frame, editor);
+        }
+        if session.compares {
+            overlays::add_comparison(&mut frame, editor);
+        }
         frame
     }
 }
 
-fn draw_item(placed: &PlacedShape, world_from_shape: Affine3A, place: usize, outlined: bool) -> DrawItem {
+pub(super) fn draw_item(
+    placed: &PlacedShape,
+    world_from_shape: Affine3A,
+    seconds: f64,
+    place: usize,
+    outlined: bool,
+) -> DrawItem {
     DrawItem {
         mesh: placed.shape.mesh(),
         world_from_shape,
         half_extents: placed.shape.half_extents(),
         rounding: placed.shape.rounding(),
-        colour: placed.colour.to_linear(),
+        colour: placed.colour_at(seconds),
         node: u32::try_from(place).expect("a scene has fewer than 2^32 nodes"),
         outlined,
     }

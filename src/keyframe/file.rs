@@ -1,5 +1,7 @@
 //! The keyframe file: JSON text to a list and back, to the byte.
 
+mod too_large;
+
 use std::collections::HashMap;
 use std::fmt::Write as _;
 use std::sync::Arc;
@@ -215,11 +217,15 @@ pub fn keyframes_from_json(bytes: &[u8], scene: &SceneGraph) -> Result<KeyframeF
         Ok(text) => text,
         Err(error) => {
             let header: Option<HeaderText> = serde_json::from_slice(bytes).ok();
-            return Err(vec![
-                header
-                    .and_then(|header| header_problem(&header.format, header.version))
-                    .unwrap_or_else(|| KeyframeFileError::Json { message: crate::json::sentence(&error) }),
-            ]);
+            if let Some(problem) = header.and_then(|header| header_problem(&header.format, header.version)) {
+                return Err(vec![problem]);
+            }
+            let too_large = too_large::numbers_too_large(bytes);
+            return Err(if too_large.is_empty() {
+                vec![KeyframeFileError::Json { message: crate::json::sentence(&error) }]
+            } else {
+                too_large
+            });
         }
     };
     if let Some(problem) = header_problem(&text.format, text.version) {

@@ -7,7 +7,8 @@ use thiserror::Error;
 
 use super::list::{KeyframeIndex, KeyframeList};
 use crate::interpolation::{Interpolation, bezier_rbt, linear_rbt};
-use crate::pose::Pose;
+use crate::pose::{Pose, RbtIndex};
+use crate::rbt::Rbt;
 
 /// The fewest keyframes that can be played: two steer, two are reached.
 pub const FEWEST_PLAYABLE: usize = 4;
@@ -65,21 +66,59 @@ impl<'a> PlayRange<'a> {
         KeyframeIndex::new(self.keyframes.len() - 2)
     }
 
+    /// Whether there is a pose at a key time, without making it.
+    ///
+    /// # Errors
+    /// [`SampleError::OutOfRange`] outside of [0, n − 1].
+    pub fn check(&self, key_time: f64) -> Result<(), SampleError> {
+        let last_key_time = self.last_key_time();
+        #[expect(clippy::cast_precision_loss, reason = "no list has 2^52 keyframes")]
+        if (0.0..=last_key_time as f64).contains(&key_time) {
+            Ok(())
+        } else {
+            Err(SampleError::OutOfRange { key_time, last_key_time })
+        }
+    }
+
     /// The pose at a key time in [0, n − 1]; at whole key times the keyframe itself, to the bit.
     ///
     /// # Errors
     /// [`SampleError::OutOfRange`] outside of that.
     pub fn pose_at(&self, key_time: f64, interpolation: Interpolation) -> Result<Pose, SampleError> {
-        let last_key_time = self.last_key_time();
+        self.check(key_time)?;
+        let (start, alpha) = self.interval_at(key_time);
+        Ok(self.blend(start, alpha, interpolation))
+    }
+
+    /// The keyframe of the list where the interval around a key time begins, and the fraction of the interval; kept within the range.
+    pub(super) fn interval_at(&self, key_time: f64) -> (usize, f32) {
         #[expect(clippy::cast_precision_loss, reason = "no list has 2^52 keyframes")]
-        if !(0.0..=last_key_time as f64).contains(&key_time) {
-            return Err(SampleError::OutOfRange { key_time, last_key_time });
-        }
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it was found to lie in the list")]
+        let key_time = key_time.clamp(0.0, self.last_key_time() as f64);
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it lies in the list")]
         let start = key_time.floor() as usize + 1;
         #[expect(clippy::cast_possible_truncation, reason = "the fraction of a key time needs no more than f32")]
         let alpha = key_time.fract() as f32;
-        Ok(self.blend(start, alpha, interpolation))
+        (start, alpha)
+    }
+
+    /// The two ends of an interval for one node. The last played keyframe begins an interval too, as far as its start goes.
+    pub(super) fn ends(&self, start: usize, rbt: RbtIndex) -> (Rbt, Rbt) {
+        let list = self.keyframes.as_slice();
+        (list[start].pose.get(rbt), list[start + 1].pose.get(rbt))
+    }
+
+    /// One node's `parent_from_node` at the fraction `alpha` of the played interval that begins at keyframe `start` of the list,
+    /// 1 ≤ start ≤ N − 2.
+    #[must_use]
+    pub fn rbt_at(&self, start: usize, alpha: f32, interpolation: Interpolation, rbt: RbtIndex) -> Rbt {
+        let (from, to) = self.ends(start, rbt);
+        if alpha == 0.0 {
+            return from;
+        }
+        match interpolation {
+            Interpolation::Linear => linear_rbt(from, to, alpha),
+            Interpolation::CatmullRom => bezier_rbt(from, self.keyframes.control_points(start)[rbt.get()], to, alpha),
+        }
     }
 
     /// The pose at the fraction `alpha` of the interval that begins at keyframe `start` of the list.

@@ -20,7 +20,11 @@ impl Bounds {
         let half = item.half_extents;
         Self {
             centre_in_world: item.world_from_shape.translation.into(),
-            half_edges_in_world: [(axes.x_axis * half.x).into(), (axes.y_axis * half.y).into(), (axes.z_axis * half.z).into()],
+            half_edges_in_world: [
+                (axes.x_axis * half.x).into(),
+                (axes.y_axis * half.y).into(),
+                (axes.z_axis * half.z).into(),
+            ],
         }
     }
 
@@ -51,8 +55,13 @@ impl ViewSides {
     pub fn of(view: &View) -> Self {
         let up = (view.vertical_fov * 0.5).tan();
         let right = up * view.aspect;
-        let normals_in_eye =
-            [Vec3::new(1.0, 0.0, -right), Vec3::new(-1.0, 0.0, -right), Vec3::new(0.0, 1.0, -up), Vec3::new(0.0, -1.0, -up), Vec3::NEG_Z];
+        let normals_in_eye = [
+            Vec3::new(1.0, 0.0, -right),
+            Vec3::new(-1.0, 0.0, -right),
+            Vec3::new(0.0, 1.0, -up),
+            Vec3::new(0.0, -1.0, -up),
+            Vec3::NEG_Z,
+        ];
         Self {
             eye_in_world: view.world_from_eye.translation.into(),
             normals_in_world: normals_in_eye.map(|normal| view.world_from_eye.transform_vector3(normal.normalize())),
@@ -71,7 +80,12 @@ impl ViewSides {
 
 /// The rectangle around boxes in a picture of so many pixels, grown by `margin_px`: x, y, width, height; the whole picture where
 /// a box reaches behind the eye, `None` where nothing is in it.
-pub fn rectangle_px(view: &View, boxes: impl Iterator<Item = Bounds>, size_px: [u32; 2], margin_px: f32) -> Option<[u32; 4]> {
+pub fn rectangle_px(
+    view: &View,
+    boxes: impl Iterator<Item = Bounds>,
+    size_px: [u32; 2],
+    margin_px: f32,
+) -> Option<[u32; 4]> {
     let clip_from_world = view.clip_from_eye * glam::Mat4::from(view.eye_from_world);
     let size = glam::Vec2::new(size_px[0] as f32, size_px[1] as f32);
     let (mut least, mut most) = (glam::Vec2::INFINITY, glam::Vec2::NEG_INFINITY);

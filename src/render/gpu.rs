@@ -11,7 +11,9 @@ pub enum GpuError {
     )]
     NoAdapter,
     /// The adapter refuses to open a device.
-    #[error("the GPU adapter \"{adapter}\" cannot be opened ({reason}): update its driver, or install Mesa's software one (Debian: apt-get install mesa-vulkan-drivers libvulkan1)")]
+    #[error(
+        "the GPU adapter \"{adapter}\" cannot be opened ({reason}): update its driver, or install Mesa's software one (Debian: apt-get install mesa-vulkan-drivers libvulkan1)"
+    )]
     NoDevice {
         /// The adapter's name.
         adapter: String,
@@ -19,7 +21,9 @@ pub enum GpuError {
         reason: String,
     },
     /// The window system offers no surface to draw on.
-    #[error("no surface can be made for the window ({reason}): a Vulkan or OpenGL driver that supports this display is needed")]
+    #[error(
+        "no surface can be made for the window ({reason}): a Vulkan or OpenGL driver that supports this display is needed"
+    )]
     NoSurface {
         /// What the driver says.
         reason: String,
@@ -62,7 +66,8 @@ pub struct Gpu {
 }
 
 impl Gpu {
-    /// The best adapter that needs no display. Vulkan is asked first, since asking every backend costs tens of milliseconds.
+    /// The best adapter that needs no display. Vulkan is asked first, since asking every backend costs tens of milliseconds;
+    /// OpenGL is not asked: what it draws without a display differs from driver to driver.
     ///
     /// # Errors
     ///
@@ -74,7 +79,7 @@ impl Gpu {
             descriptor.flags = wgpu::InstanceFlags::empty();
             Self::open(wgpu::Instance::new(descriptor), None)
         };
-        open(wgpu::Backends::VULKAN).or_else(|_| open(wgpu::Backends::all() - wgpu::Backends::VULKAN))
+        open(wgpu::Backends::VULKAN).or_else(|_| open(wgpu::Backends::PRIMARY - wgpu::Backends::VULKAN))
     }
 
     /// The best adapter that can draw on a window, and the window's surface. `display` and `window` are handles that are
@@ -93,8 +98,9 @@ impl Gpu {
             descriptor.backends = backends;
             descriptor.flags = wgpu::InstanceFlags::empty();
             let instance = wgpu::Instance::new(descriptor);
-            let surface =
-                instance.create_surface(window.clone()).map_err(|error| GpuError::NoSurface { reason: error.to_string() })?;
+            let surface = instance
+                .create_surface(window.clone())
+                .map_err(|error| GpuError::NoSurface { reason: error.to_string() })?;
             Ok((Self::open(instance, Some(&surface))?, surface))
         };
         open(wgpu::Backends::VULKAN).or_else(|_| open(wgpu::Backends::all() - wgpu::Backends::VULKAN))

@@ -108,9 +108,17 @@ fn rounded_box() -> Mesh {
     for corner in 0..8 {
         for i in 0..n {
             for j in 0..=i {
-                mesh.triangle_facing(signs(corner), [at(corner, i, j), at(corner, i + 1, j), at(corner, i + 1, j + 1)], place);
+                mesh.triangle_facing(
+                    signs(corner),
+                    [at(corner, i, j), at(corner, i + 1, j), at(corner, i + 1, j + 1)],
+                    place,
+                );
                 if j < i {
-                    mesh.triangle_facing(signs(corner), [at(corner, i, j), at(corner, i + 1, j + 1), at(corner, i, j + 1)], place);
+                    mesh.triangle_facing(
+                        signs(corner),
+                        [at(corner, i, j), at(corner, i + 1, j + 1), at(corner, i, j + 1)],
+                        place,
+                    );
                 }
             }
         }
@@ -205,7 +213,8 @@ fn around(step: u16, steps: u16) -> Vec3 {
 }
 
 fn disc(mesh: &mut Mesh, y: f32) {
-    let rim: Vec<u16> = (0..ROUND_STEPS).map(|s| mesh.vertex(around(s, ROUND_STEPS) + Vec3::Y * y, Vec3::Y * y)).collect();
+    let rim: Vec<u16> =
+        (0..ROUND_STEPS).map(|s| mesh.vertex(around(s, ROUND_STEPS) + Vec3::Y * y, Vec3::Y * y)).collect();
     for pair in rim[1..].windows(2) {
         if y > 0.0 {
             mesh.triangle(rim[0], pair[0], pair[1]);
@@ -234,8 +243,9 @@ fn cylinder() -> Mesh {
 fn cone() -> Mesh {
     let mut mesh = Mesh::default();
     let slope = |direction: Vec3| (direction * 2.0 + Vec3::Y).normalize();
-    let rim: Vec<u16> =
-        (0..ROUND_STEPS).map(|s| mesh.vertex(around(s, ROUND_STEPS) - Vec3::Y, slope(around(s, ROUND_STEPS)))).collect();
+    let rim: Vec<u16> = (0..ROUND_STEPS)
+        .map(|s| mesh.vertex(around(s, ROUND_STEPS) - Vec3::Y, slope(around(s, ROUND_STEPS))))
+        .collect();
     for s in 0..ROUND_STEPS {
         let between = around(2 * s + 1, 2 * ROUND_STEPS);
         let apex = mesh.vertex(Vec3::Y, slope(between));

@@ -33,7 +33,8 @@ impl Offscreen {
         let limit = gpu.largest_side_px();
         let row_bytes = (4 * u64::from(width)).next_multiple_of(u64::from(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT));
         let size = row_bytes * u64::from(height);
-        if !(1..=limit).contains(&width) || !(1..=limit).contains(&height) || size > gpu.device.limits().max_buffer_size {
+        if !(1..=limit).contains(&width) || !(1..=limit).contains(&height) || size > gpu.device.limits().max_buffer_size
+        {
             return Err(GpuError::Size { width, height, limit });
         }
         let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
@@ -78,7 +79,11 @@ impl Offscreen {
             self.texture.as_image_copy(),
             wgpu::TexelCopyBufferInfo {
                 buffer: &self.buffer,
-                layout: wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(self.row_bytes), rows_per_image: None },
+                layout: wgpu::TexelCopyBufferLayout {
+                    offset: 0,
+                    bytes_per_row: Some(self.row_bytes),
+                    rows_per_image: None,
+                },
             },
             self.texture.size(),
         );

@@ -10,7 +10,7 @@ use crate::render::mesh::Vertex;
 /// Depth of pictures and of the sun's map.
 pub const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 /// The outline's mask.
-pub const MASK_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rg8Unorm;
+pub const MASK_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
 /// All pipelines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -107,8 +107,8 @@ impl Kind {
             Self::Plane => shape("plane_vertex", Some("plane_fragment"), (GreaterEqual, true), false),
             Self::Sky => screen(Source::Sky, "sky_vertex", "sky_fragment", Some((GreaterEqual, false)), false),
             Self::Shadow => shape("shadow_vertex", None, (CompareFunction::LessEqual, true), false),
-            Self::GhostDepth => shape("place_vertex", None, (GreaterEqual, true), false),
-            Self::Ghost => shape("shape_vertex", Some("ghost_fragment"), (Equal, false), true),
+            Self::GhostDepth => shape("ghost_vertex", None, (GreaterEqual, true), false),
+            Self::Ghost => shape("ghost_vertex", Some("ghost_fragment"), (Equal, false), true),
             Self::Line => stroke("line_vertex", "line_fragment", GreaterEqual, 1.0),
             Self::LineHidden => stroke("line_vertex", "line_fragment", Less, 0.22),
             Self::LineOnTop => stroke("line_vertex", "line_fragment", Always, 1.0),
@@ -182,7 +182,13 @@ impl Pipelines {
         self.made[kind as usize].insert(pipeline)
     }
 
-    fn make(&self, device: &wgpu::Device, kind: Kind, recipe: &Recipe, module: &wgpu::ShaderModule) -> wgpu::RenderPipeline {
+    fn make(
+        &self,
+        device: &wgpu::Device,
+        kind: Kind,
+        recipe: &Recipe,
+        module: &wgpu::ShaderModule,
+    ) -> wgpu::RenderPipeline {
         let second = match kind {
             Kind::Shape | Kind::Plane => Some(&self.sun_map_layout),
             Kind::Outline => Some(&self.mask_layout),
@@ -204,11 +210,11 @@ impl Pipelines {
         let is_mask = matches!(kind, Kind::MaskAll | Kind::MaskVisible);
         let target = wgpu::ColorTargetState {
             format: if is_mask { MASK_FORMAT } else { self.target_format },
-            blend: recipe.blend.then_some(wgpu::BlendState {
-                alpha: wgpu::BlendComponent::OVER,
-                ..wgpu::BlendState::ALPHA_BLENDING
-            }),
+            blend: recipe
+                .blend
+                .then_some(wgpu::BlendState { alpha: wgpu::BlendComponent::OVER, ..wgpu::BlendState::ALPHA_BLENDING }),
             write_mask: match kind {
+                Kind::MaskAll if self.samples > 1 => wgpu::ColorWrites::RED | wgpu::ColorWrites::GREEN,
                 Kind::MaskAll => wgpu::ColorWrites::RED,
                 Kind::MaskVisible => wgpu::ColorWrites::GREEN,
                 Kind::GhostDepth => wgpu::ColorWrites::empty(),
@@ -248,7 +254,9 @@ impl Pipelines {
             Input::Strokes => &stroke_buffers,
             Input::Nothing => &[],
         };
-        let is_single = matches!(kind, Kind::Shadow | Kind::Outline);
+        let is_single = is_mask || matches!(kind, Kind::Shadow | Kind::Outline);
+        // The mask has one sample a pixel: where depth has more, what hides the chosen node is not looked at.
+        let depth = if is_mask && self.samples > 1 { None } else { recipe.depth };
         device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
             label: None,
             layout: Some(&layout),
@@ -267,14 +275,17 @@ impl Pipelines {
                 cull_mode: (recipe.input == Input::Instances).then_some(wgpu::Face::Back),
                 ..Default::default()
             },
-            depth_stencil: recipe.depth.map(|(compare, write)| wgpu::DepthStencilState {
+            depth_stencil: depth.map(|(compare, write)| wgpu::DepthStencilState {
                 format: DEPTH_FORMAT,
                 depth_write_enabled: Some(write),
                 depth_compare: Some(compare),
                 stencil: wgpu::StencilState::default(),
                 bias,
             }),
-            multisample: wgpu::MultisampleState { count: if is_single { 1 } else { self.samples }, ..Default::default() },
+            multisample: wgpu::MultisampleState {
+                count: if is_single { 1 } else { self.samples },
+                ..Default::default()
+            },
             fragment: fragment.map(|entry_point| wgpu::FragmentState {
                 module,
                 entry_point: Some(entry_point),
@@ -299,5 +310,8 @@ fn shader(device: &wgpu::Device, source: Source) -> wgpu::ShaderModule {
         Source::Stroke => with_common!("stroke.wgsl"),
         Source::Outline => with_common!("outline.wgsl"),
     };
-    device.create_shader_module(wgpu::ShaderModuleDescriptor { label: None, source: wgpu::ShaderSource::Wgsl(text.into()) })
+    device.create_shader_module(wgpu::ShaderModuleDescriptor {
+        label: None,
+        source: wgpu::ShaderSource::Wgsl(text.into()),
+    })
 }

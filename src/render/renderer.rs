@@ -188,7 +188,9 @@ impl Renderer {
         self.sun_map_box = sun;
         self.draw_picture(gpu, encoder, frame, target, viewport);
         let outlined = frame.items.iter().filter(|item| item.outlined).map(Bounds::of);
-        if let Some(rectangle) = rectangle_px(&frame.view, outlined, [viewport.width, viewport.height], look::OUTLINE_PX + 2.0) {
+        if let Some(rectangle) =
+            rectangle_px(&frame.view, outlined, [viewport.width, viewport.height], look::OUTLINE_PX + 2.0)
+        {
             self.draw_outline(gpu, encoder, target, viewport, rectangle);
         }
     }
@@ -209,7 +211,11 @@ impl Renderer {
     fn draw_sun_map(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder) {
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("sun map"),
-            depth_stencil_attachment: Some(depth_attachment(&self.sun_map, wgpu::LoadOp::Clear(1.0), wgpu::StoreOp::Store)),
+            depth_stencil_attachment: Some(depth_attachment(
+                &self.sun_map,
+                wgpu::LoadOp::Clear(1.0),
+                wgpu::StoreOp::Store,
+            )),
             ..Default::default()
         });
         // The border stays as far away as can be: what is looked up outside is lit.
@@ -231,7 +237,7 @@ impl Renderer {
         viewport: Viewport,
     ) {
         let Some(targets) = &self.targets else { return };
-        let has_outline = frame.items.iter().any(|item| item.outlined);
+        let has_outline = self.samples == 1 && frame.items.iter().any(|item| item.outlined);
         let (view, resolve_target) = match &targets.samples {
             Some(samples) => (samples, Some(target)),
             None => (target, None),
@@ -293,7 +299,13 @@ impl Renderer {
         self.draw_strokes(device, &mut pass, Kind::Dot, &self.uploaded.dots.clone());
     }
 
-    fn draw_strokes(&mut self, device: &wgpu::Device, pass: &mut wgpu::RenderPass<'_>, kind: Kind, strokes: &Range<u32>) {
+    fn draw_strokes(
+        &mut self,
+        device: &wgpu::Device,
+        pass: &mut wgpu::RenderPass<'_>,
+        kind: Kind,
+        strokes: &Range<u32>,
+    ) {
         if !strokes.is_empty() {
             pass.set_pipeline(self.pipelines.get(device, kind));
             pass.set_vertex_buffer(0, self.frame_buffer.slice(self.uploaded.strokes_start as u64..));
@@ -312,21 +324,20 @@ impl Renderer {
     ) {
         let device = &gpu.device;
         let Some(targets) = &mut self.targets else { return };
-        targets.mask(device, &self.pipelines, self.samples);
+        targets.mask(device, &self.pipelines);
         let Some(Targets { depth, mask: Some(mask), .. }) = &self.targets else { return };
-        let (view, resolve_target) = match &mask.samples {
-            Some(samples) => (samples, Some(&mask.resolved)),
-            None => (&mask.resolved, None),
-        };
+        let is_depth_tested = self.samples == 1;
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("mask"),
-            color_attachments: &[colour_attachment(view, resolve_target, wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT))],
-            depth_stencil_attachment: Some(depth_attachment(depth, wgpu::LoadOp::Load, wgpu::StoreOp::Store)),
+            color_attachments: &[colour_attachment(&mask.view, wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT))],
+            depth_stencil_attachment: is_depth_tested
+                .then(|| depth_attachment(depth, wgpu::LoadOp::Load, wgpu::StoreOp::Store)),
             ..Default::default()
         });
         set_viewport(&mut pass, viewport);
         self.bind_instances(&mut pass);
-        for kind in [Kind::MaskAll, Kind::MaskVisible] {
+        let kinds = [Kind::MaskAll, Kind::MaskVisible];
+        for &kind in if is_depth_tested { &kinds[..] } else { &kinds[..1] } {
             pass.set_pipeline(self.pipelines.get(device, kind));
             for (mesh, instances) in self.meshes.iter().zip(&self.uploaded.outlined) {
                 draw_mesh(&mut pass, mesh, instances);
@@ -335,7 +346,7 @@ impl Renderer {
         drop(pass);
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("outline"),
-            color_attachments: &[colour_attachment(target, None, wgpu::LoadOp::Load)],
+            color_attachments: &[colour_attachment(target, wgpu::LoadOp::Load)],
             ..Default::default()
         });
         set_viewport(&mut pass, viewport);
@@ -359,7 +370,8 @@ impl Renderer {
             Background::Colour(colour) => colour,
             Background::Transparent => return wgpu::Color::TRANSPARENT,
         };
-        let encode = |channel: f32| f64::from(if self.format.is_srgb() { channel } else { look::srgb_from_linear(channel) });
+        let encode =
+            |channel: f32| f64::from(if self.format.is_srgb() { channel } else { look::srgb_from_linear(channel) });
         wgpu::Color { r: encode(colour.x), g: encode(colour.y), b: encode(colour.z), a: 1.0 }
     }
 }
@@ -381,16 +393,19 @@ fn depth_attachment(
     load: wgpu::LoadOp<f32>,
     store: wgpu::StoreOp,
 ) -> wgpu::RenderPassDepthStencilAttachment<'_> {
-    wgpu::RenderPassDepthStencilAttachment { view, depth_ops: Some(wgpu::Operations { load, store }), stencil_ops: None }
+    wgpu::RenderPassDepthStencilAttachment {
+        view,
+        depth_ops: Some(wgpu::Operations { load, store }),
+        stencil_ops: None,
+    }
 }
 
-fn colour_attachment<'a>(
-    view: &'a wgpu::TextureView,
-    resolve_target: Option<&'a wgpu::TextureView>,
+fn colour_attachment(
+    view: &wgpu::TextureView,
     load: wgpu::LoadOp<wgpu::Color>,
-) -> Option<wgpu::RenderPassColorAttachment<'a>> {
+) -> Option<wgpu::RenderPassColorAttachment<'_>> {
     let ops = wgpu::Operations { load, store: wgpu::StoreOp::Store };
-    Some(wgpu::RenderPassColorAttachment { view, depth_slice: None, resolve_target, ops })
+    Some(wgpu::RenderPassColorAttachment { view, depth_slice: None, resolve_target: None, ops })
 }
 
 fn filled_buffer(device: &wgpu::Device, bytes: &[u8], usage: wgpu::BufferUsages) -> wgpu::Buffer {
@@ -406,7 +421,8 @@ fn frame_buffer(device: &wgpu::Device, pipelines: &Pipelines, size: u64) -> (wgp
         usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST,
         mapped_at_creation: false,
     });
-    let binding = wgpu::BufferBinding { buffer: &buffer, offset: 0, size: std::num::NonZeroU64::new(INSTANCES_START as u64) };
+    let binding =
+        wgpu::BufferBinding { buffer: &buffer, offset: 0, size: std::num::NonZeroU64::new(INSTANCES_START as u64) };
     let globals = device.create_bind_group(&wgpu::BindGroupDescriptor {
         label: Some("globals"),
         layout: &pipelines.globals_layout,

@@ -20,9 +20,7 @@ pub struct Targets {
 #[derive(Debug)]
 pub struct Mask {
     /// One sample a pixel.
-    pub resolved: wgpu::TextureView,
-    /// The samples, where there is more than one a pixel.
-    pub samples: Option<wgpu::TextureView>,
+    pub view: wgpu::TextureView,
     /// The mask as the outline reads it.
     pub bind_group: wgpu::BindGroup,
 }
@@ -40,19 +38,18 @@ impl Targets {
     }
 
     /// The outline's mask, made now if it was not yet.
-    pub fn mask(&mut self, device: &wgpu::Device, pipelines: &Pipelines, samples: u32) -> &Mask {
+    pub fn mask(&mut self, device: &wgpu::Device, pipelines: &Pipelines) -> &Mask {
         let size_px = self.size_px;
         self.mask.get_or_insert_with(|| {
             let attachment = wgpu::TextureUsages::RENDER_ATTACHMENT;
             let readable = attachment | wgpu::TextureUsages::TEXTURE_BINDING;
-            let resolved = view(device, "mask", MASK_FORMAT, 1, size_px, readable);
+            let view = view(device, "mask", MASK_FORMAT, 1, size_px, readable);
             let bind_group = device.create_bind_group(&wgpu::BindGroupDescriptor {
                 label: Some("mask"),
                 layout: &pipelines.mask_layout,
-                entries: &[wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(&resolved) }],
+                entries: &[wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(&view) }],
             });
-            let samples = (samples > 1).then(|| view(device, "mask samples", MASK_FORMAT, samples, size_px, attachment));
-            Mask { resolved, samples, bind_group }
+            Mask { view, bind_group }
         })
     }
 }

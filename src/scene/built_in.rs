@@ -6,7 +6,11 @@ use super::graph::SceneGraph;
 /// The scene that opens where none is named.
 pub const DEFAULT_SCENE: &str = "two-robots";
 
-const BUILT_IN: [(&str, &str); 1] = [(DEFAULT_SCENE, include_str!("../../assets/scenes/two-robots.json"))];
+const BUILT_IN: [(&str, &str); 3] = [
+    (DEFAULT_SCENE, include_str!("../../assets/scenes/two-robots.json")),
+    ("cylinder", include_str!("../../assets/scenes/cylinder.json")),
+    ("orbits", include_str!("../../assets/scenes/orbits.json")),
+];
 
 /// The names of the built-in scenes.
 pub fn built_in_scene_names() -> impl Iterator<Item = &'static str> {

@@ -7,6 +7,7 @@ use thiserror::Error;
 use super::graph::{SceneBuilder, SceneGraph};
 use super::shape::{Colour, PlacedShape, Shape};
 use crate::rbt::Rbt;
+use crate::timed::{Interpolate, KeyError, Keyframes, TransformKeyframes, rotation_from_euler_degrees};
 
 const FORMAT: &str = "inbetween.scene";
 const VERSION: u32 = 1;
@@ -69,6 +70,16 @@ pub enum SceneError {
         /// Why it cannot stand there.
         reason: &'static str,
     },
+    /// Keys at their own times cannot be made of what stands there.
+    #[error("node {path:?}: {field}: {error}")]
+    Keys {
+        /// The node's path.
+        path: String,
+        /// Which field.
+        field: &'static str,
+        /// What is wrong with the keys.
+        error: KeyError,
+    },
     /// An eye is not an RBT node of the scene.
     #[error("eye {path:?} is not the path of an RBT node")]
     Eye {
@@ -108,12 +119,36 @@ struct NodeText {
     name: String,
     #[serde(default)]
     translation: [f32; 3],
-    rotation: Option<[f32; 4]>,
+    rotation: Option<RotationText>,
     scale: Option<ScaleText>,
     shape: Option<ShapeText>,
     colour: Option<ColourText>,
+    colour_keys: Option<Vec<(f64, ColourText)>>,
+    control: Option<ControlText>,
     #[serde(default)]
     children: Vec<NodeText>,
+}
+
+/// Keys of a control node, each a list of `[seconds, value]`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ControlText {
+    translation: Option<Vec<(f64, [f32; 3])>>,
+    rotation: Option<Vec<(f64, RotationText)>>,
+    scale: Option<Vec<(f64, ScaleText)>>,
+}
+
+#[derive(Clone, Copy, Deserialize)]
+#[serde(untagged, expecting = "a rotation: [x, y, z, w], or { \"euler_degrees\": [yaw, pitch, roll] }")]
+enum RotationText {
+    Quaternion([f32; 4]),
+    Euler(EulerText),
+}
+
+#[derive(Clone, Copy, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct EulerText {
+    euler_degrees: [f32; 3],
 }
 
 #[derive(Clone, Copy, Deserialize)]
@@ -193,12 +228,20 @@ fn add(builder: &mut SceneBuilder, node: &NodeText, parent_path: &str) -> Result
         if !node.children.is_empty() {
             return misplaced("children", "cannot stand under a shape");
         }
+        if node.control.is_some() {
+            return misplaced("control", "cannot stand beside a shape: put the shape under the control node");
+        }
         let scale = place.scale(node.scale)?;
         builder.shape(
             &node.name,
             PlacedShape {
                 shape: place.shape(shape)?,
                 colour: node.colour.map_or(Colour(Vec3::splat(0.7)), |colour| colour.0),
+                colour_keys: node
+                    .colour_keys
+                    .as_ref()
+                    .map(|keys| place.keys("colour_keys", keys, |colour| Ok(colour.0.to_linear())))
+                    .transpose()?,
                 parent_from_shape: Affine3A::from_scale_rotation_translation(scale, rotation, translation),
             },
         )?;
@@ -207,10 +250,17 @@ fn add(builder: &mut SceneBuilder, node: &NodeText, parent_path: &str) -> Result
     if node.scale.is_some() {
         return misplaced("scale", "has no place in a rigid body transform: put it on the shapes");
     }
-    if node.colour.is_some() {
+    if node.colour.is_some() || node.colour_keys.is_some() {
         return misplaced("colour", "belongs to a shape");
     }
-    builder.open_rbt(&node.name, Rbt::new(translation, rotation))?;
+    if let Some(control) = &node.control {
+        if node.translation != [0.0; 3] || node.rotation.is_some() {
+            return misplaced("control", "has keys for the translation and the rotation: give them there");
+        }
+        builder.open_control(&node.name, place.control(control)?)?;
+    } else {
+        builder.open_rbt(&node.name, Rbt::new(translation, rotation))?;
+    }
     for child in &node.children {
         add(builder, child, &path)?;
     }
@@ -236,8 +286,40 @@ impl Place<'_> {
         }
     }
 
-    fn rotation(&self, value: Option<[f32; 4]>) -> Result<Quat, SceneError> {
-        let rotation = value.map_or(Quat::IDENTITY, Quat::from_array);
+    /// Keys from their texts; what is wrong with one is said with its time.
+    fn keys<T: Copy, V: Interpolate>(
+        &self,
+        field: &'static str,
+        texts: &[(f64, T)],
+        value: impl Fn(T) -> Result<V, SceneError>,
+    ) -> Result<Keyframes<V>, SceneError> {
+        let pairs = texts.iter().map(|&(seconds, text)| Ok((seconds, value(text)?))).collect::<Result<Vec<_>, _>>()?;
+        Keyframes::new(pairs).map_err(|error| SceneError::Keys { path: self.path.to_owned(), field, error })
+    }
+
+    fn control(&self, control: &ControlText) -> Result<TransformKeyframes, SceneError> {
+        let ControlText { translation, rotation, scale } = control;
+        let mut keys = TransformKeyframes::identity();
+        if let Some(texts) = translation {
+            keys.translation = self.keys("control.translation", texts, |value| {
+                self.coordinates("control.translation", Vec3::from(value))
+            })?;
+        }
+        if let Some(texts) = rotation {
+            keys.rotation = self.keys("control.rotation", texts, |value| self.rotation(Some(value)))?;
+        }
+        if let Some(texts) = scale {
+            keys.scale = self.keys("control.scale", texts, |value| self.scale(Some(value)))?;
+        }
+        Ok(keys)
+    }
+
+    fn rotation(&self, value: Option<RotationText>) -> Result<Quat, SceneError> {
+        let rotation = match value {
+            None => Quat::IDENTITY,
+            Some(RotationText::Quaternion(components)) => Quat::from_array(components),
+            Some(RotationText::Euler(EulerText { euler_degrees })) => rotation_from_euler_degrees(euler_degrees),
+        };
         if (rotation.length() - 1.0).abs() <= 0.01 {
             Ok(rotation.normalize())
         } else {

@@ -5,10 +5,11 @@ use std::ops::Range;
 
 use glam::Affine3A;
 
-use super::PlacedShape;
 use super::file::SceneError;
+use super::shape::PlacedShape;
 use crate::pose::{Pose, RbtIndex};
 use crate::rbt::Rbt;
+use crate::timed::{Keyframes, TransformKeyframes};
 
 /// A node of a scene, by its place in the pre-order walk; issued by the [`SceneGraph`] it belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -33,6 +34,8 @@ pub enum NodeKind {
     Rbt(RbtIndex),
     /// Geometry; it has no children.
     Shape(PlacedShape),
+    /// An affine that its own keys animate in elapsed seconds; poses do not record it.
+    Control(TransformKeyframes),
 }
 
 /// One node.
@@ -51,6 +54,26 @@ pub struct Node {
     subtree_end: u32,
 }
 
+impl Node {
+    /// Its transform to the node above it: a shape's place, a control node's keys, an RBT node's as `parent_from_rbt` has it.
+    fn parent_from_node(&self, seconds: f64, parent_from_rbt: impl Fn(RbtIndex) -> Affine3A) -> Affine3A {
+        match &self.kind {
+            NodeKind::Rbt(rbt) => parent_from_rbt(*rbt),
+            NodeKind::Shape(placed) => placed.parent_from_shape,
+            NodeKind::Control(keys) => keys.value_at(seconds),
+        }
+    }
+
+    /// The time of its last key, in seconds, if it has keys at their own times.
+    fn last_second(&self) -> Option<f64> {
+        match &self.kind {
+            NodeKind::Rbt(_) => None,
+            NodeKind::Shape(placed) => placed.colour_keys.as_ref().map(Keyframes::last_second),
+            NodeKind::Control(keys) => Some(keys.last_second()),
+        }
+    }
+}
+
 /// Nodes, shapes and the rest pose. Immutable once built.
 #[derive(Clone, Debug)]
 pub struct SceneGraph {
@@ -61,6 +84,7 @@ pub struct SceneGraph {
     rest: Pose,
     eyes: Vec<RbtIndex>,
     vertical_fov: f32,
+    last_second: Option<f64>,
 }
 
 impl SceneGraph {
@@ -132,7 +156,7 @@ impl SceneGraph {
     pub fn find_rbt(&self, path: &str) -> Option<RbtIndex> {
         match self.node(self.find(path)?).kind {
             NodeKind::Rbt(rbt) => Some(rbt),
-            NodeKind::Shape(_) => None,
+            NodeKind::Shape(_) | NodeKind::Control(_) => None,
         }
     }
 
@@ -154,15 +178,30 @@ impl SceneGraph {
         self.vertical_fov
     }
 
-    /// `world_from_node` of every node under `pose`, in arena order: one forward loop, since parents come first.
+    /// Whether anything in the scene has keys at its own times.
     #[must_use]
-    pub fn world_from_nodes(&self, pose: &Pose) -> Vec<Affine3A> {
+    pub fn is_timed(&self) -> bool {
+        self.last_second.is_some()
+    }
+
+    /// The time of the last key of all, in seconds: nothing moves by itself from then on. `None` with no such keys.
+    #[must_use]
+    pub fn last_second(&self) -> Option<f64> {
+        self.last_second
+    }
+
+    /// `world_from_node` of every node under `pose`, `seconds` into the keys at their own times, in arena order.
+    #[must_use]
+    pub fn world_from_nodes(&self, pose: &Pose, seconds: f64) -> Vec<Affine3A> {
+        self.world_from_nodes_with(seconds, |rbt| pose.get(rbt).to_affine())
+    }
+
+    /// The same for any affine in place of each RBT node's transform: one forward loop, since parents come first.
+    #[must_use]
+    pub fn world_from_nodes_with(&self, seconds: f64, parent_from_rbt: impl Fn(RbtIndex) -> Affine3A) -> Vec<Affine3A> {
         let mut world_from_node: Vec<Affine3A> = Vec::with_capacity(self.nodes.len());
         for node in &self.nodes {
-            let parent_from_node = match &node.kind {
-                NodeKind::Rbt(rbt) => pose.get(*rbt).to_affine(),
-                NodeKind::Shape(placed) => placed.parent_from_shape,
-            };
+            let parent_from_node = node.parent_from_node(seconds, &parent_from_rbt);
             world_from_node.push(match node.parent {
                 Some(parent) => world_from_node[parent.get()] * parent_from_node,
                 None => parent_from_node,
@@ -171,35 +210,42 @@ impl SceneGraph {
         world_from_node
     }
 
-    /// `world_from_node` of one node under `pose`.
+    /// `world_from_node` of one node under `pose`, `seconds` into the keys at their own times.
     #[must_use]
-    pub fn world_from_node(&self, pose: &Pose, id: NodeId) -> Affine3A {
+    pub fn world_from_node(&self, pose: &Pose, seconds: f64, id: NodeId) -> Affine3A {
+        self.world_from_node_with(seconds, id, |rbt| pose.get(rbt).to_affine())
+    }
+
+    /// The same for any affine in place of each RBT node's transform; only those above the node are asked for.
+    #[must_use]
+    pub fn world_from_node_with(
+        &self,
+        seconds: f64,
+        id: NodeId,
+        parent_from_rbt: impl Fn(RbtIndex) -> Affine3A,
+    ) -> Affine3A {
         let mut world_from_node = Affine3A::IDENTITY;
         let mut next = Some(id);
         while let Some(id) = next {
             let node = self.node(id);
-            let parent_from_node = match &node.kind {
-                NodeKind::Rbt(rbt) => pose.get(*rbt).to_affine(),
-                NodeKind::Shape(placed) => placed.parent_from_shape,
-            };
-            world_from_node = parent_from_node * world_from_node;
+            world_from_node = node.parent_from_node(seconds, &parent_from_rbt) * world_from_node;
             next = node.parent;
         }
         world_from_node
     }
 
-    /// The rigid `world_from_node` of an RBT node under `pose`.
+    /// The rigid part of `world_from_node` of an RBT node.
     #[must_use]
-    pub fn world_from_rbt(&self, pose: &Pose, rbt: RbtIndex) -> Rbt {
-        Rbt::from_affine(&self.world_from_node(pose, self.rbt_node(rbt)))
+    pub fn world_from_rbt(&self, pose: &Pose, seconds: f64, rbt: RbtIndex) -> Rbt {
+        Rbt::from_affine(&self.world_from_node(pose, seconds, self.rbt_node(rbt)))
     }
 
-    /// The rigid `world_from_parent` of an RBT node under `pose`: the identity right under the root.
+    /// `world_from_parent` of an RBT node: the identity right under the root.
     #[must_use]
-    pub fn world_from_parent(&self, pose: &Pose, rbt: RbtIndex) -> Rbt {
+    pub fn world_from_parent(&self, pose: &Pose, seconds: f64, rbt: RbtIndex) -> Affine3A {
         match self.node(self.rbt_node(rbt)).parent {
-            Some(parent) => Rbt::from_affine(&self.world_from_node(pose, parent)),
-            None => Rbt::IDENTITY,
+            Some(parent) => self.world_from_node(pose, seconds, parent),
+            None => Affine3A::IDENTITY,
         }
     }
 
@@ -244,6 +290,16 @@ impl SceneBuilder {
         let id = self.push(name, NodeKind::Rbt(rbt))?;
         self.rbt_nodes.push(id);
         self.rest.push(rest_parent_from_node);
+        self.open.push(id);
+        Ok(id)
+    }
+
+    /// Adds a control node under the innermost open node and opens it, so that what follows is below it until [`Self::close`].
+    ///
+    /// # Errors
+    /// When the name is empty, contains `/`, or stands twice under one parent.
+    pub fn open_control(&mut self, name: &str, keys: TransformKeyframes) -> Result<NodeId, SceneError> {
+        let id = self.push(name, NodeKind::Control(keys))?;
         self.open.push(id);
         Ok(id)
     }
@@ -310,11 +366,13 @@ impl SceneBuilder {
             rest: Pose::new(self.rest),
             eyes: Vec::new(),
             vertical_fov,
+            last_second: None,
         };
         for path in eye_paths {
             let eye = scene.find_rbt(path).ok_or_else(|| SceneError::Eye { path: path.clone() })?;
             scene.eyes.push(eye);
         }
+        scene.last_second = scene.nodes.iter().filter_map(Node::last_second).reduce(f64::max);
         if scene.eyes.is_empty() {
             return Err(SceneError::NoEyes);
         }

@@ -27,12 +27,12 @@ pub struct Pick {
 }
 
 impl SceneGraph {
-    /// The nearest shape that `ray` meets under `pose`, in front of its origin.
+    /// The nearest shape that `ray` meets under `pose`, `seconds` into the keys at their own times, in front of its origin.
     ///
     /// Rounded edges of boxes count as sharp ones. A ray from inside a shape passes through it.
     #[must_use]
-    pub fn pick(&self, pose: &Pose, ray: Ray) -> Option<Pick> {
-        let world_from_node = self.world_from_nodes(pose);
+    pub fn pick(&self, pose: &Pose, seconds: f64, ray: Ray) -> Option<Pick> {
+        let world_from_node = self.world_from_nodes(pose, seconds);
         let mut nearest: Option<Pick> = None;
         for (id, node) in self.nodes_with_ids() {
             let NodeKind::Shape(placed) = &node.kind else { continue };

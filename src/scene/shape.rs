@@ -2,6 +2,8 @@
 
 use glam::{Affine3A, Vec3};
 
+use crate::timed::Keyframes;
+
 /// A solid in its own shape space: centred at the origin, its axis along Y. Lengths in scene units, all positive.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Shape {
@@ -131,12 +133,22 @@ impl Colour {
 }
 
 /// A shape with its colour and its place under the node that carries it.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct PlacedShape {
     /// The solid.
     pub shape: Shape,
-    /// Its colour.
+    /// Its colour, where no keys say otherwise.
     pub colour: Colour,
+    /// Its colour over time: linear-light red, green and blue, 0 to 1, at elapsed seconds.
+    pub colour_keys: Option<Keyframes<Vec3>>,
     /// Where it is, with any scale: shape space to the parent node's space.
     pub parent_from_shape: Affine3A,
+}
+
+impl PlacedShape {
+    /// Its linear-light colour at a time.
+    #[must_use]
+    pub fn colour_at(&self, seconds: f64) -> Vec3 {
+        self.colour_keys.as_ref().map_or_else(|| self.colour.to_linear(), |keys| keys.value_at(seconds))
+    }
 }

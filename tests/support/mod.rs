@@ -72,7 +72,13 @@ fn numbers<const N: usize>(value: &Value, otherwise: [f32; N]) -> [f32; N] {
     numbers
 }
 
-fn walk(node: &Value, above: &str, world_from_parent: Affine3A, turn: &dyn Fn(&str) -> Quat, items: &mut Vec<(String, DrawItem)>) {
+fn walk(
+    node: &Value,
+    above: &str,
+    world_from_parent: Affine3A,
+    turn: &dyn Fn(&str) -> Quat,
+    items: &mut Vec<(String, DrawItem)>,
+) {
     let name = node["name"].as_str().expect("a name");
     let path = if above.is_empty() { name.to_owned() } else { format!("{above}/{name}") };
     let translation = Vec3::from(numbers(&node["translation"], [0.0; 3]));
@@ -90,7 +96,10 @@ fn walk(node: &Value, above: &str, world_from_parent: Affine3A, turn: &dyn Fn(&s
             "capsule" => Shape::Capsule { radius: number(of, "radius"), height: number(of, "height") },
             _ => Shape::Plane { size: numbers(&of["size"], [1.0; 2]) },
         };
-        items.push((above.to_owned(), item(shape, node["colour"].as_str().expect("a colour"), world_from_parent * placed)));
+        items.push((
+            above.to_owned(),
+            item(shape, node["colour"].as_str().expect("a colour"), world_from_parent * placed),
+        ));
     } else {
         let world_from_node = world_from_parent * placed * Affine3A::from_quat(turn(&path));
         for child in node["children"].as_array().into_iter().flatten() {

@@ -20,7 +20,8 @@ fn samples() -> [Shape; 6] {
 fn corners(shape: &Shape) -> (Mesh, Vec<Vec3>) {
     let mesh = Mesh::unit(shape.mesh());
     let place = |v: &super::Vertex| {
-        Vec3::from_array(v.core) * (shape.half_extents() - shape.rounding()) + Vec3::from_array(v.normal) * shape.rounding()
+        Vec3::from_array(v.core) * (shape.half_extents() - shape.rounding())
+            + Vec3::from_array(v.normal) * shape.rounding()
     };
     let places = mesh.vertices.iter().map(place).collect();
     (mesh, places)

@@ -1,0 +1,247 @@
+//! The arguments, as clap reads them. What is checked here is wrong usage; what the commands check is bad input.
+
+use std::path::PathBuf;
+
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::{Args, Parser, ValueEnum};
+
+use crate::interpolation::Interpolation;
+
+/// The keyframe file where none is named.
+pub const DEFAULT_KEYFRAME_FILE: &str = "animation.json";
+
+const AFTER_HELP: &str = "\
+Keyframes are counted from 0. Key times count played keyframes: with N keyframes in the list, the first and the last only steer, \
+and key times run from 0 (keyframe 1) to N - 3 (keyframe N - 2).
+
+Exit status: 0 done; 1 bad input, said on standard error; 2 wrong usage; 3 no display or no GPU adapter.";
+
+/// Animate a scene with keyframes: in a window, or with one of the commands below.
+#[derive(Debug, Parser)]
+#[command(name = "inbetween", version, after_help = AFTER_HELP)]
+pub struct Arguments {
+    /// The scene: a built-in one (two-robots, cylinder, orbits), or a scene file of at most 256 MiB.
+    #[arg(long, global = true, value_name = "NAME|FILE")]
+    pub scene: Option<PathBuf>,
+    /// The keyframe file to open in the window, loaded if it exists [default: animation.json, not loaded].
+    pub file: Option<PathBuf>,
+    /// What to do instead of opening the window.
+    #[command(subcommand)]
+    pub command: Option<Subcommand>,
+}
+
+/// What there is to do besides opening the window.
+#[derive(Debug, clap::Subcommand)]
+pub enum Subcommand {
+    /// Validate keyframe files: one line a file, one a problem.
+    Check(CheckArguments),
+    /// Print the paths of the scene's RBT nodes, one a line, in the order of poses.
+    Nodes,
+    /// Print poses as JSON or CSV: of an animation at key times, or the scene's rest pose.
+    Sample(SampleArguments),
+    /// Render PNG images: of an animation, or of the scene's rest pose. Needs no display.
+    Render(RenderArguments),
+    /// Run a script of hotkeys and gestures with no window.
+    #[command(long_about = SCRIPT_HELP)]
+    Script(ScriptArguments),
+}
+
+const SCRIPT_HELP: &str = "\
+Run a script of hotkeys and gestures with no window. One command a line; # starts a comment:
+
+  select PATH          the node to move, as `inbetween nodes` prints it; or: select none
+  rotate AXIS DEGREES  turn it about its own x, y or z axis
+  translate X Y Z      move it, in its parent's space
+  key K                press a hotkey: the character itself, or space, escape, f11, ctrl+z, shift+p, ...
+  wait 500ms           let so much time pass for the animation clock; or: wait 2s
+  undo
+  redo
+  screenshot PATH      write a PNG of what is displayed
+
+The script is read whole first: a line that makes no sense, or an unknown node, is an error, and nothing is run. While it runs, \
+what the window would refuse with a message is a message here too. A file that cannot be written ends it with exit status 1, \
+ctrl+q with 0.";
+
+/// Arguments of `check`.
+#[derive(Debug, Args)]
+pub struct CheckArguments {
+    /// Keyframe files, of at most 1 GiB each.
+    #[arg(required = true, value_name = "FILE")]
+    pub files: Vec<PathBuf>,
+}
+
+/// Arguments of `sample`.
+#[derive(Debug, Args)]
+pub struct SampleArguments {
+    /// The keyframe file; without it, the scene's rest pose is printed.
+    pub file: Option<PathBuf>,
+    /// Key times to sample, from 0 to N - 3, in the order in which to print them [default: 0].
+    #[arg(long, value_name = "KEY_TIME,…", requires = "file", conflicts_with = "fps", allow_hyphen_values = true, value_parser = key_times)]
+    pub at: Option<KeyTimes>,
+    /// Sample the whole playing range at so many frames a second, 1 to 1000, and its end.
+    #[arg(long, value_name = "N", requires = "file", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub fps: Option<u32>,
+    /// How to print.
+    #[arg(long, value_enum, default_value_t)]
+    pub format: SampleFormat,
+    /// In which space: parent prints poses; world prints every node's world matrix, shapes and control nodes included.
+    #[arg(long, value_enum, default_value_t)]
+    pub space: Space,
+    /// How far the keys at their own times are, in seconds.
+    #[arg(long, value_name = "S", default_value_t = 0.0, allow_negative_numbers = true, value_parser = seconds)]
+    pub seconds: f64,
+    /// Interpolate so, whatever the file says.
+    #[arg(long, value_name = "NAME", value_parser = interpolation())]
+    pub interpolation: Option<Interpolation>,
+}
+
+/// How samples are printed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum SampleFormat {
+    /// One object with "nodes" and "frames", a frame a line.
+    #[default]
+    Json,
+    /// A row for each node of each frame: key_time,rbt_ind,tx,ty,tz,rw,rx,ry,rz.
+    Csv,
+}
+
+/// In which space samples are printed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Space {
+    /// Poses: each RBT node's transform in its parent's space.
+    #[default]
+    Parent,
+    /// "world_from_node" of every node: 16 numbers in column order.
+    World,
+}
+
+/// Arguments of `render`.
+#[derive(Debug, Args)]
+pub struct RenderArguments {
+    /// The keyframe file; without it, the scene's rest pose is rendered.
+    pub file: Option<PathBuf>,
+    /// The PNG to write; with --fps, a folder for frame-00000.png and on.
+    #[arg(short, long, value_name = "OUT.png|DIR")]
+    pub output: PathBuf,
+    /// The key time to render, from 0 to N - 3 [default: 0].
+    #[arg(long, value_name = "KEY_TIME", requires = "file", conflicts_with_all = ["keyframe", "fps"], allow_hyphen_values = true, value_parser = key_time)]
+    pub at: Option<f64>,
+    /// The keyframe of the list to render, from 0 to N - 1.
+    #[arg(long, value_name = "INDEX", requires = "file", conflicts_with = "fps", allow_negative_numbers = true)]
+    pub keyframe: Option<i64>,
+    /// Render the whole playing range at so many frames a second, 1 to 1000, and its end.
+    #[arg(long, value_name = "N", requires = "file", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub fps: Option<u32>,
+    /// How far the keys at their own times are, in seconds; with --fps, where they begin.
+    #[arg(long, value_name = "S", default_value_t = 0.0, allow_negative_numbers = true, value_parser = seconds)]
+    pub seconds: f64,
+    /// Width and height in pixels.
+    #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "640x480", value_parser = size)]
+    pub size: Size,
+    /// Samples a pixel, 1 or 4 [default: 4; 1 on a software adapter].
+    #[arg(long, value_name = "1|4", value_parser = samples())]
+    pub samples: Option<u32>,
+    /// Interpolate so, whatever the file says.
+    #[arg(long, value_name = "NAME", value_parser = interpolation())]
+    pub interpolation: Option<Interpolation>,
+}
+
+/// Arguments of `script`.
+#[derive(Debug, Args)]
+pub struct ScriptArguments {
+    /// The script, of at most 16 MiB; - reads standard input.
+    pub file: PathBuf,
+    /// The keyframe file: what the hotkeys i and w read and write.
+    #[arg(long, value_name = "FILE", default_value = DEFAULT_KEYFRAME_FILE)]
+    pub keyframes: PathBuf,
+    /// After each command, print a JSON object with its line, its message and the state.
+    #[arg(long)]
+    pub trace: bool,
+    /// At the end, write the state and the pose displayed to this file, as JSON.
+    #[arg(long, value_name = "FILE")]
+    pub state: Option<PathBuf>,
+    /// Width and height of screenshots in pixels.
+    #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "640x480", value_parser = size)]
+    pub size: Size,
+}
+
+/// Width and height of a picture in pixels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Size {
+    /// Width, at least 1.
+    pub width: u32,
+    /// Height, at least 1.
+    pub height: u32,
+}
+
+impl std::fmt::Display for Size {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(formatter, "{}x{}", self.width, self.height)
+    }
+}
+
+/// Key times in the order in which they were asked for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct KeyTimes(pub Vec<f64>);
+
+fn key_times(text: &str) -> Result<KeyTimes, String> {
+    text.split(',').map(key_time).collect::<Result<_, _>>().map(KeyTimes)
+}
+
+fn key_time(text: &str) -> Result<f64, String> {
+    // Adding zero makes a zero of minus zero.
+    text.trim().parse::<f64>().map(|key_time| key_time + 0.0).map_err(|_| format!("{text:?} is not a number"))
+}
+
+fn seconds(text: &str) -> Result<f64, String> {
+    let seconds: f64 = text.trim().parse().map_err(|_| format!("{text:?} is not a number of seconds"))?;
+    if seconds.is_finite() { Ok(seconds) } else { Err(format!("{text:?} is not a finite number of seconds")) }
+}
+
+/// Sides are at most 65536 here; what the GPU adapter takes may be less.
+fn size(text: &str) -> Result<Size, String> {
+    let side = |text: &str| {
+        let digits_only = !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+        text.parse().ok().filter(|side| digits_only && (1..=65536).contains(side))
+    };
+    text.split_once('x')
+        .and_then(|(width, height)| Some(Size { width: side(width)?, height: side(height)? }))
+        .ok_or_else(|| "expected WIDTHxHEIGHT in pixels, as in 640x480, each at least 1".to_owned())
+}
+
+fn interpolation() -> impl TypedValueParser<Value = Interpolation> {
+    PossibleValuesParser::new(Interpolation::ALL.map(Interpolation::name))
+        .try_map(|name| Interpolation::from_name(&name).ok_or("unknown interpolation"))
+}
+
+fn samples() -> impl TypedValueParser<Value = u32> {
+    PossibleValuesParser::new(["1", "4"]).try_map(|samples| samples.parse::<u32>())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory as _;
+
+    #[test]
+    fn the_arguments_are_consistent() {
+        Arguments::command().debug_assert();
+    }
+
+    #[test]
+    fn sizes() {
+        assert_eq!(size("640x480"), Ok(Size { width: 640, height: 480 }));
+        for bad in ["", "640", "0x480", "640x0", "-1x5", "640x480x3", "+6x6", "640X480", "99999999999x1", "a x b"] {
+            assert!(size(bad).is_err(), "{bad}");
+        }
+    }
+
+    #[test]
+    fn lists_of_key_times() {
+        assert_eq!(key_times("0,0.5,-1, 2"), Ok(KeyTimes(vec![0.0, 0.5, -1.0, 2.0])));
+        assert!(key_times("").is_err());
+        assert!(key_times("1,,2").is_err());
+        assert!(key_times("one").is_err());
+        assert!(key_time("-0").is_ok_and(f64::is_sign_positive));
+    }
+}

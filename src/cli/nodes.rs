@@ -1,0 +1,12 @@
+//! `inbetween nodes`: the paths of the RBT nodes.
+
+use super::{CliError, output};
+use crate::scene::SceneGraph;
+
+/// Prints the paths, one a line, in the order of poses.
+///
+/// # Errors
+/// [`CliError::StandardOutput`]
+pub fn run(scene: &SceneGraph) -> Result<(), CliError> {
+    output::print(|output| scene.rbt_paths().try_for_each(|path| writeln!(output, "{path}")))
+}

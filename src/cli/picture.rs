@@ -1,0 +1,44 @@
+//! Frames to PNG files, with no window.
+
+use glam::Vec2;
+
+use super::CliError;
+use super::arguments::Size;
+use crate::frame::Frame;
+use crate::render::{Gpu, Offscreen, Renderer, default_samples};
+
+/// A renderer with its target.
+pub struct Painter {
+    size: Size,
+    gpu: Gpu,
+    renderer: Renderer,
+    offscreen: Offscreen,
+}
+
+impl Painter {
+    /// Acquires a GPU adapter for pictures of a size; with as many samples a pixel as suit it, unless told.
+    ///
+    /// # Errors
+    /// [`CliError::Gpu`] where there is none, or it cannot draw pictures so large.
+    pub fn new(size: Size, samples: Option<u32>) -> Result<Self, CliError> {
+        let gpu = super::quiet::without_driver_chatter(Gpu::headless)?;
+        let offscreen = Offscreen::new(&gpu, size.width, size.height)?;
+        let samples = samples.unwrap_or_else(|| default_samples(gpu.is_software));
+        Ok(Self { size, renderer: Renderer::new(&gpu, Offscreen::FORMAT, samples), offscreen, gpu })
+    }
+
+    /// The pictures' width and height in pixels.
+    #[expect(clippy::cast_precision_loss, reason = "sides are far below 2^24")]
+    pub fn size_px(&self) -> Vec2 {
+        Vec2::new(self.size.width as f32, self.size.height as f32)
+    }
+
+    /// Draws a frame and encodes it: 8 bits a channel, not interlaced.
+    ///
+    /// # Errors
+    /// [`CliError`]
+    pub fn png(&mut self, frame: &Frame) -> Result<Vec<u8>, CliError> {
+        let image = self.offscreen.render(&self.gpu, &mut self.renderer, frame)?;
+        Ok(image.to_png()?)
+    }
+}

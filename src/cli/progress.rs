@@ -1,0 +1,36 @@
+//! A line that says how far long work is, on a terminal only.
+
+use std::io::{self, IsTerminal as _, Write as _};
+
+/// Progress of so many steps. Erased when dropped.
+pub struct Progress {
+    what: &'static str,
+    steps: usize,
+    done: usize,
+    is_shown: bool,
+}
+
+impl Progress {
+    /// No steps done yet, of so many; `what` names one of them.
+    pub fn new(what: &'static str, steps: usize) -> Self {
+        Self { what, steps, done: 0, is_shown: io::stderr().is_terminal() }
+    }
+
+    /// One more step is done. The line changes a thousand times at most.
+    pub fn step(&mut self) {
+        self.done += 1;
+        let thousandth = |done: usize| done * 1000 / self.steps;
+        if self.is_shown && thousandth(self.done) != thousandth(self.done - 1) {
+            let percent = self.done * 100 / self.steps;
+            let _ = write!(io::stderr(), "\r{} {} of {} ({percent} %)", self.what, self.done, self.steps);
+        }
+    }
+}
+
+impl Drop for Progress {
+    fn drop(&mut self) {
+        if self.is_shown && self.done > 0 {
+            let _ = write!(io::stderr(), "\r\u{1b}[K");
+        }
+    }
+}

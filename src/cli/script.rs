@@ -1,0 +1,49 @@
+//! `inbetween script`: hotkeys and gestures out of a text file, through the same door as the window's.
+
+mod parse;
+mod run;
+mod trace;
+
+use std::io;
+use std::path::Path;
+use std::sync::Arc;
+
+use super::CliError;
+use super::arguments::ScriptArguments;
+use super::picture::Painter;
+use crate::editor::Editor;
+use crate::scene::SceneGraph;
+use crate::storage;
+
+/// The largest script that is read: 16 MiB.
+const LARGEST_SCRIPT_BYTES: u64 = 16 << 20;
+
+/// Reads a script whole, then runs it.
+///
+/// # Errors
+/// [`CliError`]: bad lines before anything has run, a missing GPU adapter if the script needs one, a file that cannot be written.
+pub fn run(arguments: &ScriptArguments, scene: SceneGraph) -> Result<(), CliError> {
+    let (place, bytes) = read(&arguments.file);
+    let bytes = bytes.map_err(|error| CliError::bad_input(&place, error))?;
+    let lines = parse::parse(&bytes, &scene).map_err(|problems| CliError::BadInput {
+        sentences: problems.iter().map(|problem| format!("{place}: {problem}")).collect(),
+    })?;
+    let painter =
+        if lines.iter().any(parse::Line::takes_screenshot) { Some(Painter::new(arguments.size, None)?) } else { None };
+    let editor = Editor::new(Arc::new(scene), arguments.keyframes.clone());
+    let trace = arguments.trace.then(trace::Trace::new);
+    let editor = run::Runner::new(editor, painter, trace).run(&lines)?;
+    if let Some(path) = &arguments.state {
+        storage::write(path, trace::state_json(&editor).as_bytes())
+            .map_err(|reason| CliError::unwritten(path, reason))?;
+    }
+    Ok(())
+}
+
+fn read(file: &Path) -> (String, Result<Vec<u8>, storage::StorageError>) {
+    if file == Path::new("-") {
+        ("standard input".to_owned(), storage::read_stream(io::stdin().lock(), LARGEST_SCRIPT_BYTES, 0))
+    } else {
+        (file.display().to_string(), storage::read(file, LARGEST_SCRIPT_BYTES))
+    }
+}

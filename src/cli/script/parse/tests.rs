@@ -1,0 +1,90 @@
+use super::*;
+use crate::scene::{DEFAULT_SCENE, built_in_scene, scene_from_json};
+
+fn parsed(text: &str) -> Result<Vec<Line>, Vec<ScriptError>> {
+    parse(text.as_bytes(), &built_in_scene(DEFAULT_SCENE).unwrap())
+}
+
+#[track_caller]
+fn check_problem(line: &str, sentence: &str) {
+    let problems = parsed(&format!("undo\n{line}\n")).expect_err(line);
+    assert_eq!(problems.len(), 1);
+    assert_eq!(problems[0].to_string(), format!("line 2: {sentence}"));
+}
+
+#[test]
+fn comments_blanks_and_line_ends() {
+    let lines = parsed("\u{feff}# a comment\r\n\r\n  key   n  # more\r\n\tundo\nredo#x\n   ").unwrap();
+    let texts: Vec<(usize, &str)> = lines.iter().map(|line| (line.number, line.text.as_str())).collect();
+    assert_eq!(texts, [(3, "key   n"), (4, "undo"), (5, "redo")]);
+}
+
+#[test]
+fn what_cannot_be_understood() {
+    check_problem(
+        "jump 3",
+        "\"jump\" is not a command; the commands are select, rotate, translate, key, wait, undo, redo and screenshot",
+    );
+    check_problem("select robot3", "node \"robot3\" is not in the scene \"two-robots\"");
+    check_problem("select", "expected `select PATH`, found `select`");
+    check_problem("rotate z", "expected `rotate AXIS DEGREES`, found `rotate z`");
+    check_problem("rotate w 3", "\"w\" is not an axis; expected x, y or z");
+    check_problem("rotate x nan", "\"nan\" is not a finite number");
+    check_problem("rotate x 1e999", "\"1e999\" is not a finite number");
+    check_problem("translate 1 2", "expected `translate X Y Z`, found `translate 1 2`");
+    check_problem("translate 1 2 3 4", "expected `translate X Y Z`, found `translate 1 2 3 4`");
+    check_problem("translate 1 2 1e39", "\"1e39\" is not a finite number");
+    check_problem("key", "expected `key K`, found `key`");
+    check_problem("key n n", "expected `key K`, found `key n n`");
+    check_problem("key q", "\"q\" is not a hotkey");
+    check_problem("key f12", "\"f12\" is not a hotkey");
+    check_problem("wait 5", "\"5\" is not a time; expected as in 500ms or 2s, at least 0");
+    check_problem("wait -1s", "\"-1s\" is not a time; expected as in 500ms or 2s, at least 0");
+    check_problem("wait infs", "\"infs\" is not a time; expected as in 500ms or 2s, at least 0");
+    check_problem("wait s", "\"s\" is not a time; expected as in 500ms or 2s, at least 0");
+    check_problem("wait 5 ms", "expected `wait TIME`, found `wait 5 ms`");
+    check_problem("undo it", "expected `undo`, found `undo it`");
+    check_problem("redo 2", "expected `redo`, found `redo 2`");
+    check_problem("screenshot", "expected `screenshot PATH`, found `screenshot`");
+}
+
+#[test]
+fn bytes_that_are_no_text_have_a_line_too() {
+    let problems = parse(b"undo\nkey \xff\n", &built_in_scene(DEFAULT_SCENE).unwrap()).unwrap_err();
+    assert_eq!(problems[0].to_string(), "line 2: not UTF-8");
+}
+
+#[test]
+fn times() {
+    for (word, nanoseconds) in
+        [("500ms", 500_000_000), ("2s", 2_000_000_000), ("0.5ms", 500_000), ("1.25s", 1_250_000_000), ("0s", 0)]
+    {
+        assert_eq!(duration(word), Ok(Duration::from_nanos(nanoseconds)), "{word}");
+    }
+}
+
+#[test]
+fn whole_turns_are_nothing() {
+    assert_eq!(radians("720"), Ok(0.0));
+    assert_eq!(radians("-90"), Ok(-std::f32::consts::FRAC_PI_2));
+}
+
+#[test]
+fn every_path_can_be_selected_even_with_blanks_and_number_signs() {
+    let scene = scene_from_json(
+        r#"{"format": "inbetween.scene", "version": 1, "name": "odd", "eyes": ["a b#1"],
+            "nodes": [{"name": "a b#1"}, {"name": "a"}, {"name": "c # d"}]}"#,
+    )
+    .unwrap();
+    for (line, text) in [
+        ("select a b#1", "select a b#1"),
+        ("select a b#1 # note", "select a b#1"),
+        ("select c # d#e", "select c # d"),
+        ("select a#1", "select a"),
+    ] {
+        let lines = parse(line.as_bytes(), &scene).expect(line);
+        assert_eq!(lines[0].text, text);
+        let rbt = scene.find_rbt(text.strip_prefix("select ").unwrap());
+        assert_eq!(lines[0].action, Action::Apply(Command::View(ViewCommand::Choose(rbt))));
+    }
+}

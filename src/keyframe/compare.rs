@@ -1,0 +1,65 @@
+//! What other ways of blending two keyframes would show: for lessons, never for playing.
+
+use glam::{Affine3A, Mat3A, Vec3A};
+
+use super::sample::PlayRange;
+use crate::interpolation::{Interpolation, lerp, nlerp};
+use crate::pose::RbtIndex;
+use crate::rbt::Rbt;
+
+/// A way of blending two keyframes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Blend {
+    /// One of the interpolations that play.
+    Played(Interpolation),
+    /// Translations by lerp, rotations by normalised lerp: the same path as slerp at an uneven speed.
+    Nlerp,
+    /// The two matrices blended number by number: no rotation in between, so that things shrink and shear.
+    Matrices,
+}
+
+impl Blend {
+    /// The ways to compare with `in_force`: the other interpolation, and the two that are wrong.
+    #[must_use]
+    pub const fn others(in_force: Interpolation) -> [Self; 3] {
+        [Self::Played(in_force.next()), Self::Nlerp, Self::Matrices]
+    }
+
+    /// Its name for people.
+    #[must_use]
+    pub const fn label(self) -> &'static str {
+        match self {
+            Self::Played(interpolation) => interpolation.label(),
+            Self::Nlerp => "normalised lerp",
+            Self::Matrices => "blended matrices",
+        }
+    }
+}
+
+impl PlayRange<'_> {
+    /// `parent_from_node` of one node at a key time, kept within the range, blended so.
+    #[must_use]
+    pub fn blended_at(&self, key_time: f64, blend: Blend, rbt: RbtIndex) -> Affine3A {
+        let (start, alpha) = self.interval_at(key_time);
+        let (from, to) = self.ends(start, rbt);
+        match blend {
+            Blend::Played(interpolation) => self.rbt_at(start, alpha, interpolation, rbt).to_affine(),
+            Blend::Nlerp => {
+                Rbt::new(lerp(from.translation, to.translation, alpha), nlerp(from.rotation, to.rotation, alpha))
+                    .to_affine()
+            }
+            Blend::Matrices => {
+                let (from, to) = (from.to_affine(), to.to_affine());
+                let column = |from: Vec3A, to: Vec3A| from * (1.0 - alpha) + to * alpha;
+                Affine3A {
+                    matrix3: Mat3A::from_cols(
+                        column(from.matrix3.x_axis, to.matrix3.x_axis),
+                        column(from.matrix3.y_axis, to.matrix3.y_axis),
+                        column(from.matrix3.z_axis, to.matrix3.z_axis),
+                    ),
+                    translation: column(from.translation, to.translation),
+                }
+            }
+        }
+    }
+}

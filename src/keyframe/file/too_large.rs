@@ -1,0 +1,44 @@
+//! Numbers that JSON can hold and a pose cannot, such as 1e39, so that their place is said by keyframe and node.
+
+use serde::Deserialize;
+
+use super::{KeyframeFileError, Problems};
+
+#[derive(Deserialize)]
+struct FileText {
+    nodes: Vec<String>,
+    keyframes: Vec<KeyframeText>,
+}
+
+#[derive(Deserialize)]
+struct KeyframeText {
+    pose: Vec<RbtText>,
+}
+
+#[derive(Deserialize)]
+struct RbtText {
+    translation: [f64; 3],
+    rotation: [f64; 4],
+}
+
+/// The translations and rotations of a file whose numbers are beyond single precision; none where that is not what is wrong with it.
+pub(super) fn numbers_too_large(bytes: &[u8]) -> Vec<KeyframeFileError> {
+    let Ok(text) = serde_json::from_slice::<FileText>(bytes) else { return Vec::new() };
+    let mut problems = Problems::default();
+    for (keyframe, KeyframeText { pose }) in text.keyframes.iter().enumerate() {
+        for (RbtText { translation, rotation }, path) in pose.iter().zip(&text.nodes) {
+            let fields = [("translation", &translation[..]), ("rotation", &rotation[..])];
+            for (field, _) in
+                fields.into_iter().filter(|(_, numbers)| numbers.iter().any(|&number| is_too_large(number)))
+            {
+                problems.push(KeyframeFileError::NotFinite { keyframe, path: path.clone(), field });
+            }
+        }
+    }
+    problems.into_result(()).err().unwrap_or_default()
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "whether it is too large for that is the question")]
+fn is_too_large(number: f64) -> bool {
+    (number as f32).is_infinite()
+}

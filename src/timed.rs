@@ -1,0 +1,262 @@
+//! Keys at their own times: values at any number of seconds, interpolated between the neighbours.
+//!
+//! They drive parts of a scene by themselves, apart from the keyframe list. Time is elapsed seconds on the animation clock.
+
+use glam::{Affine3A, Quat, Vec3};
+use thiserror::Error;
+
+use crate::interpolation::{lerp, slerp};
+
+/// Why keys cannot be made of these pairs.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum KeyError {
+    /// There is none.
+    #[error("there are no keys: at least one is needed")]
+    NoKeys,
+    /// A time is infinite or no number.
+    #[error("a key's time is {seconds}, expected a finite number of seconds")]
+    TimeNotFinite {
+        /// The time.
+        seconds: f64,
+    },
+    /// Two keys are at one time.
+    #[error("two keys are at {seconds} s")]
+    TwoAtOneTime {
+        /// The time.
+        seconds: f64,
+    },
+}
+
+/// A value that has a usual way between two of it.
+pub trait Interpolate: Copy {
+    /// The value at the fraction `alpha`, 0 to 1, of the way.
+    #[must_use]
+    fn interpolate(from: Self, to: Self, alpha: f64) -> Self;
+}
+
+impl Interpolate for f64 {
+    /// Linear.
+    fn interpolate(from: Self, to: Self, alpha: f64) -> Self {
+        from * (1.0 - alpha) + to * alpha
+    }
+}
+
+impl Interpolate for f32 {
+    /// Linear.
+    #[expect(clippy::cast_possible_truncation, reason = "the result is of the precision of its ends")]
+    fn interpolate(from: Self, to: Self, alpha: f64) -> Self {
+        f64::interpolate(from.into(), to.into(), alpha) as Self
+    }
+}
+
+impl Interpolate for Vec3 {
+    /// Linear.
+    #[expect(clippy::cast_possible_truncation, reason = "a fraction needs no more than f32")]
+    fn interpolate(from: Self, to: Self, alpha: f64) -> Self {
+        lerp(from, to, alpha as f32)
+    }
+}
+
+impl Interpolate for Quat {
+    /// Spherical, the short way ([`slerp`]).
+    #[expect(clippy::cast_possible_truncation, reason = "a fraction needs no more than f32")]
+    fn interpolate(from: Self, to: Self, alpha: f64) -> Self {
+        slerp(from, to, alpha as f32)
+    }
+}
+
+/// Values at their own times, sorted by time; never empty.
+#[derive(Clone, Debug)]
+pub struct Keyframes<V> {
+    seconds: Vec<f64>,
+    values: Vec<V>,
+    interpolate: fn(V, V, f64) -> V,
+}
+
+impl<V: Interpolate> Keyframes<V> {
+    /// Keys from (seconds, value) pairs in any order, with the value's usual interpolation.
+    ///
+    /// # Errors
+    /// [`KeyError`] for no pairs, a time that is not finite, or two at one time.
+    pub fn new(pairs: impl IntoIterator<Item = (f64, V)>) -> Result<Self, KeyError> {
+        Self::with_interpolation(pairs, V::interpolate)
+    }
+
+    /// The same value at all times.
+    #[must_use]
+    pub fn constant(value: V) -> Self {
+        Self { seconds: vec![0.0], values: vec![value], interpolate: V::interpolate }
+    }
+}
+
+impl<V: Copy> Keyframes<V> {
+    /// Keys from (seconds, value) pairs in any order; `interpolate` gets two neighbours and the fraction of the way, 0 to 1.
+    ///
+    /// # Errors
+    /// [`KeyError`] for no pairs, a time that is not finite, or two at one time.
+    pub fn with_interpolation(
+        pairs: impl IntoIterator<Item = (f64, V)>,
+        interpolate: fn(V, V, f64) -> V,
+    ) -> Result<Self, KeyError> {
+        let mut pairs: Vec<(f64, V)> = pairs.into_iter().collect();
+        if let Some(&(seconds, _)) = pairs.iter().find(|(seconds, _)| !seconds.is_finite()) {
+            return Err(KeyError::TimeNotFinite { seconds });
+        }
+        pairs.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+        if let Some(twice) = pairs.windows(2).find(|pair| pair[0].0 == pair[1].0) {
+            return Err(KeyError::TwoAtOneTime { seconds: twice[0].0 });
+        }
+        if pairs.is_empty() {
+            return Err(KeyError::NoKeys);
+        }
+        let (seconds, values) = pairs.into_iter().unzip();
+        Ok(Self { seconds, values, interpolate })
+    }
+
+    /// The value at a time: interpolated between its neighbours; the first before the first key, the last after the last.
+    #[must_use]
+    pub fn value_at(&self, seconds: f64) -> V {
+        let after = self.seconds.partition_point(|&key| key <= seconds);
+        let Some(before) = after.checked_sub(1) else { return self.values[0] };
+        if after == self.seconds.len() {
+            return self.values[before];
+        }
+        let (from, to) = (self.seconds[before], self.seconds[after]);
+        (self.interpolate)(self.values[before], self.values[after], (seconds - from) / (to - from))
+    }
+
+    /// The time of the last key, in seconds: nothing changes from then on.
+    #[must_use]
+    pub fn last_second(&self) -> f64 {
+        self.seconds.last().copied().unwrap_or(f64::NEG_INFINITY)
+    }
+
+    /// All keys, in the order of their times.
+    pub fn keys(&self) -> impl Iterator<Item = (f64, V)> + '_ {
+        self.seconds.iter().copied().zip(self.values.iter().copied())
+    }
+
+    /// How many keys there are; at least one.
+    #[must_use]
+    #[expect(clippy::len_without_is_empty, reason = "there is always a key")]
+    pub fn len(&self) -> usize {
+        self.values.len()
+    }
+}
+
+impl<V: PartialEq> PartialEq for Keyframes<V> {
+    fn eq(&self, other: &Self) -> bool {
+        self.seconds == other.seconds && self.values == other.values
+    }
+}
+
+/// A translation, a rotation and a scale, each with keys at its own times.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TransformKeyframes {
+    /// Translation in the parent's space, in scene units.
+    pub translation: Keyframes<Vec3>,
+    /// Rotation, by slerp.
+    pub rotation: Keyframes<Quat>,
+    /// Scale along each axis; above 0.
+    pub scale: Keyframes<Vec3>,
+}
+
+impl TransformKeyframes {
+    /// No movement at all.
+    #[must_use]
+    pub fn identity() -> Self {
+        Self {
+            translation: Keyframes::constant(Vec3::ZERO),
+            rotation: Keyframes::constant(Quat::IDENTITY),
+            scale: Keyframes::constant(Vec3::ONE),
+        }
+    }
+
+    /// The affine `T · R · S` at a time: `parent_from_node`.
+    #[must_use]
+    pub fn value_at(&self, seconds: f64) -> Affine3A {
+        Affine3A::from_scale_rotation_translation(
+            self.scale.value_at(seconds),
+            self.rotation.value_at(seconds),
+            self.translation.value_at(seconds),
+        )
+    }
+
+    /// The time of the last key of the three, in seconds.
+    #[must_use]
+    pub fn last_second(&self) -> f64 {
+        self.translation.last_second().max(self.rotation.last_second()).max(self.scale.last_second())
+    }
+}
+
+/// The rotation that Euler angles in degrees mean: `q = qz(yaw) · qy(pitch) · qx(roll)`, each about an axis of the parent.
+#[must_use]
+pub fn rotation_from_euler_degrees([yaw, pitch, roll]: [f32; 3]) -> Quat {
+    Quat::from_rotation_z(yaw.to_radians())
+        * Quat::from_rotation_y(pitch.to_radians())
+        * Quat::from_rotation_x(roll.to_radians())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    #[test]
+    fn numbers_and_vectors_are_interpolated_linearly() {
+        let numbers = Keyframes::new([(6.0, 20.0), (0.0, 1.0), (3.0, 7.0)]).unwrap();
+        assert_eq!(numbers.value_at(1.5), 4.0);
+        let vectors = Keyframes::new([(0.0, Vec3::X), (3.0, Vec3::Y), (6.0, Vec3::Z)]).unwrap();
+        assert_eq!(vectors.value_at(1.5), Vec3::new(0.5, 0.5, 0.0));
+    }
+
+    #[test]
+    fn outside_the_keys_the_nearest_counts() {
+        let numbers = Keyframes::new([(1.0, 10.0), (2.0, 20.0)]).unwrap();
+        for (seconds, expected) in
+            [(-5.0, 10.0), (0.999, 10.0), (1.0, 10.0), (2.0, 20.0), (7.0, 20.0), (f64::INFINITY, 20.0)]
+        {
+            assert_eq!(numbers.value_at(seconds), expected, "at {seconds}");
+        }
+        assert_eq!(Keyframes::constant(3.0).value_at(1e9), 3.0);
+    }
+
+    #[test]
+    fn bad_keys_are_refused() {
+        assert_eq!(Keyframes::<f64>::new([]), Err(KeyError::NoKeys));
+        assert_eq!(Keyframes::new([(f64::INFINITY, 1.0)]), Err(KeyError::TimeNotFinite { seconds: f64::INFINITY }));
+        assert!(Keyframes::new([(f64::NAN, 1.0)]).is_err());
+        assert_eq!(Keyframes::new([(2.0, 1.0), (1.0, 0.0), (2.0, 3.0)]), Err(KeyError::TwoAtOneTime { seconds: 2.0 }));
+        assert_eq!(Keyframes::new([(0.0, 1.0), (-0.0, 0.0)]), Err(KeyError::TwoAtOneTime { seconds: -0.0 }));
+    }
+
+    #[test]
+    fn any_function_can_interpolate() {
+        let hold = Keyframes::with_interpolation([(0.0, 'a'), (1.0, 'b')], |from, _, _| from).unwrap();
+        assert_eq!((hold.value_at(0.99), hold.value_at(1.0)), ('a', 'b'));
+    }
+
+    #[test]
+    fn euler_angles_turn_about_x_first_and_z_last() {
+        let rotation = rotation_from_euler_degrees([90.0, 0.0, 90.0]);
+        assert!((rotation * Vec3::Y).distance(Vec3::Z) < 1e-6);
+        assert!((rotation * Vec3::X).distance(Vec3::Y) < 1e-6);
+        let rotation = rotation_from_euler_degrees([0.0, 90.0, 0.0]);
+        assert!((rotation * Vec3::X).distance(Vec3::NEG_Z) < 1e-6);
+    }
+
+    proptest! {
+        #[test]
+        fn the_order_of_pairs_does_not_matter_and_keys_are_met(
+            times in prop::collection::hash_set(-1000i32..1000, 1..30), at in -1100.0f64..1100.0,
+        ) {
+            let pairs: Vec<(f64, f64)> = times.iter().map(|&time| (f64::from(time), f64::from(time * time))).collect();
+            let reversed = Keyframes::new(pairs.iter().rev().copied()).unwrap();
+            let keys = Keyframes::new(pairs.iter().copied()).unwrap();
+            prop_assert_eq!(keys.value_at(at), reversed.value_at(at));
+            for (seconds, value) in pairs {
+                prop_assert_eq!(keys.value_at(seconds), value);
+            }
+        }
+    }
+}

@@ -1,0 +1,9 @@
+//! The command line, by running the binary: bytes in; bytes, files and exit statuses out.
+
+mod check;
+mod playback;
+mod render;
+mod sample;
+mod sandbox;
+mod script;
+mod usage;

@@ -1,0 +1,286 @@
+//! Scene in, pixels out. Without a GPU adapter these tests fail; Mesa's software one will do.
+
+mod support;
+
+use glam::{Affine3A, Quat, Vec3, Vec4};
+use inbetween::frame::{ArcballMark, Dot, DrawItem, Frame, Ghost, Line};
+use inbetween::render::{Background, Gpu, Image, Offscreen, Renderer};
+use inbetween::scene::Shape;
+use support::{frame, ground, item, posed_items, sample_items};
+
+const WIDTH: u32 = 640;
+const HEIGHT: u32 = 480;
+
+struct Studio {
+    gpu: Gpu,
+    renderer: Renderer,
+    offscreen: Offscreen,
+}
+
+impl Studio {
+    fn new(samples: u32) -> Self {
+        let gpu = Gpu::headless().expect("a GPU adapter");
+        assert_eq!(gpu.info.backend, wgpu::Backend::Vulkan);
+        let renderer = Renderer::new(&gpu, Offscreen::FORMAT, samples);
+        let offscreen = Offscreen::new(&gpu, WIDTH, HEIGHT).expect("a target");
+        Self { gpu, renderer, offscreen }
+    }
+
+    fn draw(&mut self, frame: &Frame) -> Image {
+        self.offscreen.render(&self.gpu, &mut self.renderer, frame).expect("a picture")
+    }
+}
+
+fn draw(frame: &Frame) -> Image {
+    Studio::new(1).draw(frame)
+}
+
+fn cube(colour: &str, centre: Vec3, side: f32) -> DrawItem {
+    item(Shape::Box { size: Vec3::splat(side), bevel: 0.05 * side }, colour, Affine3A::from_translation(centre))
+}
+
+fn pixel(image: &Image, x: u32, y: u32) -> [i32; 3] {
+    let [r, g, b, _] = image.pixel(x, y).expect("inside the picture");
+    [r, g, b].map(i32::from)
+}
+
+#[track_caller]
+fn check_near(image: &Image, x: u32, y: u32, expected: [i32; 3], slack: i32) {
+    let found = pixel(image, x, y);
+    let is_near = found.iter().zip(expected).all(|(a, b)| (a - b).abs() <= slack);
+    assert!(is_near, "pixel {x} {y} is {found:?}, expected {expected:?} within {slack}");
+}
+
+/// Where a point in world space is in the picture.
+fn place_px(frame: &Frame, in_world: Vec3) -> (u32, u32) {
+    let in_eye = frame.view.eye_from_world.transform_point3(in_world);
+    let in_clip = frame.view.clip_from_eye.project_point3(in_eye);
+    (((0.5 + 0.5 * in_clip.x) * WIDTH as f32) as u32, ((0.5 - 0.5 * in_clip.y) * HEIGHT as f32) as u32)
+}
+
+#[test]
+fn the_sky_is_the_horizons_colour_below_and_darkens_upwards() {
+    let image = draw(&frame(Vec::new()));
+    check_near(&image, 320, 400, [0xae, 0xbf, 0xce], 2);
+    check_near(&image, 320, 242, [0xae, 0xbf, 0xce], 2);
+    let column: Vec<i32> = (0..240).map(|y| pixel(&image, 100, y)[0]).collect();
+    assert!(column.windows(2).all(|pair| pair[1] >= pair[0] - 1), "the gradient goes one way");
+    assert!(column[0] < column[239] - 30);
+}
+
+#[test]
+fn the_far_ground_melts_into_the_horizon() {
+    let image = draw(&frame(vec![ground()]));
+    for x in [0, 320, 639] {
+        for y in 236..244 {
+            check_near(&image, x, y, [0xae, 0xbf, 0xce], 5);
+        }
+    }
+    check_near(&image, 350, 470, [0x7d, 0x87, 0x91], 16);
+}
+
+#[test]
+fn a_red_box_is_where_it_should_be() {
+    let image = draw(&frame(vec![cube("#c02020", Vec3::new(0.0, 0.25, 0.0), 1.0)]));
+    let [r, g, b] = pixel(&image, 320, 240);
+    assert!(r > 2 * g && r > 2 * b, "{r} {g} {b}");
+    // Its front is 3.5 away, half a unit each way.
+    let half_px = (0.5 / 3.5 / 30.0_f32.to_radians().tan() * 240.0) as u32;
+    assert!(pixel(&image, 320 + half_px - 3, 240)[0] > 2 * pixel(&image, 320 + half_px - 3, 240)[1]);
+    check_near(&image, 320 + half_px + 3, 242, [0xae, 0xbf, 0xce], 8);
+}
+
+#[test]
+fn a_box_darkens_the_ground_away_from_the_sun_and_nowhere_else() {
+    let without = frame(vec![ground()]);
+    let mut with = without.clone();
+    with.items.push(cube("#808080", Vec3::new(0.0, -1.0, -1.0), 0.5));
+    let (bare, shaded) = (draw(&without), draw(&with));
+    // One unit down the sun's way.
+    let (x, y) = place_px(&with, Vec3::new(0.0, -1.0, -1.0) + Vec3::new(0.5, -0.78, -0.5) / 0.78);
+    let (lit, dark) = (pixel(&bare, x, y)[0], pixel(&shaded, x, y)[0]);
+    assert!(dark < lit - 25, "{dark} beside {lit}");
+    let (x, y) = place_px(&with, Vec3::new(-1.0, -2.0, -1.0));
+    assert_eq!(pixel(&bare, x, y), pixel(&shaded, x, y));
+}
+
+#[test]
+fn the_same_frame_gives_the_same_bytes_and_the_same_png() {
+    let frame = frame(sample_items().into_iter().map(|(_, item)| item).collect());
+    let mut studio = Studio::new(1);
+    let first = studio.draw(&frame);
+    assert!(first == studio.draw(&frame));
+    let other = draw(&frame);
+    assert!(first == other, "across renderers");
+    assert_eq!(first.to_png().expect("a PNG"), other.to_png().expect("a PNG"));
+}
+
+#[test]
+fn a_png_reads_back_as_the_picture() {
+    let image = draw(&frame(vec![ground(), cube("#c02020", Vec3::ZERO, 1.0)]));
+    let read = image::load_from_memory(&image.to_png().expect("a PNG")).expect("a PNG");
+    assert_eq!(read.color(), image::ColorType::Rgb8);
+    assert!(read.to_rgba8().into_raw() == image.rgba);
+}
+
+#[test]
+fn what_is_far_out_of_view_changes_no_byte() {
+    let near = frame(sample_items().into_iter().map(|(_, item)| item).collect());
+    let expected = draw(&near);
+    for centre in [
+        Vec3::new(300.0, 1.0, -5.0),
+        Vec3::new(0.0, 0.0, 60.0),
+        Vec3::new(-30.0, 3.0, 0.0),
+        Vec3::new(0.0, -90.0, -5.0),
+    ] {
+        let mut more = near.clone();
+        more.items.push(cube("#ff0000", centre, 2.0));
+        assert!(draw(&more) == expected, "a box at {centre}");
+    }
+}
+
+#[test]
+fn the_suns_map_is_drawn_again_only_when_something_moves() {
+    let mut frame = frame(sample_items().into_iter().map(|(_, item)| item).collect());
+    let mut studio = Studio::new(1);
+    let first = studio.draw(&frame);
+    studio.draw(&frame);
+    assert_eq!(studio.renderer.sun_map_draws(), 1);
+    frame.items[7].world_from_shape.translation.y += 0.2;
+    studio.draw(&frame);
+    assert_eq!(studio.renderer.sun_map_draws(), 2);
+    frame.items[7].world_from_shape.translation.y -= 0.2;
+    assert!(
+        studio.draw(&frame) == first
+            || (studio.draw(&frame).rgba.iter().zip(&first.rgba)).all(|(a, b)| a.abs_diff(*b) < 3)
+    );
+}
+
+#[test]
+fn four_samples_change_edges_and_nothing_else() {
+    let frame = frame(vec![ground(), cube("#c02020", Vec3::new(0.0, 0.25, 0.0), 1.0)]);
+    let (one, four) = (draw(&frame), Studio::new(4).draw(&frame));
+    let mut changed = 0;
+    for y in 1..HEIGHT - 1 {
+        for x in 1..WIDTH - 1 {
+            let difference = |a: [i32; 3], b: [i32; 3]| a.iter().zip(b).map(|(a, b)| (a - b).abs()).max().unwrap_or(0);
+            let here = pixel(&one, x, y);
+            if difference(here, pixel(&four, x, y)) > 12 {
+                changed += 1;
+                let around = [(x - 1, y), (x + 1, y), (x, y - 1), (x, y + 1)];
+                assert!(around.iter().any(|&(x, y)| difference(here, pixel(&one, x, y)) > 12), "{x} {y} is no edge");
+            }
+        }
+    }
+    assert!(changed > 50, "{changed}");
+}
+
+#[test]
+fn the_chosen_nodes_outline_is_in_the_accent_colour_and_leaves_the_rest_alone() {
+    let plain = frame(vec![
+        ground(),
+        cube("#3060a0", Vec3::new(0.0, 0.25, 0.0), 1.0),
+        cube("#3060a0", Vec3::new(0.3, 0.5, 0.0), 1.0),
+    ]);
+    let mut chosen = plain.clone();
+    for item in &mut chosen.items[1..] {
+        item.outlined = true;
+    }
+    for samples in [1, 4] {
+        let mut studio = Studio::new(samples);
+        check_outline(&studio.draw(&plain), &studio.draw(&chosen));
+    }
+}
+
+fn check_outline(before: &Image, after: &Image) {
+    let is_accent = |p: [i32; 3]| (p[0] - 0xf2).abs() < 4 && (p[1] - 0xa3).abs() < 4 && (p[2] - 0x3a).abs() < 4;
+    let accents = (0..WIDTH * HEIGHT).filter(|i| is_accent(pixel(after, i % WIDTH, i / WIDTH))).count();
+    assert!((400..6000).contains(&accents), "{accents}");
+    check_near(after, 320, 240, pixel(before, 320, 240), 0);
+    check_near(after, 20, 20, pixel(before, 20, 20), 0);
+}
+
+#[test]
+fn ghosts_blend_once_and_cast_no_shadow() {
+    let plain = frame(vec![ground()]);
+    let mut with = plain.clone();
+    let ghost = |side| Ghost { item: cube("#2060e0", Vec3::new(0.0, 0.25, 0.0), side), opacity: 0.4 };
+    with.ghosts.push(ghost(1.0));
+    let (before, one) = (draw(&plain), draw(&with));
+    // A second ghost inside the first is hidden by it.
+    with.ghosts.push(ghost(0.5));
+    let two = draw(&with);
+    let (sky, blend) = (pixel(&before, 320, 235), pixel(&one, 320, 235));
+    assert!(blend[0] < sky[0] - 15 && blend[0] > 0x20, "{blend:?} over {sky:?}");
+    assert_eq!(blend, pixel(&two, 320, 235));
+    check_near(&one, 480, 420, pixel(&before, 480, 420), 0);
+}
+
+#[test]
+fn lines_are_faint_where_hidden_and_dots_are_not() {
+    let mut frame = frame(vec![cube("#3060a0", Vec3::new(0.0, 0.25, 0.0), 1.0)]);
+    let plain = draw(&frame);
+    let red = Vec4::new(0.8, 0.02, 0.02, 1.0);
+    let (from_in_world, to_in_world) = (Vec3::new(-2.0, 0.25, -1.0), Vec3::new(2.0, 0.25, -1.0));
+    frame.lines.push(Line { from_in_world, to_in_world, colour: red, width_px: 4.0 });
+    let lines = draw(&frame);
+    let redness = |image: &Image, x| pixel(image, x, 240)[0] - pixel(image, x, 240)[1];
+    assert!(redness(&lines, 180) > 150);
+    assert!(redness(&lines, 320) > redness(&plain, 320) + 10 && redness(&lines, 320) < 100, "{}", redness(&lines, 320));
+    frame.lines.clear();
+    frame.dots.push(Dot { centre_in_world: Vec3::new(0.0, 0.25, -1.0), colour: red, diameter_px: 9.0 });
+    assert!(redness(&draw(&frame), 320) > 150);
+}
+
+#[test]
+fn the_arcball_is_a_circle_of_its_size() {
+    let mut frame = frame(Vec::new());
+    let plain = draw(&frame);
+    frame.arcball = Some(ArcballMark { centre_in_world: Vec3::new(0.0, 0.25, 0.0), radius: 1.0 });
+    let marked = draw(&frame);
+    let angle = (1.0_f32 / 4.0).asin();
+    let radius_px = angle.tan() / 30.0_f32.to_radians().tan() * 240.0;
+    let diagonal = (radius_px / 2.0_f32.sqrt()).round() as u32;
+    let changed = |x, y| pixel(&marked, x, y) != pixel(&plain, x, y);
+    assert!((0..3).any(|d| changed(320 + diagonal - 1 + d, 240 - diagonal)));
+    assert!(!changed(320 + radius_px as u32 + 4, 240));
+}
+
+#[test]
+fn a_mirrored_shape_looks_like_itself() {
+    let at = Affine3A::from_translation(Vec3::new(0.0, 0.25, 0.0));
+    let shape = Shape::Box { size: Vec3::new(1.0, 0.6, 0.8), bevel: 0.1 };
+    let plain = draw(&frame(vec![item(shape, "#c0a020", at)]));
+    let mirrored = draw(&frame(vec![item(shape, "#c0a020", at * Affine3A::from_scale(Vec3::new(-1.0, 1.0, 1.0)))]));
+    let differing = plain.rgba.iter().zip(&mirrored.rgba).filter(|(a, b)| a.abs_diff(**b) > 3).count();
+    assert!(differing < 40, "{differing}");
+}
+
+#[test]
+fn nothing_is_pure_black_or_pure_white() {
+    let turned =
+        posed_items(&|path| if path.contains("shoulder") { Quat::from_rotation_y(0.6) } else { Quat::IDENTITY });
+    let mut items: Vec<DrawItem> = turned.into_iter().map(|(_, item)| item).collect();
+    items.push(cube("#ffffff", Vec3::new(-0.6, -0.5, 0.5), 0.6));
+    items.push(cube("#000000", Vec3::new(0.6, -0.5, 0.5), 0.6));
+    let image = draw(&frame(items));
+    for pixel in image.rgba.chunks_exact(4) {
+        assert!(pixel[..3] != [0; 3] && pixel[..3] != [255; 3] && pixel[3] == 255);
+    }
+}
+
+#[test]
+fn a_transparent_background_has_no_opacity() {
+    let mut studio = Studio::new(1);
+    studio.renderer.set_background(Background::Transparent);
+    let image = studio.draw(&frame(vec![cube("#c02020", Vec3::new(0.0, 0.25, 0.0), 1.0)]));
+    assert_eq!(image.pixel(10, 10), Some([0; 4]));
+    assert_eq!(image.pixel(320, 240).map(|pixel| pixel[3]), Some(255));
+}
+
+#[test]
+fn a_picture_of_no_size_is_an_error_that_says_so() {
+    let gpu = Gpu::headless().expect("a GPU adapter");
+    let error = Offscreen::new(&gpu, 0, 480).expect_err("no width");
+    assert!(error.to_string().starts_with("a picture of 0x480 pixels cannot be drawn"), "{error}");
+}

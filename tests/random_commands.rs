@@ -1,0 +1,148 @@
+//! Random commands: the editor's invariants hold after each, and undo leads back.
+
+mod common;
+
+use std::path::Path;
+
+use common::{apply, editor, press};
+use glam::{Quat, Vec3};
+use inbetween::editor::{Command, Edit, Editor, GestureCommand, PlaybackCommand, ViewCommand};
+use inbetween::interpolation::Interpolation;
+use inbetween::keyframe::{KeyframeIndex, keyframes_to_json};
+use inbetween::pose::RbtIndex;
+use inbetween::rbt::Rbt;
+use proptest::prelude::*;
+
+#[derive(Clone, Debug)]
+enum Step {
+    Command(Command),
+    Tick(u64),
+    Import(usize),
+    Write,
+}
+
+fn any_rbt() -> impl Strategy<Value = Rbt> {
+    (prop::array::uniform3(-3.0f32..3.0), prop::array::uniform3(-2.0f32..2.0))
+        .prop_map(|(t, r)| Rbt::new(Vec3::from(t), Quat::from_scaled_axis(Vec3::from(r))))
+}
+
+fn any_edit() -> impl Strategy<Value = Command> {
+    prop_oneof![
+        Just(Edit::DisplayCurrent),
+        Just(Edit::UpdateCurrent),
+        Just(Edit::CreateKeyframe),
+        Just(Edit::CreateKeyframe),
+        Just(Edit::GoToNext),
+        Just(Edit::GoToPrevious),
+        (0usize..8).prop_map(|place| Edit::GoTo(KeyframeIndex::new(place))),
+        Just(Edit::DeleteCurrent),
+        Just(Edit::ResetPose),
+        Just(Edit::NextInterpolation),
+        Just(Edit::SetInterpolation(Interpolation::Linear)),
+        Just(Edit::Faster),
+        Just(Edit::Slower),
+        (0u32..20_000).prop_map(Edit::SetMsBetweenKeyframes),
+        (0usize..24, any_rbt()).prop_map(|(rbt, to)| Edit::SetTranslation(RbtIndex::new(rbt), to.translation)),
+        (0usize..24, any_rbt()).prop_map(|(rbt, to)| Edit::SetRotation(RbtIndex::new(rbt), to.rotation)),
+        Just(Edit::SetTranslation(RbtIndex::new(2), Vec3::NAN)),
+        Just(Edit::SetRotation(RbtIndex::new(2), Quat::from_xyzw(0.0, 0.0, 0.0, 0.0))),
+        any_rbt().prop_map(|by| Edit::TranslateChosen(by.translation)),
+        (-9.0f32..9.0).prop_map(|radians| Edit::RotateChosen { axis_in_node: Vec3::Y, radians }),
+        any_rbt().prop_map(Edit::Wheel),
+    ]
+    .prop_map(Command::Edit)
+}
+
+fn any_step() -> impl Strategy<Value = Step> {
+    let command = prop_oneof![
+        12 => any_edit(),
+        2 => Just(Command::Playback(PlaybackCommand::PlayOrStop)),
+        1 => Just(Command::Playback(PlaybackCommand::PauseOrResume)),
+        1 => Just(Command::View(ViewCommand::NextEye)),
+        1 => Just(Command::View(ViewCommand::ToggleSkyMode)),
+        1 => Just(Command::View(ViewCommand::StartPicking)),
+        2 => prop::option::of(0usize..24).prop_map(|rbt| Command::View(ViewCommand::Choose(rbt.map(RbtIndex::new)))),
+        2 => Just(Command::Gesture(GestureCommand::Begin)),
+        3 => any_rbt().prop_map(|motion| Command::Gesture(GestureCommand::Move(motion))),
+        1 => Just(Command::Gesture(GestureCommand::Commit)),
+        1 => Just(Command::Gesture(GestureCommand::Abort)),
+        4 => Just(Command::Undo),
+        2 => Just(Command::Redo),
+        1 => Just(Command::Cancel),
+    ];
+    prop_oneof![
+        30 => command.prop_map(Step::Command),
+        4 => (0u64..400).prop_map(Step::Tick),
+        1 => (0usize..7).prop_map(Step::Import),
+        1 => Just(Step::Write),
+    ]
+}
+
+fn run(editor: &mut Editor, step: Step) {
+    match step {
+        Step::Command(command) => drop(apply(editor, command)),
+        Step::Tick(ticks) => {
+            editor.tick(ticks);
+            common::assert_invariants(editor, "ticks");
+        }
+        Step::Import(count) => {
+            let other = common::editor_with(count);
+            let text = text_of(&other);
+            let _ = editor.keyframes_read(Path::new("other.json"), Ok(text.into_bytes()));
+            common::assert_invariants(editor, "import");
+        }
+        Step::Write => {
+            let _ = editor.keyframes_written(Path::new("other.json"), Ok(None));
+        }
+    }
+}
+
+fn text_of(editor: &Editor) -> String {
+    let document = editor.document();
+    keyframes_to_json(editor.scene(), &document.keyframes, document.interpolation, document.ms_between_keyframes)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 64, max_shrink_iters: 2000, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// 64 runs of 200: more than ten thousand commands. At the end everything is undone, which leaves an empty list, and redone.
+    #[test]
+    fn invariants_hold_and_undo_leads_back(steps in prop::collection::vec(any_step(), 200)) {
+        let mut editor = editor();
+        for step in steps {
+            run(&mut editor, step);
+        }
+        apply(&mut editor, Command::Gesture(GestureCommand::Commit));
+        if editor.is_playing() {
+            press(&mut editor, "y");
+        }
+        while editor.redo_label().is_some() {
+            press(&mut editor, "ctrl+shift+z");
+        }
+        let end = text_of(&editor);
+        let mut undone = 0;
+        while editor.undo_label().is_some() {
+            press(&mut editor, "ctrl+z");
+            undone += 1;
+            prop_assert!(undone <= 2000);
+        }
+        prop_assert!(editor.document().keyframes.is_empty());
+        prop_assert_eq!(editor.document().ms_between_keyframes, 2000);
+        while editor.redo_label().is_some() {
+            press(&mut editor, "ctrl+shift+z");
+        }
+        prop_assert!(text_of(&editor) == end, "redoing all does not lead back to the end");
+    }
+}
+
+#[test]
+fn at_least_a_thousand_steps_can_be_undone() {
+    let mut editor = editor();
+    for place in 0..1500 {
+        common::pose(&mut editor, place as f32);
+    }
+    for _ in 0..1500 {
+        press(&mut editor, "ctrl+z");
+    }
+    assert_eq!(common::shown(&editor), " | -2");
+}
