@@ -224,10 +224,6 @@ impl Pipelines {
         let targets = [Some(target)];
         // Depth alone, in the picture's own pass, must still name the pass's colour target.
         let fragment = if kind == Kind::GhostDepth { Some("nothing_fragment") } else { recipe.fragment };
-        let mut bias = wgpu::DepthBiasState::default();
-        if kind == Kind::Shadow {
-            bias = wgpu::DepthBiasState { constant: 1, slope_scale: 1.5, clamp: 0.0 };
-        }
         let corner_attributes = wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3];
         let instance_attributes = wgpu::vertex_attr_array![
             2 => Float32x4, 3 => Float32x4, 4 => Float32x4, 5 => Float32x4, 6 => Float32x3, 7 => Uint32, 8 => Float32
@@ -272,7 +268,12 @@ impl Pipelines {
                 } else {
                     wgpu::PrimitiveTopology::TriangleList
                 },
-                cull_mode: (recipe.input == Input::Instances).then_some(wgpu::Face::Back),
+                cull_mode: match (kind, recipe.input) {
+                    // What a shape's lit side is compared with is its far side, which it cannot be mistaken for.
+                    (Kind::Shadow, _) => Some(wgpu::Face::Front),
+                    (_, Input::Instances) => Some(wgpu::Face::Back),
+                    _ => None,
+                },
                 ..Default::default()
             },
             depth_stencil: depth.map(|(compare, write)| wgpu::DepthStencilState {
@@ -280,7 +281,7 @@ impl Pipelines {
                 depth_write_enabled: Some(write),
                 depth_compare: Some(compare),
                 stencil: wgpu::StencilState::default(),
-                bias,
+                bias: wgpu::DepthBiasState::default(),
             }),
             multisample: wgpu::MultisampleState {
                 count: if is_single { 1 } else { self.samples },

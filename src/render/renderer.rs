@@ -175,7 +175,7 @@ impl Renderer {
             self.targets = Some(Targets::new(&gpu.device, self.format, self.samples, viewport.target_px));
         }
         let sun = SunBox::fit(frame);
-        let globals = Globals::new(&frame.view, sun.as_ref(), [viewport.width, viewport.height]);
+        let globals = Globals::new(frame, sun.as_ref(), viewport);
         self.packed.pack(frame, &globals);
         let items_moved = self.packed.bytes[self.packed.item_bytes.clone()]
             != *self.uploaded.bytes.get(self.uploaded.item_bytes.clone()).unwrap_or_default()
