@@ -76,7 +76,8 @@ pub fn sun_map(device: &wgpu::Device, pipelines: &Pipelines) -> (wgpu::TextureVi
     (map, bind_group)
 }
 
-fn view(
+/// A texture, as a view of all of it.
+pub fn view(
     device: &wgpu::Device,
     label: &str,
     format: wgpu::TextureFormat,
