@@ -22,7 +22,7 @@ const GROUND_SUN: vec3f = vec3f(0.84, 0.77, 0.67);
 @group(1) @binding(0) var sun_map: texture_depth_2d;
 @group(1) @binding(1) var sun_map_sampler: sampler_comparison;
 
-// Taps along each side of the soft shadow's square: 1 where the CPU draws.
+// Taps along each side of the soft shadow's square; where the CPU draws 1, which stands for two across a diagonal.
 override SHADOW_TAPS: i32 = 1;
 
 fn shape_position(corner: Corner) -> vec3f {
@@ -60,10 +60,13 @@ fn map_place(in_world: vec3f, normal_in_world: vec3f) -> vec3f {
 // How much of the sun arrives, 0 to 1.
 fn sun_arriving(place: vec3f) -> f32 {
     let depth = min(place.z, 1.0);
-    if SHADOW_TAPS == 1 {
-        return textureSampleCompareLevel(sun_map, sun_map_sampler, place.xy, depth);
-    }
     let texel = 1.0 / vec2f(textureDimensions(sun_map));
+    if SHADOW_TAPS == 1 {
+        // Two across a diagonal: the steps of slanting borders run into each other.
+        let half = 0.55 * texel;
+        return 0.5 * (textureSampleCompareLevel(sun_map, sun_map_sampler, place.xy + half, depth)
+            + textureSampleCompareLevel(sun_map, sun_map_sampler, place.xy - half, depth));
+    }
     let first = -0.5 * f32(SHADOW_TAPS - 1);
     var sum = 0.0;
     for (var y = 0; y < SHADOW_TAPS; y++) {

@@ -214,7 +214,6 @@ impl Pipelines {
                 .blend
                 .then_some(wgpu::BlendState { alpha: wgpu::BlendComponent::OVER, ..wgpu::BlendState::ALPHA_BLENDING }),
             write_mask: match kind {
-                Kind::MaskAll if self.samples > 1 => wgpu::ColorWrites::RED | wgpu::ColorWrites::GREEN,
                 Kind::MaskAll => wgpu::ColorWrites::RED,
                 Kind::MaskVisible => wgpu::ColorWrites::GREEN,
                 Kind::GhostDepth => wgpu::ColorWrites::empty(),
@@ -250,9 +249,7 @@ impl Pipelines {
             Input::Strokes => &stroke_buffers,
             Input::Nothing => &[],
         };
-        let is_single = is_mask || matches!(kind, Kind::Shadow | Kind::Outline);
-        // The mask has one sample a pixel: where depth has more, what hides the chosen node is not looked at.
-        let depth = if is_mask && self.samples > 1 { None } else { recipe.depth };
+        let is_single = matches!(kind, Kind::Shadow | Kind::Outline);
         device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
             label: None,
             layout: Some(&layout),
@@ -276,7 +273,7 @@ impl Pipelines {
                 },
                 ..Default::default()
             },
-            depth_stencil: depth.map(|(compare, write)| wgpu::DepthStencilState {
+            depth_stencil: recipe.depth.map(|(compare, write)| wgpu::DepthStencilState {
                 format: DEPTH_FORMAT,
                 depth_write_enabled: Some(write),
                 depth_compare: Some(compare),

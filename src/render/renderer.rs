@@ -278,7 +278,7 @@ impl Renderer {
         viewport: Viewport,
     ) {
         let Some(targets) = &self.targets else { return };
-        let has_outline = self.samples == 1 && frame.items.iter().any(|item| item.outlined);
+        let has_outline = frame.items.iter().any(|item| item.outlined);
         let (view, resolve_target) = match &targets.samples {
             Some(samples) => (samples, Some(target)),
             None => (target, None),
@@ -367,18 +367,27 @@ impl Renderer {
         let Some(targets) = &mut self.targets else { return };
         targets.mask(device, &self.pipelines);
         let Some(Targets { depth, mask: Some(mask), .. }) = &self.targets else { return };
-        let is_depth_tested = self.samples == 1;
+        let (view, resolve_target) = match &mask.samples {
+            Some(samples) => (samples, Some(&mask.view)),
+            None => (&mask.view, None),
+        };
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("mask"),
-            color_attachments: &[colour_attachment(&mask.view, wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT))],
-            depth_stencil_attachment: is_depth_tested
-                .then(|| depth_attachment(depth, wgpu::LoadOp::Load, wgpu::StoreOp::Store)),
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                view,
+                depth_slice: None,
+                resolve_target,
+                ops: wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT),
+                    store: if resolve_target.is_some() { wgpu::StoreOp::Discard } else { wgpu::StoreOp::Store },
+                },
+            })],
+            depth_stencil_attachment: Some(depth_attachment(depth, wgpu::LoadOp::Load, wgpu::StoreOp::Store)),
             ..Default::default()
         });
         set_viewport(&mut pass, viewport);
         self.bind_instances(&mut pass);
-        let kinds = [Kind::MaskAll, Kind::MaskVisible];
-        for &kind in if is_depth_tested { &kinds[..] } else { &kinds[..1] } {
+        for kind in [Kind::MaskAll, Kind::MaskVisible] {
             pass.set_pipeline(self.pipelines.get(device, kind));
             for (mesh, instances) in self.meshes.iter().zip(&self.uploaded.outlined) {
                 draw_mesh(&mut pass, mesh, instances);
@@ -387,7 +396,12 @@ impl Renderer {
         drop(pass);
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("outline"),
-            color_attachments: &[colour_attachment(target, wgpu::LoadOp::Load)],
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                view: target,
+                depth_slice: None,
+                resolve_target: None,
+                ops: wgpu::Operations { load: wgpu::LoadOp::Load, store: wgpu::StoreOp::Store },
+            })],
             ..Default::default()
         });
         set_viewport(&mut pass, viewport);
@@ -439,14 +453,6 @@ fn depth_attachment(
         depth_ops: Some(wgpu::Operations { load, store }),
         stencil_ops: None,
     }
-}
-
-fn colour_attachment(
-    view: &wgpu::TextureView,
-    load: wgpu::LoadOp<wgpu::Color>,
-) -> Option<wgpu::RenderPassColorAttachment<'_>> {
-    let ops = wgpu::Operations { load, store: wgpu::StoreOp::Store };
-    Some(wgpu::RenderPassColorAttachment { view, depth_slice: None, resolve_target: None, ops })
 }
 
 fn filled_buffer(device: &wgpu::Device, bytes: &[u8], usage: wgpu::BufferUsages) -> wgpu::Buffer {

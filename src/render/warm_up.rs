@@ -2,7 +2,7 @@
 //! compiles one pipeline while the next is being made.
 
 use crate::render::pipelines::DEPTH_FORMAT;
-use crate::render::targets::view;
+use crate::render::targets::texture_view;
 
 /// A target of one pixel, with the formats and samples of a picture.
 #[derive(Debug)]
@@ -16,8 +16,8 @@ impl WarmUp {
     pub fn new(device: &wgpu::Device, format: wgpu::TextureFormat, samples: u32) -> Self {
         let attachment = wgpu::TextureUsages::RENDER_ATTACHMENT;
         Self {
-            colour: view(device, "warm-up", format, samples, [1, 1], attachment),
-            depth: view(device, "warm-up depth", DEPTH_FORMAT, samples, [1, 1], attachment),
+            colour: texture_view(device, "warm-up", format, samples, [1, 1], attachment),
+            depth: texture_view(device, "warm-up depth", DEPTH_FORMAT, samples, [1, 1], attachment),
         }
     }
 
