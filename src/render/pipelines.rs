@@ -1,5 +1,6 @@
 //! Pipelines, each made when it is first needed: making one costs a plain picture milliseconds.
 
+use std::borrow::Cow;
 use std::mem::size_of;
 
 use wgpu::{CompareFunction, ShaderStages, VertexFormat};
@@ -143,10 +144,10 @@ impl Pipelines {
             device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(label), entries })
         };
         let entry = |binding, visibility, ty| wgpu::BindGroupLayoutEntry { binding, visibility, ty, count: None };
-        let texture = |sample_type| wgpu::BindingType::Texture {
+        let texture = |sample_type, multisampled| wgpu::BindingType::Texture {
             sample_type,
             view_dimension: wgpu::TextureViewDimension::D2,
-            multisampled: false,
+            multisampled,
         };
         let globals = wgpu::BindingType::Buffer {
             ty: wgpu::BufferBindingType::Uniform,
@@ -158,13 +159,17 @@ impl Pipelines {
             sun_map_layout: layout(
                 "sun map",
                 &[
-                    entry(0, ShaderStages::FRAGMENT, texture(wgpu::TextureSampleType::Depth)),
+                    entry(0, ShaderStages::FRAGMENT, texture(wgpu::TextureSampleType::Depth, false)),
                     entry(1, ShaderStages::FRAGMENT, wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Comparison)),
                 ],
             ),
             mask_layout: layout(
                 "mask",
-                &[entry(0, ShaderStages::FRAGMENT, texture(wgpu::TextureSampleType::Float { filterable: false }))],
+                &[entry(
+                    0,
+                    ShaderStages::FRAGMENT,
+                    texture(wgpu::TextureSampleType::Float { filterable: false }, samples > 1),
+                )],
             ),
             target_format,
             samples,
@@ -177,7 +182,9 @@ impl Pipelines {
     /// One pipeline, made now if it was not yet.
     pub fn get(&mut self, device: &wgpu::Device, kind: Kind) -> &wgpu::RenderPipeline {
         let recipe = kind.recipe();
-        let module = self.modules[recipe.source as usize].get_or_insert_with(|| shader(device, recipe.source)).clone();
+        let module = self.modules[recipe.source as usize]
+            .get_or_insert_with(|| shader(device, recipe.source, self.samples))
+            .clone();
         let pipeline = self.made[kind as usize].take().unwrap_or_else(|| self.make(device, kind, &recipe, &module));
         self.made[kind as usize].insert(pipeline)
     }
@@ -296,7 +303,7 @@ impl Pipelines {
     }
 }
 
-fn shader(device: &wgpu::Device, source: Source) -> wgpu::ShaderModule {
+fn shader(device: &wgpu::Device, source: Source, samples: u32) -> wgpu::ShaderModule {
     macro_rules! with_common {
         ($file:literal) => {
             concat!(include_str!("../../shaders/common.wgsl"), include_str!(concat!("../../shaders/", $file)))
@@ -308,8 +315,10 @@ fn shader(device: &wgpu::Device, source: Source) -> wgpu::ShaderModule {
         Source::Stroke => with_common!("stroke.wgsl"),
         Source::Outline => with_common!("outline.wgsl"),
     };
-    device.create_shader_module(wgpu::ShaderModuleDescriptor {
-        label: None,
-        source: wgpu::ShaderSource::Wgsl(text.into()),
-    })
+    // `textureLoad` reads alike from both: its last argument is then the sample.
+    let text = match source {
+        Source::Outline if samples > 1 => Cow::Owned(text.replace("texture_2d<f32>", "texture_multisampled_2d<f32>")),
+        _ => Cow::Borrowed(text),
+    };
+    device.create_shader_module(wgpu::ShaderModuleDescriptor { label: None, source: wgpu::ShaderSource::Wgsl(text) })
 }

@@ -367,21 +367,9 @@ impl Renderer {
         let Some(targets) = &mut self.targets else { return };
         targets.mask(device, &self.pipelines);
         let Some(Targets { depth, mask: Some(mask), .. }) = &self.targets else { return };
-        let (view, resolve_target) = match &mask.samples {
-            Some(samples) => (samples, Some(&mask.view)),
-            None => (&mask.view, None),
-        };
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("mask"),
-            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                view,
-                depth_slice: None,
-                resolve_target,
-                ops: wgpu::Operations {
-                    load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT),
-                    store: if resolve_target.is_some() { wgpu::StoreOp::Discard } else { wgpu::StoreOp::Store },
-                },
-            })],
+            color_attachments: &[colour_attachment(&mask.view, wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT))],
             depth_stencil_attachment: Some(depth_attachment(depth, wgpu::LoadOp::Load, wgpu::StoreOp::Store)),
             ..Default::default()
         });
@@ -396,12 +384,7 @@ impl Renderer {
         drop(pass);
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("outline"),
-            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                view: target,
-                depth_slice: None,
-                resolve_target: None,
-                ops: wgpu::Operations { load: wgpu::LoadOp::Load, store: wgpu::StoreOp::Store },
-            })],
+            color_attachments: &[colour_attachment(target, wgpu::LoadOp::Load)],
             ..Default::default()
         });
         set_viewport(&mut pass, viewport);
@@ -453,6 +436,14 @@ fn depth_attachment(
         depth_ops: Some(wgpu::Operations { load, store }),
         stencil_ops: None,
     }
+}
+
+fn colour_attachment(
+    view: &wgpu::TextureView,
+    load: wgpu::LoadOp<wgpu::Color>,
+) -> Option<wgpu::RenderPassColorAttachment<'_>> {
+    let ops = wgpu::Operations { load, store: wgpu::StoreOp::Store };
+    Some(wgpu::RenderPassColorAttachment { view, depth_slice: None, resolve_target: None, ops })
 }
 
 fn filled_buffer(device: &wgpu::Device, bytes: &[u8], usage: wgpu::BufferUsages) -> wgpu::Buffer {

@@ -20,10 +20,8 @@ pub struct Targets {
 /// The outline's mask.
 #[derive(Debug)]
 pub struct Mask {
-    /// One sample a pixel.
+    /// As many samples a pixel as the picture has.
     pub view: wgpu::TextureView,
-    /// The samples that become it, where there is more than one a pixel.
-    pub samples: Option<wgpu::TextureView>,
     /// The mask as the outline reads it.
     pub bind_group: wgpu::BindGroup,
 }
@@ -47,15 +45,13 @@ impl Targets {
         self.mask.get_or_insert_with(|| {
             let attachment = wgpu::TextureUsages::RENDER_ATTACHMENT;
             let readable = attachment | wgpu::TextureUsages::TEXTURE_BINDING;
-            let view = texture_view(device, "mask", MASK_FORMAT, 1, size_px, readable);
+            let view = texture_view(device, "mask", MASK_FORMAT, sample_count, size_px, readable);
             let bind_group = device.create_bind_group(&wgpu::BindGroupDescriptor {
                 label: Some("mask"),
                 layout: &pipelines.mask_layout,
                 entries: &[wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(&view) }],
             });
-            let samples = (sample_count > 1)
-                .then(|| texture_view(device, "mask samples", MASK_FORMAT, sample_count, size_px, attachment));
-            Mask { view, samples, bind_group }
+            Mask { view, bind_group }
         })
     }
 }
