@@ -11,6 +11,7 @@ mod nodes;
 mod output;
 mod picture;
 mod progress;
+mod quiet;
 mod render;
 mod sample;
 mod scene;

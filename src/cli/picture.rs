@@ -21,7 +21,7 @@ impl Painter {
     /// # Errors
     /// [`CliError::Gpu`] where there is none, or it cannot draw pictures so large.
     pub fn new(size: Size, samples: Option<u32>) -> Result<Self, CliError> {
-        let gpu = Gpu::headless()?;
+        let gpu = super::quiet::without_driver_chatter(Gpu::headless)?;
         let offscreen = Offscreen::new(&gpu, size.width, size.height)?;
         let samples = samples.unwrap_or_else(|| default_samples(gpu.is_software));
         Ok(Self { size, renderer: Renderer::new(&gpu, Offscreen::FORMAT, samples), offscreen, gpu })

@@ -19,9 +19,16 @@ pub const MOUSE: [(&str, &str); 7] = [
 ];
 
 /// Width of the column of keys, in points.
-const KEYS: f32 = 116.0;
+const KEYS: f32 = 164.0;
 /// Width of the column of sentences, in points.
-const SENTENCES: f32 = 292.0;
+const SENTENCES: f32 = 288.0;
+
+/// Width of a column of both, in points.
+const COLUMN: f32 = KEYS + 4.0 + SENTENCES;
+/// Room between two of those, in points.
+const GAP: f32 = 20.0;
+/// Height of a line, in points.
+const LINE: f32 = 19.0;
 
 /// Shows the help; a click on its cross asks to hide it.
 pub fn show(ui: &Ui, viewport: Rect, bindings: &[Binding], commands: &mut Vec<Command>) {
@@ -40,37 +47,45 @@ pub fn show(ui: &Ui, viewport: Rect, bindings: &[Binding], commands: &mut Vec<Co
                 .show(ui, |ui| {
                     let room = viewport.size() - vec2(48.0, 64.0);
                     ScrollArea::both()
-                        .max_width(room.x)
-                        .max_height(room.y)
-                        .show(ui, |ui| contents(ui, bindings, commands));
+                        .min_scrolled_width(room.x)
+                        .min_scrolled_height(room.y)
+                        .show(ui, |ui| contents(ui, bindings, room.x >= 2.0 * COLUMN + GAP, commands));
                 });
         });
 }
 
-fn contents(ui: &mut Ui, bindings: &[Binding], commands: &mut Vec<Command>) {
-    ui.horizontal_top(|ui| {
-        ui.spacing_mut().item_spacing.x = 24.0;
-        ui.vertical(|ui| {
-            group(ui, bindings, Group::Keyframes);
-            group(ui, bindings, Group::Playing);
-            heading(ui, "Mouse over the scene");
-            for (gesture, meaning) in MOUSE {
-                row(ui, &[gesture.to_owned()], meaning);
+fn contents(ui: &mut Ui, bindings: &[Binding], is_wide: bool, commands: &mut Vec<Command>) {
+    ui.spacing_mut().item_spacing = vec2(GAP, 2.0);
+    ui.spacing_mut().interact_size.y = LINE;
+    let left = |ui: &mut Ui| {
+        group(ui, bindings, Group::Keyframes);
+        group(ui, bindings, Group::Playing);
+        heading(ui, "Mouse over the scene");
+        for (gesture, meaning) in MOUSE {
+            row(ui, &[gesture.to_owned()], meaning);
+        }
+    };
+    let mut right = |ui: &mut Ui| {
+        group(ui, bindings, Group::View);
+        group(ui, bindings, Group::File);
+        ui.add_space(16.0);
+        ui.allocate_ui_with_layout(vec2(COLUMN, 24.0), egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            if was_pressed(&ui.button("Close")) {
+                commands.push(Command::View(ViewCommand::ToggleHelp));
             }
+            ui.label(RichText::new("h or Esc").small().color(Tokens::of(ui).dim));
         });
-        ui.vertical(|ui| {
-            group(ui, bindings, Group::View);
-            group(ui, bindings, Group::File);
-            ui.add_space(16.0);
-            let width = KEYS + SENTENCES;
-            ui.allocate_ui_with_layout(vec2(width, 24.0), egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                if was_pressed(&ui.button("Close")) {
-                    commands.push(Command::View(ViewCommand::ToggleHelp));
-                }
-                ui.label(RichText::new("h or Esc").small().color(Tokens::of(ui).dim));
-            });
+    };
+    if is_wide {
+        ui.horizontal_top(|ui| {
+            ui.vertical(left);
+            ui.vertical(&mut right);
         });
-    });
+    } else {
+        left(ui);
+        ui.add_space(12.0);
+        right(ui);
+    }
 }
 
 fn group(ui: &mut Ui, bindings: &[Binding], group: Group) {
@@ -89,9 +104,9 @@ fn heading(ui: &mut Ui, text: &str) {
 
 fn row(ui: &mut Ui, keys: &[String], meaning: &str) {
     let tokens = Tokens::of(ui);
-    ui.horizontal(|ui| {
+    ui.horizontal_top(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
-        let (rect, _) = ui.allocate_exact_size(vec2(KEYS, 18.0), Sense::hover());
+        let (rect, _) = ui.allocate_exact_size(vec2(KEYS, LINE), Sense::hover());
         let mut left = rect.left();
         for key in keys {
             let galley = ui.painter().layout_no_wrap(key.clone(), number_font(), tokens.text);
@@ -101,10 +116,11 @@ fn row(ui: &mut Ui, keys: &[String], meaning: &str) {
             ui.painter().galley(cap.center() - galley.size() / 2.0, galley, Color32::PLACEHOLDER);
             left = cap.right() + 4.0;
         }
-        let (rect, response) = ui.allocate_exact_size(vec2(SENTENCES, 18.0), Sense::hover());
+        let galley = ui.painter().layout(meaning.to_owned(), egui::FontId::proportional(12.0), tokens.text, SENTENCES);
+        let height = galley.size().y.max(LINE);
+        let (rect, response) = ui.allocate_exact_size(vec2(SENTENCES, height), Sense::hover());
         let label = format!("{}: {meaning}", keys.join(" or "));
         response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Label, true, &label));
-        let font = egui::FontId::proportional(12.0);
-        ui.painter().text(rect.left_center(), Align2::LEFT_CENTER, meaning, font, tokens.text);
+        ui.painter().galley(rect.left_top() + vec2(0.0, (height - galley.size().y) / 2.0), galley, tokens.text);
     });
 }

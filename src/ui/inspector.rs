@@ -59,11 +59,15 @@ pub fn show(ui: &mut Ui, editor: &Editor, angles: &mut ShownAngles, commands: &m
             finish(&changed, Command::Edit(Edit::SetRotation(rbt, rotation)), commands);
         }
     });
-    if editor.is_playing() {
-        ui.label(RichText::new("Stop (y) or pause (Shift+P) to change these.").small().color(tokens.dim));
+    let hint = if editor.is_playing() {
+        "Stop (y) or pause (Shift+P) to change these."
     } else if editor.session().chosen.is_none() {
-        ui.label(RichText::new("Ctrl+click a part to choose it.").small().color(tokens.dim));
-    }
+        "Ctrl+click a part to choose it."
+    } else {
+        "Drag the numbers, or click and type."
+    };
+    ui.add_space(GRID);
+    ui.label(RichText::new(hint).small().color(tokens.dim));
 }
 
 fn label(ui: &mut Ui, text: &str) {
@@ -119,7 +123,10 @@ fn number(ui: &mut Ui, name: &str, value: &mut f32, per_point: f32, decimals: us
     let inactive = &mut ui.visuals_mut().widgets.inactive;
     inactive.weak_bg_fill = tokens.window;
     inactive.bg_stroke.color = tokens.line;
-    let number = DragValue::new(value).speed(per_point).fixed_decimals(decimals).update_while_editing(false);
+    let number = DragValue::new(value)
+        .speed(per_point)
+        .custom_formatter(|value, _| text_of(value, decimals))
+        .update_while_editing(false);
     let response = ui.add_sized(vec2(width, ROW), number);
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::SpinButton, ui.is_enabled(), name));
     response.on_hover_text(format!("{name}: drag, or click and type"))
@@ -131,5 +138,26 @@ fn finish(changed: &Changed, command: Command, commands: &mut Vec<Command>) {
     }
     if changed.drag_ended {
         commands.push(Command::Gesture(GestureCommand::Commit));
+    }
+}
+
+/// A number with so many decimals; no zero has a sign.
+fn text_of(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    match text.strip_prefix('-') {
+        Some(rest) if rest.chars().all(|digit| matches!(digit, '0' | '.')) => rest.to_owned(),
+        _ => text,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::text_of;
+
+    #[test]
+    fn no_zero_has_a_sign() {
+        assert_eq!(text_of(-0.000_2, 3), "0.000");
+        assert_eq!(text_of(-0.000_6, 3), "-0.001");
+        assert_eq!(text_of(-35.7, 1), "-35.7");
     }
 }

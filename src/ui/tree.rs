@@ -65,7 +65,9 @@ impl Tree {
         let tokens = Tokens::of(ui);
         let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::click());
         let is_chosen = editor.session().chosen == Some(row.rbt);
-        response.widget_info(|| WidgetInfo::selected(Role::ListBoxOption, true, is_chosen, row.name));
+        response.widget_info(|| {
+            WidgetInfo::selected(Role::ListBoxOption, true, is_chosen, editor.scene().rbt_path(row.rbt))
+        });
         highlight(ui, rect, &response, is_chosen);
         let left = rect.left() + 6.0 + 14.0 * points(row.depth);
         let middle = rect.center().y;

@@ -51,7 +51,7 @@ fn one_bad_file_sends_every_line_to_standard_error_in_order() {
 #[test]
 fn values_that_are_wrong() {
     check_value(|file| file["format"] = json!("x"), "a.json: format is \"x\", expected \"inbetween.keyframes\"");
-    check_value(|file| file["version"] = json!(2), "a.json: version is 2, and this program reads version 1");
+    check_value(|file| file["version"] = json!(3), "a.json: version is 3, and this program reads versions 1 and 2");
     for ms in [99.0, 10001.0, 500.5] {
         check_value(
             |file| file["ms_between_keyframes"] = json!(ms),
@@ -127,6 +127,22 @@ fn a_missing_field_is_named() {
 }
 
 #[test]
+fn files_beyond_the_limits_are_refused_unread() {
+    let sandbox = Sandbox::new();
+    for (name, bytes) in [("a.json", (1 << 30) + 1), ("script.txt", (16 << 20) + 1), ("scene.json", (256 << 20) + 1)] {
+        std::fs::File::create(sandbox.path(name)).unwrap().set_len(bytes).unwrap();
+    }
+    sandbox.run(&["check", "a.json"]).refuses("a.json: the file has 1073741825 bytes, and at most 1073741824 are read");
+    sandbox
+        .run(&["script", "script.txt"])
+        .refuses("script.txt: the file has 16777217 bytes, and at most 16777216 are read");
+    sandbox.run(&["nodes", "--scene", "scene.json"]).refuses(
+        "scene.json: neither a built-in scene (two-robots, cylinder, orbits) nor a file that can be read: \
+         the file has 268435457 bytes, and at most 268435456 are read",
+    );
+}
+
+#[test]
 fn a_folder_is_no_file() {
     Sandbox::new().run(&["check", "."]).refuses(".: it is a folder, not a file");
 }
@@ -149,7 +165,7 @@ fn nodes_in_another_order_are_matched_by_path() {
 fn rotations_near_to_unit_are_kept_and_those_less_near_normalised() {
     let sandbox = Sandbox::new();
     let mut file = keyframe_file(4);
-    file["keyframes"][1]["pose"][HEAD]["rotation"] = json!([0.0, 0.6, 0.0, 0.8000004]);
+    file["keyframes"][1]["pose"][HEAD]["rotation"] = json!([0.0, 0.6, 0.0, 0.800_000_4]);
     file["keyframes"][2]["pose"][HEAD]["rotation"] = json!([0.0, 0.0, 0.0, 1.003]);
     sandbox.write("a.json", file.to_string());
     let csv = sandbox.run(&["sample", "a.json", "--at", "0,1", "--format", "csv"]).succeeds();

@@ -62,7 +62,7 @@ fn what_cannot_be_rendered_is_bad_input_and_nothing_is_written() {
         (&["short.json", "--keyframe", "-1"], "short.json: there is no keyframe -1: they are 0 to 2"),
         (&["a.json", "--at", "-0.1"], "a.json: key time -0.1 is outside 0 to 1"),
         (&["a.json", "--at", "1.5"], "a.json: key time 1.5 is outside 0 to 1"),
-        (&["--scene", "x"], "x: neither a built-in scene (two-robots) nor a file that can be read"),
+        (&["--scene", "x"], "x: neither a built-in scene (two-robots, cylinder, orbits) nor a file that can be read"),
     ] {
         let outcome = sandbox.run(&[&["render", "-o", "x.png"], arguments].concat());
         assert_eq!((outcome.status, outcome.stdout.as_str()), (1, ""));

@@ -91,7 +91,7 @@ impl Outcome {
 
     /// Ends with the status 2, says something on standard error and nothing on standard output.
     #[track_caller]
-    pub fn is_misuse(self) {
+    pub fn misuses(self) {
         assert_eq!((self.status, self.stdout.as_str()), (2, ""), "{}", self.stderr);
         assert!(!self.stderr.is_empty());
     }

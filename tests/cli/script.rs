@@ -9,7 +9,8 @@ fn check(keyframes: usize, before: &str, keys: &str, count: usize, current: Opti
     sandbox.write("animation.json", keyframe_file(keyframes).to_string());
     let import = if keyframes > 0 { "key i\n" } else { "" };
     let lines = |words: &str| {
-        words.split(' ').filter(|word| !word.is_empty()).map(|word| format!("key {word}\n")).collect::<String>()
+        let lines: Vec<String> = words.split_whitespace().map(|word| format!("key {word}\n")).collect();
+        lines.concat()
     };
     let trace = sandbox.trace(&format!("{import}select robot1/head\n{}{}", lines(before), lines(keys)));
     let last = trace.last().unwrap();

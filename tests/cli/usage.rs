@@ -32,7 +32,7 @@ fn wrong_usage_is_status_2() {
         &["nodes", "--unknown"],
     ] {
         println!("{arguments:?}");
-        sandbox.run(arguments).is_misuse();
+        sandbox.run(arguments).misuses();
     }
     assert_eq!(sandbox.names(), ["a.json"]);
 }
@@ -97,7 +97,7 @@ fn a_bad_scene_is_bad_input_in_every_command() {
     for command in commands {
         let scene = |name: &'static str| [command, &["--scene", name][..]].concat();
         sandbox.run(&scene("none-such")).refuses(
-            "none-such: neither a built-in scene (two-robots) nor a file that can be read: there is no such file or folder",
+            "none-such: neither a built-in scene (two-robots, cylinder, orbits) nor a file that can be read: there is no such file or folder",
         );
         sandbox.run(&scene("bad.json")).refuses("bad.json: eye \"eye\" is not the path of an RBT node");
     }

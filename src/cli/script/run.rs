@@ -1,4 +1,7 @@
 //! Running a script: the editor's shell without a window.
+//!
+//! Time passes only by `wait`. What the window asks its user about needs no answer here: a script that writes over a file means to,
+//! and one that quits is done.
 
 use std::path::Path;
 

@@ -26,13 +26,12 @@ pub(super) fn numbers_too_large(bytes: &[u8]) -> Vec<KeyframeFileError> {
     let Ok(text) = serde_json::from_slice::<FileText>(bytes) else { return Vec::new() };
     let mut problems = Problems::default();
     for (keyframe, KeyframeText { pose }) in text.keyframes.iter().enumerate() {
-        for (place, RbtText { translation, rotation }) in pose.iter().enumerate() {
+        for (RbtText { translation, rotation }, path) in pose.iter().zip(&text.nodes) {
             let fields = [("translation", &translation[..]), ("rotation", &rotation[..])];
             for (field, _) in
                 fields.into_iter().filter(|(_, numbers)| numbers.iter().any(|&number| is_too_large(number)))
             {
-                let path = text.nodes.get(place).cloned().unwrap_or_default();
-                problems.push(KeyframeFileError::NotFinite { keyframe, path, field });
+                problems.push(KeyframeFileError::NotFinite { keyframe, path: path.clone(), field });
             }
         }
     }

@@ -1,3 +1,5 @@
+//! Scripts and what becomes of their lines.
+
 use super::*;
 use crate::scene::{DEFAULT_SCENE, built_in_scene, scene_from_json};
 
@@ -72,8 +74,8 @@ fn whole_turns_are_nothing() {
 #[test]
 fn every_path_can_be_selected_even_with_blanks_and_number_signs() {
     let scene = scene_from_json(
-        r##"{"format": "inbetween.scene", "version": 1, "name": "odd", "eyes": ["a b#1"],
-            "nodes": [{"name": "a b#1"}, {"name": "a"}, {"name": "c # d"}]}"##,
+        r#"{"format": "inbetween.scene", "version": 1, "name": "odd", "eyes": ["a b#1"],
+            "nodes": [{"name": "a b#1"}, {"name": "a"}, {"name": "c # d"}]}"#,
     )
     .unwrap();
     for (line, text) in [

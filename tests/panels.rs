@@ -1,0 +1,313 @@
+//! The panels, driven by pointer and keyboard with no window: what is clicked and typed becomes commands.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use egui::{Key, Modifiers, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use glam::{Quat, Vec3};
+use inbetween::editor::keymap::bindings;
+use inbetween::editor::{Command, Edit, Editor, FileCommand, GestureCommand, PlaybackCommand, ViewCommand};
+use inbetween::keyframe::KeyframeIndex;
+use inbetween::pose::RbtIndex;
+use inbetween::scene::{DEFAULT_SCENE, built_in_scene};
+use inbetween::ui::{PathPurpose, QuitAnswer, Ui, theme};
+
+struct App {
+    editor: Editor,
+    ui: Ui,
+    /// Whether commands reach the editor.
+    applies: bool,
+    commands: Vec<Command>,
+    quit_answer: Option<QuitAnswer>,
+    viewport: egui::Rect,
+    is_dressed: bool,
+}
+
+fn editor(keyframes: usize) -> Editor {
+    let scene = built_in_scene(DEFAULT_SCENE).expect("the default scene is built in");
+    let mut editor = Editor::new(Arc::new(scene), PathBuf::from("folder/wave.json"));
+    for _ in 0..keyframes {
+        editor.apply(Command::Edit(Edit::CreateKeyframe)).unwrap();
+    }
+    editor
+}
+
+fn harness(editor: Editor) -> Harness<'static, App> {
+    let app = App {
+        editor,
+        ui: Ui::new(),
+        applies: true,
+        commands: Vec::new(),
+        quit_answer: None,
+        viewport: egui::Rect::NOTHING,
+        is_dressed: false,
+    };
+    let mut harness = Harness::builder().with_size(vec2(1280.0, 800.0)).build_ui_state(
+        |ui, app: &mut App| {
+            if !std::mem::replace(&mut app.is_dressed, true) {
+                theme::install(ui.ctx());
+            }
+            let output = app.ui.show(ui, &app.editor);
+            app.viewport = output.viewport;
+            app.quit_answer = app.quit_answer.or(output.quit_answer);
+            for command in output.commands {
+                if app.applies {
+                    let _ = app.editor.apply(command.clone());
+                }
+                app.commands.push(command);
+            }
+        },
+        app,
+    );
+    harness.run();
+    harness
+}
+
+fn click(harness: &mut Harness<'_, App>, label: &str) {
+    harness.get_by_label(label).click();
+    harness.run();
+}
+
+/// Where a field stands whose accessible name is this.
+fn type_into(harness: &mut Harness<'_, App>, label: &str, text: &str) {
+    click(harness, label);
+    harness.key_press_modifiers(Modifiers::CTRL, Key::A);
+    harness.event(egui::Event::Text(text.to_owned()));
+    harness.run();
+    harness.key_press(Key::Enter);
+    harness.run();
+}
+
+#[test]
+fn every_menu_shows_its_commands_with_their_keys() {
+    let mut seen = Vec::new();
+    for menu in ["File", "Edit", "View", "Animation", "Help"] {
+        let mut harness = harness(editor(5));
+        harness.get_all_by_label(menu).next().expect("the menu stands in the bar").click();
+        harness.run();
+        for binding in bindings() {
+            let key = binding.menu_key();
+            let name = |node: &egui_kittest::Node<'_>| node.accesskit_node().label().unwrap_or_default();
+            if harness.query_all_by(|_| true).any(|node| {
+                let label = name(&node);
+                label.ends_with(&key) && label.len() > key.len() + 2
+            }) {
+                seen.push(binding.name);
+            }
+        }
+    }
+    for binding in bindings() {
+        assert!(seen.contains(&binding.name), "no menu shows {} with {}", binding.name, binding.menu_key());
+    }
+}
+
+#[test]
+fn a_menu_item_is_its_command() {
+    let mut harness = harness(editor(0));
+    click(&mut harness, "Edit");
+    click(&mut harness, "New keyframe n");
+    assert_eq!(harness.state().commands, [Command::Edit(Edit::CreateKeyframe)]);
+    assert_eq!(harness.state().editor.document().keyframes.len(), 1);
+}
+
+#[test]
+fn a_clicked_keyframe_becomes_current() {
+    let mut harness = harness(editor(5));
+    click(&mut harness, "Keyframe 2");
+    assert_eq!(harness.state().commands, [Command::Edit(Edit::GoTo(KeyframeIndex::new(2)))]);
+    assert_eq!(harness.state().editor.document().keyframes.current(), Some(KeyframeIndex::new(2)));
+}
+
+#[test]
+fn ten_thousand_keyframes_cost_only_what_is_seen() {
+    let harness = harness(editor(2000));
+    let shown = harness.query_all_by(|node| node.label().is_some_and(|label| label.starts_with("Keyframe "))).count();
+    assert!(shown > 10 && shown < 60, "{shown} of 2000 keyframes are laid out");
+}
+
+#[test]
+fn the_empty_strip_teaches() {
+    let harness = harness(editor(0));
+    harness
+        .get_by_label("No keyframes yet: pose the robots, press n to keep a pose. Four make an animation; y plays it.");
+}
+
+#[test]
+fn a_clicked_node_is_chosen_and_clicked_again_is_not() {
+    let mut harness = harness(editor(0));
+    click(&mut harness, "robot1/head");
+    let chosen = harness.state().editor.session().chosen.unwrap();
+    assert_eq!(harness.state().editor.scene().rbt_path(chosen), "robot1/head");
+    click(&mut harness, "robot1/head");
+    assert_eq!(harness.state().editor.session().chosen, None);
+}
+
+#[test]
+fn a_typed_number_is_one_command() {
+    let mut harness = harness(editor(0));
+    harness.state_mut().editor.apply(Command::View(ViewCommand::Choose(Some(RbtIndex::new(3))))).unwrap();
+    harness.run();
+    type_into(&mut harness, "Translation y", "1.25");
+    let expected = Edit::SetTranslation(RbtIndex::new(3), Vec3::new(0.5, 1.25, 0.0));
+    assert_eq!(harness.state().commands, [Command::Edit(expected)]);
+}
+
+#[test]
+fn typed_degrees_turn_the_node_and_stay_as_typed() {
+    let mut harness = harness(editor(0));
+    harness.state_mut().editor.apply(Command::View(ViewCommand::Choose(Some(RbtIndex::new(3))))).unwrap();
+    harness.run();
+    type_into(&mut harness, "Rotation yaw", "90");
+    type_into(&mut harness, "Rotation pitch", "135");
+    let rotation = harness.state().editor.document().live_pose.get(RbtIndex::new(3)).rotation;
+    let expected = Quat::from_rotation_z(90_f32.to_radians()) * Quat::from_rotation_y(135_f32.to_radians());
+    assert!(rotation.dot(expected).abs() > 1.0 - 1e-6, "{rotation} is not {expected}");
+    assert_eq!(harness.get_by_label("Rotation pitch").value().as_deref(), Some("135.0"));
+}
+
+#[test]
+fn a_dragged_number_is_one_step_of_undo() {
+    let mut harness = harness(editor(0));
+    let from = harness.get_by_label("Translation x").rect().center();
+    harness.drag_at(from);
+    harness.run();
+    for step in 1..=6u8 {
+        harness.hover_at(from + vec2(f32::from(step) * 8.0, 0.0));
+        harness.run();
+    }
+    harness.drop_at(from + vec2(48.0, 0.0));
+    harness.run();
+    let commands = &harness.state().commands;
+    assert_eq!(commands.first(), Some(&Command::Gesture(GestureCommand::Begin)));
+    assert_eq!(commands.last(), Some(&Command::Gesture(GestureCommand::Commit)));
+    assert!(commands.len() > 4, "the scene follows the drag: {commands:?}");
+    let editor = &mut harness.state_mut().editor;
+    assert!(editor.document().live_pose.get(RbtIndex::new(0)).translation.x > 0.1);
+    editor.apply(Command::Undo).unwrap();
+    assert_eq!(editor.document().live_pose, *editor.scene().rest_pose());
+    assert_eq!(editor.undo_label(), None);
+}
+
+#[test]
+fn numbers_are_disabled_while_playing() {
+    let mut harness = harness(editor(4));
+    harness.state_mut().editor.apply(Command::Playback(PlaybackCommand::PlayOrStop)).unwrap();
+    harness.step();
+    assert!(harness.get_by_label("Translation x").accesskit_node().is_disabled());
+    harness.get_by_label("Stop").click();
+    harness.step();
+    harness.step();
+    assert_eq!(harness.state().commands, [Command::Playback(PlaybackCommand::PlayOrStop)]);
+}
+
+#[test]
+fn a_text_field_has_the_keyboard_and_escape_gives_it_back() {
+    let mut harness = harness(editor(0));
+    assert!(!harness.state().ui.has_keyboard(&harness.ctx));
+    click(&mut harness, "Translation x");
+    harness.run();
+    assert!(harness.state().ui.has_keyboard(&harness.ctx));
+    harness.key_press(Key::Escape);
+    harness.run();
+    assert!(!harness.state().ui.has_keyboard(&harness.ctx));
+    assert_eq!(harness.state().commands, []);
+}
+
+#[test]
+fn a_clicked_button_does_not_take_the_space_bar() {
+    let mut harness = harness(editor(5));
+    for label in ["New keyframe", "Previous keyframe", "Keyframe 1", "Look from robot1", "ground"] {
+        click(&mut harness, label);
+        assert!(!harness.ctx.egui_wants_keyboard_input(), "{label} keeps the keyboard");
+        let before = harness.state().commands.len();
+        harness.key_press(Key::Space);
+        harness.run();
+        assert_eq!(harness.state().commands.len(), before, "the space bar presses {label}");
+    }
+}
+
+#[test]
+fn a_button_reached_with_tab_takes_the_space_bar_until_it_is_clicked() {
+    let mut harness = harness(editor(5));
+    harness.get_by_label("New keyframe").focus();
+    harness.run();
+    harness.key_press(Key::Space);
+    harness.run();
+    assert_eq!(harness.state().commands, [Command::Edit(Edit::CreateKeyframe)]);
+    click(&mut harness, "New keyframe");
+    assert_eq!(harness.state().commands.len(), 2);
+    harness.key_press(Key::Space);
+    harness.run();
+    assert_eq!(harness.state().commands.len(), 2);
+}
+
+#[test]
+fn the_help_lists_every_binding_and_the_mouse() {
+    let mut harness = harness(editor(0));
+    harness.state_mut().editor.apply(Command::View(ViewCommand::ToggleHelp)).unwrap();
+    harness.run();
+    for binding in bindings() {
+        harness.get_by_label(&format!("{}: {}", binding.keys(), binding.help));
+    }
+    for gesture in ["Left drag", "Right drag", "Middle drag", "Wheel", "Ctrl+click"] {
+        harness.get_by_label_contains(&format!("{gesture}: "));
+    }
+}
+
+#[test]
+fn without_panels_the_scene_has_all_of_the_window() {
+    let mut harness = harness(editor(0));
+    let with_panels = harness.state().viewport;
+    harness.state_mut().editor.apply(Command::View(ViewCommand::TogglePanels)).unwrap();
+    harness.run();
+    let without = harness.state().viewport;
+    assert!((without.width() - with_panels.width() - theme::SIDE).abs() <= 1.0, "{without} and {with_panels}");
+    let bars = theme::MENU_BAR + theme::TRANSPORT + theme::STRIP + theme::STATUS;
+    assert!((without.height() - with_panels.height() - bars).abs() <= 1.0, "{without} and {with_panels}");
+}
+
+#[test]
+fn a_path_is_asked_for() {
+    let mut harness = harness(editor(0));
+    harness.state_mut().applies = false;
+    harness.state_mut().ui.ask_for_path(PathPurpose::SaveAs, &PathBuf::from("wave"));
+    harness.run();
+    assert!(harness.state().ui.has_keyboard(&harness.ctx));
+    harness.event(egui::Event::Text(".json".to_owned()));
+    harness.run();
+    harness.key_press(Key::Enter);
+    harness.run();
+    assert_eq!(harness.state().commands, [Command::File(FileCommand::SaveAs(PathBuf::from("wave.json")))]);
+    assert!(!harness.state().ui.has_dialog());
+}
+
+#[test]
+fn escape_leaves_a_dialog() {
+    let mut harness = harness(editor(0));
+    harness.state_mut().ui.ask_for_path(PathPurpose::Open, &PathBuf::from("wave.json"));
+    harness.run();
+    harness.key_press(Key::Escape);
+    harness.run();
+    assert!(!harness.state().ui.has_dialog());
+    assert_eq!(harness.state().commands, []);
+}
+
+#[test]
+fn unsaved_work_is_asked_about() {
+    let mut harness = harness(editor(3));
+    let moved = Edit::SetTranslation(RbtIndex::new(2), Vec3::ONE);
+    harness.state_mut().editor.apply(Command::Edit(moved)).unwrap();
+    harness.state_mut().ui.ask_before_quitting();
+    harness.run();
+    harness.get_by_label("The robots stand in a pose that no keyframe holds.");
+    harness.get_by_label("Discard");
+    click(&mut harness, "Cancel");
+    assert_eq!(harness.state().quit_answer, None);
+    assert!(!harness.state().ui.has_dialog());
+    harness.state_mut().ui.ask_before_quitting();
+    harness.run();
+    click(&mut harness, "Save");
+    assert_eq!(harness.state().quit_answer, Some(QuitAnswer::Save));
+}

@@ -1,0 +1,107 @@
+//! The real window, on a display of its own: hotkeys are typed into it, and the file that it writes is read.
+//!
+//! It needs `Xvfb` and `xdotool`; without them it fails and says so.
+
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+use std::thread::sleep;
+use std::time::{Duration, Instant};
+
+/// How long a slow machine may take to open the window, or to write the file.
+const PATIENCE: Duration = Duration::from_secs(30);
+
+/// A process that ends with the test.
+struct Running(Child);
+
+impl Drop for Running {
+    fn drop(&mut self) {
+        let _ = self.0.kill();
+        let _ = self.0.wait();
+    }
+}
+
+fn start(what: &str, command: &mut Command) -> Running {
+    let child = command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).spawn();
+    Running(child.unwrap_or_else(|error| panic!("{what} does not start ({error}): run .ci/setup, which installs it")))
+}
+
+/// A virtual display that was free, and its name.
+fn display() -> (Running, String) {
+    for number in 90 + std::process::id() % 1000..2000 {
+        let name = format!(":{number}");
+        let socket = format!("/tmp/.X11-unix/X{number}");
+        if Path::new(&socket).exists() || Path::new(&format!("/tmp/.X{number}-lock")).exists() {
+            continue;
+        }
+        let mut server = start("Xvfb", Command::new("Xvfb").args([&name, "-screen", "0", "1280x800x24", "-noreset"]));
+        let is_up = wait_for(|| server.0.try_wait().is_ok_and(|end| end.is_some()) || Path::new(&socket).exists());
+        assert!(is_up, "Xvfb does not open the display {name}");
+        if server.0.try_wait().is_ok_and(|end| end.is_none()) {
+            return (server, name);
+        }
+    }
+    panic!("no display is free");
+}
+
+fn wait_for(mut condition: impl FnMut() -> bool) -> bool {
+    let start = Instant::now();
+    while start.elapsed() < PATIENCE {
+        if condition() {
+            return true;
+        }
+        sleep(Duration::from_millis(20));
+    }
+    false
+}
+
+fn xdotool(display: &str, arguments: &[&str]) -> Option<String> {
+    let output = Command::new("xdotool").env("DISPLAY", display).args(arguments).output();
+    let output =
+        output.unwrap_or_else(|error| panic!("xdotool does not start ({error}): run .ci/setup, which installs it"));
+    output.status.success().then(|| String::from_utf8_lossy(&output.stdout).trim().to_owned())
+}
+
+#[test]
+fn hotkeys_typed_into_the_window_end_up_in_the_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("typed.json");
+    let (_server, display) = display();
+    let mut inbetween = start(
+        "inbetween",
+        Command::new(env!("CARGO_BIN_EXE_inbetween"))
+            .arg(&file)
+            .env("DISPLAY", &display)
+            .env_remove("WAYLAND_DISPLAY")
+            .env_remove("WAYLAND_SOCKET"),
+    );
+    let title = format!("{} • Inbetween", file.display());
+    let mut window = String::new();
+    let is_open = wait_for(|| {
+        window = xdotool(&display, &["search", "--name", "Inbetween"]).unwrap_or_default();
+        !window.is_empty()
+    });
+    assert!(is_open, "no window opens; the program: {:?}", inbetween.0.try_wait());
+    let window = window.lines().next().unwrap_or_default().to_owned();
+    assert_eq!(xdotool(&display, &["getwindowname", &window]).as_deref(), Some(title.as_str()));
+    xdotool(&display, &["windowfocus", "--sync", &window]).expect("the window takes the focus");
+
+    for _ in 0..4 {
+        xdotool(&display, &["key", "n"]).expect("the key is typed");
+    }
+    let unsaved = format!("*{title}");
+    let is_marked = wait_for(|| xdotool(&display, &["getwindowname", &window]).as_deref() == Some(unsaved.as_str()));
+    assert!(is_marked, "the title does not say that the keyframes are not saved");
+    xdotool(&display, &["key", "w"]).expect("the key is typed");
+    assert!(wait_for(|| file.is_file()), "w writes no file");
+
+    let text = std::fs::read_to_string(&file).unwrap();
+    let json: serde_json::Value = serde_json::from_str(&text).unwrap();
+    assert_eq!(json["format"], "inbetween.keyframes");
+    assert_eq!(json["keyframes"].as_array().map(Vec::len), Some(4));
+    let is_saved = wait_for(|| xdotool(&display, &["getwindowname", &window]).as_deref() == Some(title.as_str()));
+    assert!(is_saved, "the title does not say that all is saved");
+    xdotool(&display, &["key", "ctrl+q"]).expect("the key is typed");
+    let is_over = wait_for(|| inbetween.0.try_wait().is_ok_and(|end| end.is_some()));
+    assert!(is_over, "Ctrl+Q does not quit, although all is saved");
+    assert!(inbetween.0.wait().is_ok_and(|status| status.success()));
+}
