@@ -6,7 +6,9 @@ mod list;
 mod sample;
 
 pub use compare::Blend;
-pub use file::{KeyframeFile, KeyframeFileError, LARGEST_FILE_BYTES, keyframes_from_json, keyframes_to_json};
+pub use file::{
+    KeyframeFile, KeyframeFileError, KeyframesJson, LARGEST_FILE_BYTES, keyframes_from_json, keyframes_to_json,
+};
 pub use list::{Keyframe, KeyframeIndex, KeyframeList};
 pub use sample::{PlayRange, SampleError};
 

@@ -13,6 +13,7 @@ pub mod rbt;
 pub mod render;
 pub mod scene;
 pub mod storage;
+pub mod text_layouts;
 pub mod timed;
 pub mod ui;
 pub mod window;
