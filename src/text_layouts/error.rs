@@ -2,6 +2,8 @@
 
 use thiserror::Error;
 
+use super::report::counted;
+
 /// A text that cannot be read, and where.
 #[derive(Clone, Debug, Error, PartialEq)]
 #[error("line {line} column {column}: {problem}")]
@@ -52,8 +54,8 @@ pub enum TextProblem {
     },
     /// The header and the rows do not agree.
     #[error(
-        "the header says {keyframes} keyframes of {nodes} nodes, expected {expected} numbers after it, and there are {found}: \
-         {}; --salvage takes the whole keyframes{hint}", in_rows(*found)
+        "the header says {keyframes} keyframes of {nodes} nodes, expected {} after it, found {}{hint}; --salvage takes the whole keyframes",
+        in_rows(*expected), in_rows(*found)
     )]
     Header {
         /// How many keyframes it says.
@@ -69,8 +71,8 @@ pub enum TextProblem {
     },
     /// The rows end within a keyframe.
     #[error(
-        "there are {found} numbers, {}, expected whole keyframes of {nodes} rows of {width}; --salvage takes the whole keyframes{hint}",
-        in_rows(*found)
+        "found {found} numbers, {}, expected whole keyframes of {nodes} nodes with {width} numbers each{hint}; --salvage takes the whole keyframes",
+        in_keyframes(*found, nodes * width)
     )]
     Incomplete {
         /// How many numbers there are.
@@ -146,11 +148,17 @@ pub enum TextProblem {
 }
 
 /// A count of numbers as rows of seven.
-fn in_rows(numbers: usize) -> String {
+pub(super) fn in_rows(numbers: usize) -> String {
+    let rows = counted(numbers / 7, "row");
     match numbers % 7 {
-        0 => format!("{} rows", numbers / 7),
-        rest => format!("{} rows and {rest} numbers", numbers / 7),
+        0 => format!("{rows} ({})", counted(numbers, "number")),
+        rest => format!("{rows} and {} ({numbers} in all)", counted(rest, "number")),
     }
+}
+
+/// A count of numbers as keyframes.
+fn in_keyframes(numbers: usize, in_one: usize) -> String {
+    format!("{} and {}", counted(numbers / in_one, "whole keyframe"), counted(numbers % in_one, "number"))
 }
 
 /// A piece of a text, quoted and short enough for a message.

@@ -99,29 +99,26 @@ pub(super) fn match_joints(
     let robots = robots(scene);
     let found: Vec<Found> = robots.iter().map(|robot| robot.find(offsets)).collect();
     let mut differs = 0.0_f32;
+    let mut said: Vec<(Vec<&str>, Certainty, String)> = Vec::new();
     for (robot, found_here) in robots.iter().zip(&found) {
+        let mut say = |certainty: Certainty, text: String| match said.iter_mut().find(|(_, _, other)| *other == text) {
+            Some((names, ..)) => names.push(robot.name),
+            None => said.push((vec![robot.name], certainty, text)),
+        };
         let order = match found_here {
             Found::Same => {
-                plan.find(
-                    Certainty::Sure,
-                    format!("joints of {}: in the scene's order, as the offsets of keyframe 0 show", robot.name),
-                );
+                say(Certainty::Sure, "in the scene's order, as the offsets of keyframe 0 show".to_owned());
                 None
             }
             Found::Order(order) => {
-                plan.find(
-                    Certainty::Sure,
-                    format!("joints of {}: matched by the offsets of keyframe 0: {}", robot.name, robot.names(order)),
-                );
+                say(Certainty::Sure, format!("matched by the offsets of keyframe 0: {}", robot.names(order)));
                 Some(order.clone())
             }
             Found::ByOrder(order) => {
-                let text = format!(
-                    "joints of {}: matched by the signs of keyframe 0's offsets: {}",
-                    robot.name,
-                    robot.names(order)
+                say(
+                    Certainty::Likely,
+                    format!("matched by the signs of keyframe 0's offsets alone: {}", robot.names(order)),
                 );
-                plan.find(Certainty::Likely, text);
                 Some(order.clone())
             }
             Found::Nothing => {
@@ -129,8 +126,8 @@ pub(super) fn match_joints(
                     Found::Order(order) | Found::ByOrder(order) if other.is_like(robot) => Some((other, order)),
                     _ => None,
                 });
-                let why = format!("joints of {}: the offsets of keyframe 0 match no order", robot.name);
-                plan.find(
+                let why = "the offsets of keyframe 0 match no order";
+                say(
                     Certainty::Warning,
                     match like {
                         Some((other, _)) => {
@@ -149,6 +146,9 @@ pub(super) fn match_joints(
                 differs = differs.max((offsets[robot.first + row].length() - robot.wanted[node].length()).abs());
             }
         }
+    }
+    for (names, certainty, text) in said {
+        plan.find(certainty, format!("joints of {}: {text}", names.join(", ")));
     }
     if differs > 1e-3 {
         plan.find(

@@ -1,7 +1,7 @@
 //! How a text's numbers make keyframes: whether there is a header, how many nodes a keyframe has, which layout it is.
 
 use super::Options;
-use super::error::{TextError, TextProblem};
+use super::error::{TextError, TextProblem, in_rows};
 use super::layout::Layout;
 use super::report::{Certainty, Finding, counted};
 use super::structure::{Irregular, Structure, structure};
@@ -217,12 +217,10 @@ impl Planner<'_> {
             let problem = TextProblem::Header { keyframes, nodes, expected, found, hint };
             return Err(self.error(self.structure.first_at, problem));
         }
+        let found = in_rows(found);
         plan.find(
             Certainty::Warning,
-            format!(
-                "salvaged: the header says {keyframes} keyframes of {nodes} nodes, and {} of {} are whole",
-                plan.keyframes, plan.nodes
-            ),
+            format!("salvaged: the header says {keyframes} keyframes of {nodes} nodes, and {found} follow"),
         );
         Ok(())
     }
