@@ -15,9 +15,9 @@ use crate::scene::SceneGraph;
 /// What is this much smaller than an offset's largest coordinate counts as 0.
 const ZERO_FRACTION: f32 = 0.1;
 /// Larger robots than this are not searched for an order.
-const MOST_JOINTS: usize = 256;
+const MOST_JOINTS: usize = 128;
 /// How many rows are tried in all before the search is given up.
-const MOST_TRIES: usize = 20_000;
+const MOST_TRIES: usize = 5_000;
 
 /// Which node each row of a keyframe is, as a user's list says it.
 #[derive(Clone, Debug, PartialEq, Eq)]

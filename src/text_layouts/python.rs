@@ -1,5 +1,6 @@
 //! Python dictionaries of keys, as in `{0: vec(0, 0, 0), 2: vec(1, 1, 0)}`, to a scene file with a control node.
 
+mod functions;
 mod parser;
 
 use super::error::{TextError, TextProblem};
