@@ -73,7 +73,8 @@ fn build<const WIDTH: usize>(
 ) -> Vec<Keyframe> {
     let first: Vec<Vec3> = rows(bytes, plan).take(plan.nodes).map(|(_, row)| decode(row).translation).collect();
     let place_of_row = match_joints(&first, scene, options, plan);
-    let mut keyframes: Vec<Keyframe> = Vec::new();
+    // So many were counted in the text.
+    let mut keyframes: Vec<Keyframe> = Vec::with_capacity(plan.keyframes);
     let mut pose = scene.rest_pose().as_slice().to_vec();
     for (place, (_, row)) in rows(bytes, plan).enumerate() {
         let row_of_keyframe = place % plan.nodes;
@@ -86,7 +87,6 @@ fn build<const WIDTH: usize>(
             keyframes.push(Keyframe::new(same.unwrap_or_else(|| Pose::from_shared(pose.as_slice().into()))));
         }
     }
-    keyframes.shrink_to_fit();
     keyframes
 }
 
@@ -209,7 +209,7 @@ fn rigid(matrix: &[f32; 16]) -> Option<Rbt> {
     }
     let column = |place: usize| Vec3::new(matrix[place], matrix[place + 1], matrix[place + 2]);
     let [x, y, z] = [0, 4, 8].map(column);
-    let exact = [x, y, z].map(|column| column.as_dvec3());
+    let exact = [x, y, z].map(|column: Vec3| column.as_dvec3());
     let is_unit = exact.iter().all(|column| near(column.length(), 1.0));
     let is_orthogonal = [(0, 1), (1, 2), (2, 0)].iter().all(|&(a, b)| near(exact[a].dot(exact[b]), 0.0));
     if !is_unit || !is_orthogonal || exact[0].cross(exact[1]).dot(exact[2]) < 0.0 {
