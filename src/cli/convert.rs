@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::{CliError, output};
 use crate::cli::arguments::ConvertArguments;
-use crate::keyframe::{KeyframeFile, KeyframesJson, LARGEST_FILE_BYTES};
+use crate::keyframe::{Keyframe, KeyframeFile, KeyframesJson, LARGEST_FILE_BYTES};
 use crate::scene::SceneGraph;
 use crate::storage;
 use crate::text_layouts::{Certainty, Finding, Imported, JointList, KeyframeText, Layout, Options, Report, import};
@@ -30,7 +30,7 @@ pub fn run(arguments: &ConvertArguments, scene: &SceneGraph) -> Result<(), CliEr
     };
     let report = match imported {
         Imported::KeyframeFile(file) => {
-            let report = keyframe_file_report(&file, scene, &options);
+            let report = keyframe_file_report(&file, scene, &options, arguments.to);
             write_keyframes(arguments, scene, file)?;
             report
         }
@@ -57,13 +57,18 @@ fn joint_list(file: &Path, scene: &SceneGraph) -> Result<JointList, CliError> {
     JointList::from_text(&bytes, scene).map_err(|error| CliError::bad_input(&place, error))
 }
 
-fn keyframe_file_report(file: &KeyframeFile, scene: &SceneGraph, options: &Options) -> Report {
+fn keyframe_file_report(file: &KeyframeFile, scene: &SceneGraph, options: &Options, to: Option<Layout>) -> Report {
     let (keyframes, nodes) = (file.keyframes.len(), scene.rbt_count());
     let plural = if keyframes == 1 { "" } else { "s" };
     let mut findings = Vec::new();
     if options.order.is_some() || options.joints.is_some() || options.salvage {
         let text =
             "a keyframe file names its nodes and fields: --order, --joints and --salvage are for texts".to_owned();
+        findings.push(Finding { certainty: Certainty::Note, text });
+    }
+    let has_settings = file.interpolation.is_some() || file.ms_between_keyframes.is_some();
+    if to.is_some() && (has_settings || file.keyframes.iter().any(Keyframe::has_extras)) {
+        let text = "a text has poses alone: interpolation, times, names and easings are left out".to_owned();
         findings.push(Finding { certainty: Certainty::Note, text });
     }
     Report { summary: format!("{keyframes} keyframe{plural} of {nodes} nodes, keyframe file"), findings }

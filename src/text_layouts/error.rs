@@ -20,7 +20,7 @@ impl TextError {
     /// A problem at a byte of a text.
     pub(super) fn new(bytes: &[u8], at: usize, problem: TextProblem) -> Self {
         let before = &bytes[..at.min(bytes.len())];
-        let line = before.iter().filter(|&&byte| byte == b'\n').count() + 1;
+        let line = before.split(|&byte| byte == b'\n').count();
         let line_start = before.iter().rposition(|&byte| byte == b'\n').map_or(0, |place| place + 1);
         let in_line = before[line_start..].strip_prefix(b"\xef\xbb\xbf").unwrap_or(&before[line_start..]);
         // What continues a UTF-8 character takes no column of its own.

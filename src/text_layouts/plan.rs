@@ -47,7 +47,7 @@ impl Plan {
 
 /// The numbers of nodes that a keyframe may have, the most likely first.
 pub(super) fn node_counts(scene: &SceneGraph, options: &Options) -> Vec<usize> {
-    let own = options.joints.as_ref().map_or(scene.rbt_count(), |joints| joints.rows());
+    let own = options.joints.as_ref().map_or(scene.rbt_count(), super::JointList::rows);
     let is_course = scene.rbt_count() == COURSE_NODES;
     let mut counts = vec![own];
     counts.extend(LATER_COURSE_NODES.into_iter().filter(|&later| is_course && later > own));
@@ -191,10 +191,9 @@ impl Planner<'_> {
                 format!("salvaged: keyframe {place} is not whole: it and those after it are left out"),
             );
         }
-        if let Some((keyframes, header_nodes)) = self.header().filter(|_| skip == 2) {
-            if (keyframes, header_nodes) != (marks.blocks, nodes) {
-                self.header_disagrees(&mut plan, keyframes, header_nodes)?;
-            }
+        let wrong_header = self.header().filter(|&header| skip == 2 && header != (marks.blocks, nodes));
+        if let Some((keyframes, header_nodes)) = wrong_header {
+            self.header_disagrees(&mut plan, keyframes, header_nodes)?;
         }
         let mark = if marks.frames > 0 { "frame [k]" } else { "end" };
         plan.find(Certainty::Sure, format!("layout: the lines \"{mark}\" divide the keyframes, each of {nodes} nodes"));

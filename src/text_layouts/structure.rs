@@ -150,7 +150,6 @@ pub(super) fn structure(bytes: &[u8]) -> Structure {
 struct Line {
     at: usize,
     numbers: usize,
-    last_was_comma: bool,
     last_separated: bool,
 }
 
@@ -175,12 +174,14 @@ impl Structure {
                 }
                 self.numbers += 1;
                 line.numbers += 1;
-                (line.last_was_comma, line.last_separated) = (false, false);
+                line.last_separated = false;
                 self.marks.number(piece.at);
             }
             Token::Separator(separator) => {
                 let is_comma = separator == b',';
-                if line.numbers == 0 && is_comma || is_comma && line.last_separated || !is_comma && self.numbers == 0 {
+                let comes_too_early =
+                    if is_comma { line.numbers == 0 || line.last_separated } else { self.numbers == 0 };
+                if comes_too_early {
                     return Err(not_a_number(bytes, piece, NUMBER));
                 }
                 self.has_commas |= is_comma;
@@ -188,7 +189,7 @@ impl Structure {
                     self.ends_rows |= self.numbers.is_multiple_of(7);
                     self.splits_rows |= matches!(self.numbers % 7, 3 | 4);
                 }
-                (line.last_was_comma, line.last_separated) = (is_comma, true);
+                line.last_separated = true;
             }
             Token::LineEnd => {
                 self.line_ends(line);

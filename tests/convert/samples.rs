@@ -20,12 +20,12 @@ pub fn keyframes(count: usize) -> Vec<Vec<Row>> {
             2 if keyframe > 0 => {
                 let angle = 0.3 * keyframe as f64;
                 row[0] = format!("{:.6}", angle - 2.0);
-                row[2] = "-8.70831e-016".to_owned();
+                "-8.70831e-016".clone_into(&mut row[2]);
                 row[3] = format!("{:.6}", angle.cos());
                 row[5] = format!("{:.6}", angle.sin());
             }
             11 if keyframe > 1 => row[3..].clone_from_slice(&["-0.6", "0", "0.8", "-0"].map(str::to_owned)),
-            16 => row[3] = "-1".to_owned(),
+            16 => "-1".clone_into(&mut row[3]),
             _ => {}
         }
         row
@@ -61,7 +61,7 @@ fn matrix(row: &Row) -> String {
         [2.0 * (x * z + w * y), 2.0 * (y * z - w * x), 1.0 - 2.0 * (x * x + y * y), 0.0],
         [tx, ty, tz, 1.0],
     ];
-    columns.iter().flatten().map(|number| format!("{number:.6},")).collect()
+    columns.iter().flatten().fold(String::new(), |text, number| text + &format!("{number:.6},"))
 }
 
 pub fn matrices(keyframes: &[Vec<Row>]) -> String {
