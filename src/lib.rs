@@ -3,6 +3,7 @@
 pub mod camera;
 pub mod cli;
 pub mod clock;
+pub mod compare;
 pub mod editor;
 pub mod frame;
 pub mod interpolation;

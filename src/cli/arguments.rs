@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, ValueEnum};
 
+use crate::compare::DEFAULT_TOLERANCE;
 use crate::interpolation::Interpolation;
 
 /// The keyframe file where none is named.
@@ -41,6 +42,8 @@ pub enum Subcommand {
     Sample(SampleArguments),
     /// Render PNG images: of an animation, or of the scene's rest pose. Needs no display.
     Render(RenderArguments),
+    /// Compare two PNG images by what an eye would notice (FLIP). Exit status: 0 within the tolerance, 1 beyond, 2 trouble.
+    Compare(CompareArguments),
     /// Run a script of hotkeys and gestures with no window.
     #[command(long_about = SCRIPT_HELP)]
     Script(ScriptArguments),
@@ -146,6 +149,26 @@ pub struct RenderArguments {
     pub interpolation: Option<Interpolation>,
 }
 
+/// Arguments of `compare`.
+#[derive(Debug, Args)]
+pub struct CompareArguments {
+    /// The one image.
+    #[arg(value_name = "A.png")]
+    pub first: PathBuf,
+    /// The other image, of the same size.
+    #[arg(value_name = "B.png")]
+    pub second: PathBuf,
+    /// The largest score, 0 to 1, that counts as the same.
+    #[arg(long, value_name = "T", default_value_t = DEFAULT_TOLERANCE, value_parser = tolerance)]
+    pub tolerance: f32,
+    /// Write a PNG of the differences: black where there is none, brighter where there is more.
+    #[arg(short, long, value_name = "DIFF.png")]
+    pub output: Option<PathBuf>,
+    /// Print the result as JSON.
+    #[arg(long)]
+    pub json: bool,
+}
+
 /// Arguments of `script`.
 #[derive(Debug, Args)]
 pub struct ScriptArguments {
@@ -196,6 +219,14 @@ fn key_time(text: &str) -> Result<f64, String> {
 fn seconds(text: &str) -> Result<f64, String> {
     let seconds: f64 = text.trim().parse().map_err(|_| format!("{text:?} is not a number of seconds"))?;
     if seconds.is_finite() { Ok(seconds) } else { Err(format!("{text:?} is not a finite number of seconds")) }
+}
+
+fn tolerance(text: &str) -> Result<f32, String> {
+    text.trim()
+        .parse()
+        .ok()
+        .filter(|tolerance| (0.0..=1.0).contains(tolerance))
+        .ok_or_else(|| format!("{text:?} is not a number from 0 to 1"))
 }
 
 /// Sides are at most 65536 here; what the GPU adapter takes may be less.

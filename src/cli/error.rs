@@ -22,6 +22,15 @@ pub enum CliError {
         /// The sentences, each with its place; never empty.
         sentences: Vec<String>,
     },
+    /// What was compared differs by more than the tolerance; the command has said so on standard output.
+    #[error("beyond the tolerance")]
+    Beyond,
+    /// What was to be compared could not be: a sentence for each problem.
+    #[error("{}", .sentences.join("\n"))]
+    Trouble {
+        /// The sentences, each with its place; never empty.
+        sentences: Vec<String>,
+    },
     /// A file could not be written.
     #[error("{}: {reason}", path.display())]
     Unwritten {
@@ -62,9 +71,10 @@ impl CliError {
     /// The exit status of the process.
     pub fn exit_status(&self) -> u8 {
         match self {
-            Self::Usage(_) | Self::Gpu(GpuError::Size { .. }) => 2,
+            Self::Usage(_) | Self::Trouble { .. } | Self::Gpu(GpuError::Size { .. }) => 2,
             Self::Gpu(_) | Self::Window(WindowError::NoDisplay { .. } | WindowError::Gpu(_)) => 3,
             Self::BadInput { .. }
+            | Self::Beyond
             | Self::Unwritten { .. }
             | Self::ScriptEnded(_)
             | Self::Window(WindowError::Ended { .. })
