@@ -58,7 +58,7 @@ mod tests {
 
     #[test]
     fn an_hour_is_216_000_ticks_at_once() {
-        assert_eq!(AnimationClock::new().advance(Duration::from_secs(3600)), 216_000);
+        assert_eq!(AnimationClock::new().advance(Duration::from_hours(1)), 216_000);
     }
 
     #[test]
@@ -71,7 +71,7 @@ mod tests {
     #[test]
     fn a_stall_is_cut_short() {
         let mut clock = AnimationClock::new();
-        assert_eq!(clock.advance_at_most(Duration::from_secs(60), Duration::from_millis(250)), 15);
+        assert_eq!(clock.advance_at_most(Duration::from_mins(1), Duration::from_millis(250)), 15);
     }
 
     #[test]

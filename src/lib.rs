@@ -1,4 +1,64 @@
-//! Inbetween, a desktop 3D keyframe animator.
+//! *Inbetween*, a desktop 3D keyframe animator: the library behind the `inbetween` program.
+//!
+//! # The idea in one picture
+//!
+//! ```text
+//! winit event ─ window::input ─┐
+//! egui widgets ─ ui ───────────┼─► Command ─► Editor::apply ─► Result<Vec<Effect>, CommandError>
+//! script lines ─ cli::script ──┘                    │               └► the shell performs: read, write, quit
+//! wall time ─ AnimationClock ─► n ticks ─► Editor::tick(n)
+//!                                                   ▼ (shared borrow from here on)
+//!                       Editor::displayed_pose() ─► Pose ─► Frame::of_editor
+//!                                                                 ▼
+//!                                       Renderer::encode(&Frame, &TextureView)
+//!                                           ▲ the window's surface      ▲ an offscreen texture
+//!                                           window                      cli, tests
+//! ```
+//!
+//! State has one owner, the [`editor::Editor`], and one door, [`editor::Command`]. A hotkey, a button, a menu item and a script line
+//! that mean the same thing are the same command: they cannot drift apart, all can be undone, and all can be tested without a window.
+//! Everything downstream only reads. The window and the headless commands share one [`render::Renderer`], which gets a texture view
+//! and cannot tell whose it is.
+//!
+//! # The modules, in reading order
+//!
+//! A module imports only from lines above its own; `tests/tidy.rs` checks it by reading the sources.
+//!
+//! | level | modules | may name |
+//! |---|---|---|
+//! | 0 | [`rbt`], [`interpolation`], [`json`] | glam |
+//! | 1 | [`timed`], [`pose`], [`scene`], [`camera`] | serde, in file formats |
+//! | 2 | [`keyframe`], [`clock`] | serde, in file formats; `Duration`, never `Instant` |
+//! | 3 | [`editor`] | no wgpu, egui, winit, file system |
+//! | 4 | [`frame`] | |
+//! | 5 | [`render`], [`ui`] | wgpu; egui |
+//! | 6 | [`storage`] | the file system |
+//! | 7 | [`window`], [`cli`] | winit; clap |
+//!
+//! # Invariants, as absences
+//!
+//! * The editor cannot fail because of the outside world: text, ticks and commands go in, values come out.
+//! * The clock on the wall is read only in `window` and `cli`, through one function each.
+//! * `render` never names `editor`: whatever can be drawn can be drawn headless.
+//! * No `Rc`, no `RefCell`, no global state.
+//! * Playback never writes the document while it runs; ending, stopping and pausing are commands, which do.
+//!
+//! # Conventions
+//!
+//! * **Spaces**: `target_from_source`, as in `world_from_node = world_from_parent * parent_from_node`; points end in `_in_world`.
+//!   Spaces are node, parent, world (right-handed, Y up), eye (−Z forward), clip (reversed depth, 0 to 1), pixel (origin at the top
+//!   left).
+//! * **Time**: ticks of 1/60 s; `key_time` counts played keyframes; `_ms`, `seconds` or `Duration` for wall time.
+//! * **Indices** are newtypes: [`keyframe::KeyframeIndex`], [`pose::RbtIndex`], [`scene::NodeId`].
+//!
+//! # Where this differs from the first design
+//!
+//! * Keys at their own times have a module of their own, [`timed`], below the scene that holds them; the scene's world matrices take
+//!   the elapsed seconds beside the pose.
+//! * The control points of a spline belong to the shared storage of a [`keyframe::KeyframeList`]: one cell an interval, filled when
+//!   first asked for and dropped with the list's state, so that a change of a long list costs nothing for intervals that nobody looks at.
+//! * Playback's position is an exact fraction, since the pace can change while it plays and the end must come at the right tick.
+//! * A writing effect says whether the file is known to the editor: a window keeps a copy of what it would overwrite unseen.
 
 pub mod camera;
 pub mod cli;

@@ -107,6 +107,12 @@ impl Ui {
         self.has_dialog() || context.text_edit_focused()
     }
 
+    /// Whether Escape is for something of the panels: a field, a dialog, or an open menu.
+    #[must_use]
+    pub fn takes_escape(&self, context: &egui::Context) -> bool {
+        self.has_keyboard(context) || egui::Popup::is_any_open(context)
+    }
+
     /// Shows the panels in the whole window's `ui`.
     pub fn show(&mut self, ui: &mut egui::Ui, editor: &Editor) -> UiOutput {
         let mut output = UiOutput { commands: Vec::new(), viewport: Rect::NOTHING, quit_answer: None };

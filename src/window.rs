@@ -5,6 +5,7 @@
 
 mod dialog;
 mod effects;
+mod handling;
 pub mod keys;
 pub mod pointer;
 mod shell;
@@ -83,7 +84,8 @@ fn event_loop() -> Result<EventLoop<Happening>, WindowError> {
     std::panic::set_hook(hook);
     let reason = match made {
         Ok(Ok(event_loop)) => return Ok(event_loop),
-        Ok(Err(error)) => error.to_string(),
+        // winit puts the place in its own sources before the sentence.
+        Ok(Err(error)) => error.to_string().rsplit(": ").next().unwrap_or_default().trim_end_matches('.').to_owned(),
         Err(panic) => panic
             .downcast_ref::<String>()
             .cloned()

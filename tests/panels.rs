@@ -186,7 +186,7 @@ fn a_dragged_number_is_one_step_of_undo() {
     let editor = &mut harness.state_mut().editor;
     assert!(editor.document().live_pose.get(RbtIndex::new(0)).translation.x > 0.1);
     editor.apply(Command::Undo).unwrap();
-    assert_eq!(editor.document().live_pose.get(RbtIndex::new(0)).translation.x, 0.0);
+    assert_eq!(editor.document().live_pose, *editor.scene().rest_pose());
     assert_eq!(editor.undo_label(), None);
 }
 
@@ -263,7 +263,7 @@ fn without_panels_the_scene_has_all_of_the_window() {
     harness.state_mut().editor.apply(Command::View(ViewCommand::TogglePanels)).unwrap();
     harness.run();
     let without = harness.state().viewport;
-    assert_eq!(without.width(), with_panels.width() + theme::SIDE);
+    assert!((without.width() - with_panels.width() - theme::SIDE).abs() <= 1.0, "{without} and {with_panels}");
     let bars = theme::MENU_BAR + theme::TRANSPORT + theme::STRIP + theme::STATUS;
     assert!((without.height() - with_panels.height() - bars).abs() <= 1.0, "{without} and {with_panels}");
 }

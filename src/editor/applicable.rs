@@ -15,10 +15,9 @@ impl Editor {
             }
             Command::Playback(PlaybackCommand::PauseOrResume) => self.is_playing() || self.is_paused(),
             Command::View(ViewCommand::ToggleSkyMode) => self.session.eye == 0 && self.session.chosen.is_none(),
-            Command::View(_) => true,
-            Command::File(FileCommand::Import | FileCommand::Open(_) | FileCommand::ChooseOpen) => is_still,
-            Command::File(_) => true,
-            Command::Gesture(GestureCommand::Begin) => is_still,
+            Command::File(FileCommand::Import | FileCommand::Open(_) | FileCommand::ChooseOpen)
+            | Command::Gesture(GestureCommand::Begin) => is_still,
+            Command::View(_) | Command::File(_) => true,
             Command::Gesture(_) => self.gesture.is_some(),
             Command::Undo => is_still && self.gesture.is_none() && self.undo_label().is_some(),
             Command::Redo => is_still && self.gesture.is_none() && self.redo_label().is_some(),

@@ -66,7 +66,7 @@ impl Editor {
         }
         match edit {
             Edit::DisplayCurrent => self.display_current(),
-            Edit::UpdateCurrent => self.update_current(),
+            Edit::UpdateCurrent => Ok(self.update_current()),
             Edit::CreateKeyframe => Ok(self.create_keyframe()),
             Edit::GoToNext => self.step(1),
             Edit::GoToPrevious => self.step(-1),
@@ -147,13 +147,13 @@ impl Editor {
         Ok(format!("{}: copied to the scene.", self.where_we_are()))
     }
 
-    fn update_current(&mut self) -> Outcome {
-        let Some(current) = self.document.keyframes.current() else { return Ok(self.create_keyframe()) };
+    fn update_current(&mut self) -> String {
+        let Some(current) = self.document.keyframes.current() else { return self.create_keyframe() };
         self.record("update of a keyframe", None, |document| {
             let pose = document.live_pose.clone();
             document.keyframes.replace(current, Keyframe::new(pose));
         });
-        Ok(format!("{}: updated from the scene.", self.where_we_are()))
+        format!("{}: updated from the scene.", self.where_we_are())
     }
 
     fn create_keyframe(&mut self) -> String {

@@ -38,6 +38,14 @@ impl Frame {
         Self { view: View::new(camera), items, ghosts: Vec::new(), lines: Vec::new(), dots: Vec::new(), arcball: None }
     }
 
+    /// Outlines the shapes of a node too, as where a click would choose it. `scene` is the one that the picture was made of.
+    pub fn outline(&mut self, scene: &SceneGraph, rbt: RbtIndex) {
+        let shapes = scene.nodes_with_ids().filter(|(_, node)| matches!(node.kind, NodeKind::Shape(_)));
+        for (item, (id, _)) in self.items.iter_mut().zip(shapes) {
+            item.outlined |= scene.carrying_rbt(id) == Some(rbt);
+        }
+    }
+
     /// The picture that an editor displays, `size_px` pixels wide and high, with the chosen node outlined and the arcball.
     #[must_use]
     pub fn of_editor(editor: &Editor, size_px: Vec2) -> Self {

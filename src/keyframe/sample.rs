@@ -90,14 +90,15 @@ impl<'a> PlayRange<'a> {
         Ok(self.blend(start, alpha, interpolation))
     }
 
-    /// The keyframe of the list where the interval around a key time begins, and the fraction of the interval; kept within the range.
+    /// The keyframe of the list where the interval around a key time begins, and the eased fraction of the interval; kept within the
+    /// range.
     pub(super) fn interval_at(&self, key_time: f64) -> (usize, f32) {
         #[expect(clippy::cast_precision_loss, reason = "no list has 2^52 keyframes")]
         let key_time = key_time.clamp(0.0, self.last_key_time() as f64);
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it lies in the list")]
         let start = key_time.floor() as usize + 1;
         #[expect(clippy::cast_possible_truncation, reason = "the fraction of a key time needs no more than f32")]
-        let alpha = key_time.fract() as f32;
+        let alpha = self.keyframes.as_slice()[start].easing.value(key_time.fract()) as f32;
         (start, alpha)
     }
 

@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use egui::{Align, Id, Key, Layout, Modal, RichText, TextEdit, Ui};
+use egui::{Align, Frame, Id, Key, Layout, Margin, Modal, RichText, TextEdit, Ui};
 
-use super::theme::Tokens;
+use super::theme::{CORNER, Tokens};
 use super::{PathPurpose, QuitAnswer, UiOutput};
 use crate::editor::{Command, Editor, FileCommand};
 
@@ -35,7 +35,8 @@ impl Dialog {
 pub fn show(ui: &Ui, dialog: &mut Option<Dialog>, editor: &Editor, output: &mut UiOutput) {
     let Some(question) = dialog else { return };
     let escape = ui.input(|input| input.key_pressed(Key::Escape));
-    let modal = Modal::new(Id::unique("dialog")).backdrop_color(Tokens::of(ui).shade);
+    let frame = Frame::popup(ui.style()).inner_margin(Margin::same(16)).corner_radius(2 * CORNER);
+    let modal = Modal::new(Id::unique("dialog")).backdrop_color(Tokens::of(ui).shade).frame(frame);
     let is_answered = modal
         .show(ui.ctx(), |ui| {
             ui.set_width(400.0);
@@ -96,7 +97,12 @@ fn quit(ui: &mut Ui, editor: &Editor, output: &mut UiOutput) -> bool {
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
         let mut answer = |ui: &mut Ui, label: &str, is_primary: bool, answer: QuitAnswer| {
             let button = if is_primary { primary(ui, label) } else { egui::Button::new(label) };
-            if ui.add(button).clicked() {
+            let response = ui.add(button);
+            // Return answers what is proposed, and Tab goes on from there.
+            if is_primary && ui.memory(|memory| memory.focused().is_none()) {
+                response.request_focus();
+            }
+            if response.clicked() {
                 output.quit_answer = Some(answer);
             }
         };

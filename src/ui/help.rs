@@ -19,10 +19,14 @@ pub const MOUSE: [(&str, &str); 7] = [
 ];
 
 /// Width of the column of keys, in points.
-const KEYS: f32 = 172.0;
+const KEYS: f32 = 164.0;
 /// Width of the column of sentences, in points.
-const SENTENCES: f32 = 264.0;
+const SENTENCES: f32 = 288.0;
 
+/// Width of a column of both, in points.
+const COLUMN: f32 = KEYS + 4.0 + SENTENCES;
+/// Room between two of those, in points.
+const GAP: f32 = 20.0;
 /// Height of a line, in points.
 const LINE: f32 = 19.0;
 
@@ -45,36 +49,43 @@ pub fn show(ui: &Ui, viewport: Rect, bindings: &[Binding], commands: &mut Vec<Co
                     ScrollArea::both()
                         .min_scrolled_width(room.x)
                         .min_scrolled_height(room.y)
-                        .show(ui, |ui| contents(ui, bindings, commands));
+                        .show(ui, |ui| contents(ui, bindings, room.x >= 2.0 * COLUMN + GAP, commands));
                 });
         });
 }
 
-fn contents(ui: &mut Ui, bindings: &[Binding], commands: &mut Vec<Command>) {
-    ui.horizontal_top(|ui| {
-        ui.spacing_mut().item_spacing = vec2(24.0, 2.0);
-        ui.spacing_mut().interact_size.y = LINE;
-        ui.vertical(|ui| {
-            group(ui, bindings, Group::Keyframes);
-            group(ui, bindings, Group::Playing);
-            heading(ui, "Mouse over the scene");
-            for (gesture, meaning) in MOUSE {
-                row(ui, &[gesture.to_owned()], meaning);
+fn contents(ui: &mut Ui, bindings: &[Binding], is_wide: bool, commands: &mut Vec<Command>) {
+    ui.spacing_mut().item_spacing = vec2(GAP, 2.0);
+    ui.spacing_mut().interact_size.y = LINE;
+    let left = |ui: &mut Ui| {
+        group(ui, bindings, Group::Keyframes);
+        group(ui, bindings, Group::Playing);
+        heading(ui, "Mouse over the scene");
+        for (gesture, meaning) in MOUSE {
+            row(ui, &[gesture.to_owned()], meaning);
+        }
+    };
+    let mut right = |ui: &mut Ui| {
+        group(ui, bindings, Group::View);
+        group(ui, bindings, Group::File);
+        ui.add_space(16.0);
+        ui.allocate_ui_with_layout(vec2(COLUMN, 24.0), egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            if was_pressed(&ui.button("Close")) {
+                commands.push(Command::View(ViewCommand::ToggleHelp));
             }
+            ui.label(RichText::new("h or Esc").small().color(Tokens::of(ui).dim));
         });
-        ui.vertical(|ui| {
-            group(ui, bindings, Group::View);
-            group(ui, bindings, Group::File);
-            ui.add_space(16.0);
-            let width = KEYS + SENTENCES;
-            ui.allocate_ui_with_layout(vec2(width, 24.0), egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                if was_pressed(&ui.button("Close")) {
-                    commands.push(Command::View(ViewCommand::ToggleHelp));
-                }
-                ui.label(RichText::new("h or Esc").small().color(Tokens::of(ui).dim));
-            });
+    };
+    if is_wide {
+        ui.horizontal_top(|ui| {
+            ui.vertical(left);
+            ui.vertical(&mut right);
         });
-    });
+    } else {
+        left(ui);
+        ui.add_space(12.0);
+        right(ui);
+    }
 }
 
 fn group(ui: &mut Ui, bindings: &[Binding], group: Group) {

@@ -35,6 +35,8 @@ pub enum Icon {
     Joint,
     /// An eye: look from here.
     Eye,
+    /// It is on.
+    Tick,
 }
 
 /// Draws an icon about a centre.
@@ -104,6 +106,10 @@ pub fn paint(painter: &Painter, icon: Icon, centre: Pos2, colour: Color32) {
         Icon::Joint => {
             painter.circle_stroke(at(-2.5, 2.5), 2.2, stroke);
             line(at(-0.9, 0.9), at(4.5, -4.5));
+        }
+        Icon::Tick => {
+            line(at(-3.5, 0.0), at(-1.0, 3.0));
+            line(at(-1.0, 3.0), at(4.0, -3.5));
         }
         Icon::Eye => {
             let lid = |side: f32| {

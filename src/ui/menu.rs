@@ -1,15 +1,18 @@
 //! The menu bar: its items are rows of the table of bindings. At its right, the file and whether it has unsaved changes.
 
-use egui::{Align, Button, Label, Layout, MenuBar, RichText, Sense, ThemePreference, Ui, vec2};
+use egui::{Align, Button, Label, Layout, MenuBar, Response, RichText, Sense, ThemePreference, Ui, vec2};
 
-use super::icons::was_pressed;
+use super::icons::{self, Icon, was_pressed};
 use super::theme::Tokens;
 use crate::editor::keymap::{Binding, Group};
-use crate::editor::{Command, Edit, Editor, PlaybackCommand, ViewCommand};
+use crate::editor::{Command, Edit, Editor, FileCommand, PlaybackCommand, ViewCommand};
 use crate::interpolation::Interpolation;
 
 /// The menus, and which rows each takes.
 const MENUS: [&str; 5] = ["File", "Edit", "View", "Animation", "Help"];
+
+/// Room at both sides of an item, in points; at the left a tick stands in it.
+const INSET: f32 = 20.0;
 
 /// The menu that shows a row.
 fn menu_of(binding: &Binding) -> &'static str {
@@ -25,11 +28,10 @@ fn menu_of(binding: &Binding) -> &'static str {
 /// The place of a row in its menu, smaller first, and whether a line stands above it.
 fn order(command: &Command) -> u8 {
     match command {
-        Command::Undo | Command::File(crate::editor::FileCommand::ChooseOpen) => 0,
+        Command::Undo | Command::File(FileCommand::ChooseOpen) => 0,
         Command::Redo => 1,
-        Command::Cancel => 9,
-        Command::File(crate::editor::FileCommand::Screenshot(_)) => 7,
-        Command::File(crate::editor::FileCommand::Quit) => 9,
+        Command::File(FileCommand::Screenshot(_)) => 7,
+        Command::Cancel | Command::File(FileCommand::Quit) => 9,
         _ => 5,
     }
 }
@@ -39,7 +41,9 @@ pub fn show(ui: &mut Ui, editor: &Editor, bindings: &[Binding], commands: &mut V
     MenuBar::new().ui(ui, |ui| {
         for menu in MENUS {
             ui.menu_button(menu, |ui| {
-                ui.set_min_width(220.0);
+                ui.set_min_width(240.0);
+                ui.spacing_mut().button_padding.x = INSET;
+                ui.spacing_mut().item_spacing.y = 0.0;
                 let mut rows: Vec<&Binding> = bindings.iter().filter(|binding| menu_of(binding) == menu).collect();
                 rows.sort_by_key(|binding| order(&binding.command));
                 let mut last_order = rows.first().map_or(0, |binding| order(&binding.command));
@@ -76,20 +80,32 @@ fn item(ui: &mut Ui, editor: &Editor, binding: &Binding, commands: &mut Vec<Comm
         Command::View(ViewCommand::StartPicking) => session.is_picking,
         _ => false,
     };
-    let button = Button::selectable(is_on, label)
+    let button = Button::new(label)
         .shortcut_text(RichText::new(binding.menu_key()).monospace())
         .min_size(vec2(0.0, super::theme::ROW));
-    let response = ui.add_enabled(editor.can(&binding.command), button).on_hover_text(binding.help);
+    let response = ui.add_enabled(editor.can(&binding.command), button);
+    tick(ui, &response, is_on);
+    let response = response.on_hover_text(binding.help);
     if was_pressed(&response) {
         commands.push(binding.command.clone());
         ui.close();
     }
 }
 
+/// Marks an item that is on.
+fn tick(ui: &Ui, item: &Response, is_on: bool) {
+    if is_on {
+        let centre = item.rect.left_center() + vec2(INSET / 2.0, 0.0);
+        icons::paint(ui.painter(), Icon::Tick, centre, Tokens::of(ui).accent);
+    }
+}
+
 /// What the table has no keys for.
 fn more_items(ui: &mut Ui, menu: &str, editor: &Editor, commands: &mut Vec<Command>) {
     let choice = |ui: &mut Ui, is_on: bool, label: &str| {
-        let pressed = was_pressed(&ui.add(Button::selectable(is_on, label).min_size(vec2(0.0, super::theme::ROW))));
+        let response = ui.add(Button::new(label).min_size(vec2(0.0, super::theme::ROW)));
+        tick(ui, &response, is_on);
+        let pressed = was_pressed(&response);
         if pressed {
             ui.close();
         }

@@ -3,7 +3,7 @@
 use egui::{Align2, Painter, Pos2, Rect, Ui, vec2};
 
 use super::theme::{CORNER, GRID, Tokens, small_font};
-use crate::editor::Editor;
+use crate::editor::{Editor, Severity};
 
 /// Draws the texts into the corners of the 3D view.
 pub fn show(ui: &Ui, viewport: Rect, editor: &Editor) {
@@ -17,9 +17,15 @@ pub fn show(ui: &Ui, viewport: Rect, editor: &Editor) {
             tag(painter, next_to(after), Align2::LEFT_BOTTOM, "click what to move · Esc leaves", tokens.accent, tokens);
     }
     if editor.is_playing() {
-        tag(painter, next_to(after), Align2::LEFT_BOTTOM, "playing · y stops", tokens.accent, tokens);
+        after = tag(painter, next_to(after), Align2::LEFT_BOTTOM, "playing · y stops", tokens.accent, tokens);
     } else if editor.is_paused() {
-        tag(painter, next_to(after), Align2::LEFT_BOTTOM, "paused · Shift+P goes on", tokens.accent, tokens);
+        after = tag(painter, next_to(after), Align2::LEFT_BOTTOM, "paused · Shift+P goes on", tokens.accent, tokens);
+    }
+    let message = editor.message();
+    if !editor.session().shows_panels && !message.text.is_empty() {
+        // There is no status line to say it.
+        let colour = if message.severity == Severity::Error { tokens.error } else { tokens.text };
+        tag(painter, next_to(after), Align2::LEFT_BOTTOM, &message.text, colour, tokens);
     }
     let right = viewport.right_bottom() + vec2(-margin.x, margin.y);
     tag(painter, right, Align2::RIGHT_BOTTOM, "[h] help", tokens.text, tokens);

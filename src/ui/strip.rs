@@ -104,7 +104,7 @@ fn keyframes(ui: &Ui, editor: &Editor, origin: Pos2, seen: Rect, commands: &mut 
             x_of(1.0)..=x_of(points(count - 2)),
             origin.y + DIAMONDS - 14.0..=origin.y + DIAMONDS + 14.0,
         );
-        ui.painter().rect_filled(band.expand2(vec2(14.0, 0.0)), 6.0, tokens.raised);
+        ui.painter().rect_filled(band.expand2(vec2(14.0, 0.0)), 6.0, tokens.hovered);
         ui.painter().hline(band.x_range(), origin.y + DIAMONDS, Stroke::new(2.0, tokens.strong_line));
     }
     let first = place_at(seen.left());

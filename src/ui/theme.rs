@@ -183,8 +183,7 @@ fn visuals(tokens: &Tokens, theme: Theme) -> Visuals {
     visuals.widgets.hovered = widget(tokens.hovered, tokens.strong_line, tokens.text);
     visuals.widgets.active = widget(tokens.hovered, tokens.accent, tokens.text);
     visuals.widgets.open = widget(tokens.hovered, tokens.strong_line, tokens.text);
-    visuals.selection =
-        Selection { bg_fill: tokens.accent_fill, stroke: Stroke::new(1.0, tokens.accent), ..visuals.selection };
+    visuals.selection = Selection { bg_fill: tokens.accent_fill, stroke: Stroke::new(1.0, tokens.accent) };
     visuals.weak_text_color = Some(tokens.dim);
     visuals.hyperlink_color = tokens.information;
     visuals.error_fg_color = tokens.error;

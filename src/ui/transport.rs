@@ -8,7 +8,7 @@ use super::theme::{GRID, ROW, Tokens};
 use crate::editor::keymap::Binding;
 use crate::editor::{Command, Edit, Editor, PlaybackCommand};
 use crate::interpolation::Interpolation;
-use crate::keyframe::{MS_BETWEEN_KEYFRAMES_RANGE, PlayRange};
+use crate::keyframe::{KeyframeIndex, MS_BETWEEN_KEYFRAMES_RANGE, PlayRange};
 
 /// Shows the row.
 pub fn show(ui: &mut Ui, editor: &Editor, bindings: &[Binding], commands: &mut Vec<Command>) {
@@ -58,7 +58,7 @@ pub fn key_time_text(editor: &Editor) -> String {
     if let Some(key_time) = editor.key_time() {
         return format!("key {key_time:.2} / {last}");
     }
-    match keyframes.current().map(|current| current.get()) {
+    match keyframes.current().map(KeyframeIndex::get) {
         Some(current) if (1..=last + 1).contains(&current) => format!("key {:.2} / {last}", current_key_time(current)),
         _ => format!("key –.–– / {last}"),
     }

@@ -87,6 +87,12 @@ impl Pointer {
         was_dragging.then_some(Action::Commit)
     }
 
+    /// What the drag that goes on does; `None` where there is none.
+    #[must_use]
+    pub const fn dragging(&self, space: bool) -> Option<DragKind> {
+        if self.is_dragging { self.kind(space) } else { None }
+    }
+
     const fn kind(&self, space: bool) -> Option<DragKind> {
         match (self.left, self.middle, self.right) {
             (_, true, _) | (true, _, true) => Some(DragKind::Dolly),

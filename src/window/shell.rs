@@ -3,28 +3,25 @@
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use egui::Order;
 use glam::Vec2;
 use winit::application::ApplicationHandler;
-use winit::dpi::{LogicalSize, PhysicalPosition};
-use winit::event::{ElementState, MouseButton, MouseScrollDelta, WindowEvent};
+use winit::dpi::LogicalSize;
+use winit::event::WindowEvent;
 use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoopProxy};
 use winit::keyboard::ModifiersState;
 use winit::window::{Window, WindowId};
 
 use super::keys::{KeyInput, SpaceBar};
-use super::pointer::{Action, Button, Pointer};
+use super::pointer::Pointer;
 use super::stage::Stage;
 use super::{Happening, WindowError, now};
 use crate::clock::AnimationClock;
-use crate::editor::keymap::{Binding, binding_for, bindings};
-use crate::editor::{Command, Edit, Editor, FileCommand, GestureCommand, ViewCommand};
+use crate::editor::keymap::{Binding, bindings};
+use crate::editor::{Command, Editor, FileCommand};
 use crate::ui::Ui;
 
 /// A window that stood still for longer goes on from there: it does not catch up.
 const LONGEST_STALL: Duration = Duration::from_millis(250);
-/// Pixels of a touchpad's scrolling that are as much as one notch of a wheel.
-const PIXELS_PER_NOTCH: f64 = 50.0;
 /// The window's size at first, in points.
 const SIZE: LogicalSize<f64> = LogicalSize::new(1280.0, 800.0);
 /// The smallest size at which the panels leave room for the scene, in points.
@@ -39,12 +36,12 @@ pub struct Shell {
     pub(super) is_choosing_path: bool,
     pub(super) is_quitting: bool,
     at_start: Vec<Command>,
-    bindings: Vec<Binding>,
-    modifiers: ModifiersState,
-    space: SpaceBar,
-    pointer: Pointer,
+    pub(super) bindings: Vec<Binding>,
+    pub(super) modifiers: ModifiersState,
+    pub(super) space: SpaceBar,
+    pub(super) pointer: Pointer,
     /// Where the pointer is, in the window's pixels.
-    pointer_px: Vec2,
+    pub(super) pointer_px: Vec2,
     clock: AnimationClock,
     /// When the clock last took in time; `None` while nothing plays.
     last_tick: Option<Instant>,
@@ -96,6 +93,7 @@ impl Shell {
             Err(error) => {
                 self.error = Some(error);
                 event_loop.exit();
+                return;
             }
         }
         for command in std::mem::take(&mut self.at_start) {
@@ -122,8 +120,10 @@ impl Shell {
 
     /// Shows the panels, does what they ask for, and draws the scene as it is then: a drag is seen in the same picture.
     fn redraw(&mut self) {
+        let cursor = self.cursor();
+        let hovered = self.hovered();
         let Some(stage) = &mut self.stage else { return };
-        let Some(mut laid_out) = stage.lay_out(&mut self.ui, &self.editor) else { return };
+        let Some(mut laid_out) = stage.lay_out(&mut self.ui, &self.editor, cursor) else { return };
         let commands = std::mem::take(&mut laid_out.output.commands);
         let answer = laid_out.output.quit_answer.take();
         let again = !commands.is_empty() || answer.is_some() || laid_out.again_after.is_zero();
@@ -135,127 +135,16 @@ impl Shell {
             self.quit_answered(answer);
         }
         if let Some(stage) = &mut self.stage {
-            stage.paint(&self.editor, laid_out);
+            stage.paint(&self.editor, hovered, laid_out);
             if again {
                 stage.window.request_redraw();
             }
         }
     }
 
-    fn request_redraw(&self) {
+    pub(super) fn request_redraw(&self) {
         if let Some(stage) = &self.stage {
             stage.window.request_redraw();
-        }
-    }
-
-    fn key(&mut self, input: &KeyInput) {
-        let Some(stage) = &self.stage else { return };
-        let Some(press) = input.press() else { return };
-        // A field takes every key; a button that was reached with Tab takes the space bar.
-        let is_typing = self.ui.has_keyboard(&stage.context);
-        let is_focused = is_typing || stage.context.egui_wants_keyboard_input();
-        if input.is_space() {
-            if input.is_pressed {
-                self.space.press(is_focused);
-                return;
-            }
-            if !self.space.release() {
-                return;
-            }
-        } else if !input.is_pressed || is_typing {
-            return;
-        }
-        if let Some(command) = binding_for(&self.bindings, press).map(|binding| binding.command.clone()) {
-            self.apply(command);
-            self.request_redraw();
-        }
-    }
-
-    /// Whether what happens at a pixel of the window is the scene's.
-    fn is_over_scene(&self, at_px: Vec2) -> bool {
-        let Some(stage) = &self.stage else { return false };
-        let at = at_px / stage.context.pixels_per_point();
-        let layer = stage.context.layer_id_at(egui::pos2(at.x, at.y));
-        !self.ui.has_dialog()
-            && stage.view.contains(at_px)
-            && layer.is_none_or(|layer| layer.order == Order::Background)
-    }
-
-    fn in_view(&self, at_px: Vec2) -> Vec2 {
-        at_px - self.stage.as_ref().map_or(Vec2::ZERO, |stage| stage.view.min_px)
-    }
-
-    /// The pointer moved. Says whether anything that is drawn may change.
-    fn moved(&mut self, position: PhysicalPosition<f64>) -> bool {
-        #[expect(clippy::cast_possible_truncation, reason = "windows are small")]
-        let at_px = Vec2::new(position.x as f32, position.y as f32);
-        let was_over_scene = self.is_over_scene(self.pointer_px);
-        self.pointer_px = at_px;
-        let is_held = self.pointer.is_held();
-        for action in self.pointer.move_to(self.in_view(at_px), self.space.is_held()) {
-            self.act(action);
-        }
-        is_held || !was_over_scene || !self.is_over_scene(at_px)
-    }
-
-    fn button(&mut self, state: ElementState, button: MouseButton) {
-        let button = match button {
-            MouseButton::Left => Button::Left,
-            MouseButton::Middle => Button::Middle,
-            MouseButton::Right => Button::Right,
-            _ => return,
-        };
-        let action = match state {
-            ElementState::Pressed if self.is_over_scene(self.pointer_px) => {
-                let picks = self.editor.session().is_picking || self.modifiers.control_key();
-                self.pointer.press(button, self.in_view(self.pointer_px), picks)
-            }
-            ElementState::Pressed => None,
-            ElementState::Released => self.pointer.release(button),
-        };
-        if let Some(action) = action {
-            self.act(action);
-        }
-    }
-
-    fn act(&mut self, action: Action) {
-        let Some(stage) = &self.stage else { return };
-        let camera = self.editor.camera(stage.view.size_px);
-        match action {
-            Action::Pick(at_px) => {
-                let rbt = self.editor.node_under(camera.ray_through(at_px));
-                self.apply(Command::View(ViewCommand::Choose(rbt)));
-            }
-            Action::Begin => {
-                self.space.drag();
-                self.apply(Command::Gesture(GestureCommand::Begin));
-            }
-            // A drag that was refused or taken back does nothing more.
-            Action::Move { .. } | Action::Commit if !self.editor.is_dragging() => {}
-            Action::Move { kind, from_px, to_px } => {
-                let motion = self.editor.manipulation(&camera).motion(kind, from_px, to_px);
-                self.apply(Command::Gesture(GestureCommand::Move(motion)));
-            }
-            Action::Commit => self.apply(Command::Gesture(GestureCommand::Commit)),
-        }
-        self.request_redraw();
-    }
-
-    fn wheel(&mut self, delta: MouseScrollDelta) {
-        let Some(stage) = &self.stage else { return };
-        if !self.is_over_scene(self.pointer_px) {
-            return;
-        }
-        #[expect(clippy::cast_possible_truncation, reason = "scrolling is small")]
-        let notches = match delta {
-            MouseScrollDelta::LineDelta(_, lines) => lines,
-            MouseScrollDelta::PixelDelta(pixels) => (pixels.y / PIXELS_PER_NOTCH) as f32,
-        };
-        if notches != 0.0 {
-            let camera = self.editor.camera(stage.view.size_px);
-            let motion = self.editor.manipulation(&camera).wheel(notches);
-            self.apply(Command::Edit(Edit::Wheel(motion)));
-            self.request_redraw();
         }
     }
 
@@ -323,7 +212,11 @@ impl ApplicationHandler<Happening> for Shell {
                 shows = true;
             }
             WindowEvent::DroppedFile(path) => self.apply(Command::File(FileCommand::Open(path))),
-            WindowEvent::ModifiersChanged(modifiers) => self.modifiers = modifiers.state(),
+            WindowEvent::ModifiersChanged(modifiers) => {
+                // With Ctrl a click chooses, and the node that it would choose is outlined.
+                shows |= self.modifiers.control_key() != modifiers.state().control_key();
+                self.modifiers = modifiers.state();
+            }
             WindowEvent::KeyboardInput { event, is_synthetic, .. } => {
                 self.key(&KeyInput::new(&event, is_synthetic, self.modifiers));
             }

@@ -11,6 +11,7 @@ use winit::window::Window;
 use super::{Happening, WindowError};
 use crate::editor::Editor;
 use crate::frame::Frame;
+use crate::pose::RbtIndex;
 use crate::render::{Gpu, GpuError, Image, Offscreen, Renderer, Viewport, default_samples};
 use crate::ui::{Ui, UiOutput, theme};
 
@@ -135,8 +136,8 @@ impl Stage {
         self.is_configured = false;
     }
 
-    /// Lays out the panels, with the input that came since. `None` where the window has no size. What comes back must be painted.
-    pub fn lay_out(&mut self, ui: &mut Ui, editor: &Editor) -> Option<LaidOut> {
+    /// Lays out the panels, with the input that came since. Over the scene the pointer is `cursor`, where that is given. `None` where the window has no size. What comes back must be painted.
+    pub fn lay_out(&mut self, ui: &mut Ui, editor: &Editor, cursor: Option<egui::CursorIcon>) -> Option<LaidOut> {
         let size = self.window.inner_size();
         if size.width == 0 || size.height == 0 {
             return None;
@@ -154,6 +155,9 @@ impl Stage {
             output.viewport = now.viewport;
             output.quit_answer = output.quit_answer.or(now.quit_answer);
         });
+        if let Some(cursor) = cursor {
+            shown.platform_output.cursor_icon = cursor;
+        }
         self.input.handle_platform_output(&self.window, std::mem::take(&mut shown.platform_output));
         let root = shown.viewport_output.get(&egui::ViewportId::ROOT);
         self.view = View::new(output.viewport, shown.pixels_per_point);
@@ -166,29 +170,32 @@ impl Stage {
         })
     }
 
-    /// Paints the scene as it is now, and panels over it.
-    pub fn paint(&mut self, editor: &Editor, mut laid_out: LaidOut) {
+    /// Paints the scene as it is now, with the node outlined that a click would choose, and panels over it.
+    pub fn paint(&mut self, editor: &Editor, hovered: Option<RbtIndex>, mut laid_out: LaidOut) {
         for (id, deltas) in laid_out.textures.set.drain() {
             for delta in deltas {
                 self.panels.update_texture(&self.gpu.device, &self.gpu.queue, id, &delta);
             }
         }
-        self.draw(editor, &laid_out.jobs, laid_out.pixels_per_point);
+        let mut frame = Frame::of_editor(editor, self.view.size_px);
+        if let Some(hovered) = hovered {
+            frame.outline(editor.scene(), hovered);
+        }
+        self.draw(&frame, &laid_out.jobs, laid_out.pixels_per_point);
         for id in laid_out.textures.free.drain() {
             self.panels.free_texture(&id);
         }
     }
 
-    fn draw(&mut self, editor: &Editor, jobs: &[egui::ClippedPrimitive], pixels_per_point: f32) {
+    fn draw(&mut self, frame: &Frame, jobs: &[egui::ClippedPrimitive], pixels_per_point: f32) {
         let Some(texture) = self.next_texture() else { return };
         let view = |format| {
             texture.texture.create_view(&wgpu::TextureViewDescriptor { format: Some(format), ..Default::default() })
         };
         let size_in_pixels = [self.configuration.width, self.configuration.height];
         let mut encoder = self.gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        let frame = Frame::of_editor(editor, self.view.size_px);
         let viewport = viewport(self.view, size_in_pixels);
-        self.renderer.encode(&self.gpu, &mut encoder, &frame, &view(self.scene_format), viewport);
+        self.renderer.encode(&self.gpu, &mut encoder, frame, &view(self.scene_format), viewport);
         let screen = ScreenDescriptor { size_in_pixels, pixels_per_point };
         let mut buffers = self.panels.update_buffers(&self.gpu.device, &self.gpu.queue, &mut encoder, jobs, &screen);
         let over = view(self.configuration.format);

@@ -137,7 +137,7 @@ fn files_beyond_the_limits_are_refused_unread() {
         .run(&["script", "script.txt"])
         .refuses("script.txt: the file has 16777217 bytes, and at most 16777216 are read");
     sandbox.run(&["nodes", "--scene", "scene.json"]).refuses(
-        "scene.json: neither a built-in scene (two-robots) nor a file that can be read: \
+        "scene.json: neither a built-in scene (two-robots, cylinder, orbits) nor a file that can be read: \
          the file has 268435457 bytes, and at most 268435456 are read",
     );
 }

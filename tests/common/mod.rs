@@ -9,7 +9,7 @@ use glam::Vec3;
 use inbetween::editor::keymap::{binding_for, bindings, press_from_word};
 use inbetween::editor::{Command, Edit, Editor, Effect};
 use inbetween::interpolation::Interpolation;
-use inbetween::keyframe::MS_BETWEEN_KEYFRAMES_RANGE;
+use inbetween::keyframe::{KeyframeIndex, MS_BETWEEN_KEYFRAMES_RANGE};
 use inbetween::pose::Pose;
 use inbetween::scene::{DEFAULT_SCENE, built_in_scene};
 
@@ -63,7 +63,7 @@ pub fn editor_with(keyframes: usize) -> Editor {
 /// The list as text: the x of each keyframe, the current one in brackets, and after a bar the x on screen.
 pub fn shown(editor: &Editor) -> String {
     let document = editor.document();
-    let current = document.keyframes.current().map(|index| index.get());
+    let current = document.keyframes.current().map(KeyframeIndex::get);
     let list: Vec<String> = document
         .keyframes
         .as_slice()

@@ -1,3 +1,5 @@
+//! Meshes are closed, face outwards, and keep their roundings.
+
 use std::collections::HashMap;
 
 use glam::Vec3;

@@ -1,3 +1,5 @@
+//! Scripts and what becomes of their lines.
+
 use super::*;
 use crate::scene::{DEFAULT_SCENE, built_in_scene, scene_from_json};
 

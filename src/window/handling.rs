@@ -1,0 +1,159 @@
+//! What keys, buttons and movements do: hotkeys, drags, clicks, the wheel.
+
+use egui::{CursorIcon, Order};
+use glam::Vec2;
+use winit::dpi::PhysicalPosition;
+use winit::event::{ElementState, MouseButton, MouseScrollDelta};
+
+use super::keys::KeyInput;
+use super::pointer::{Action, Button};
+use super::shell::Shell;
+use crate::editor::keymap::{Key, binding_for};
+use crate::editor::{Command, DragKind, Edit, GestureCommand, ViewCommand};
+use crate::pose::RbtIndex;
+
+/// Pixels of a touchpad's scrolling that are as much as one notch of a wheel.
+const PIXELS_PER_NOTCH: f64 = 50.0;
+
+impl Shell {
+    /// The pointer's shape over the scene: what a drag does, or that a click chooses.
+    pub(super) fn cursor(&self) -> Option<CursorIcon> {
+        match self.pointer.dragging(self.space.is_held()) {
+            Some(_) if !self.editor.is_dragging() => Some(CursorIcon::NotAllowed),
+            Some(DragKind::Rotate) => Some(CursorIcon::Grabbing),
+            Some(DragKind::Translate) => Some(CursorIcon::Move),
+            Some(DragKind::Dolly) => Some(CursorIcon::ResizeVertical),
+            None => (self.editor.session().is_picking && self.is_over_scene(self.pointer_px))
+                .then_some(CursorIcon::Crosshair),
+        }
+    }
+
+    /// The node that a click would choose, while a click chooses.
+    pub(super) fn hovered(&self) -> Option<RbtIndex> {
+        let stage = self.stage.as_ref()?;
+        if !self.picks() || self.pointer.is_held() || !self.is_over_scene(self.pointer_px) {
+            return None;
+        }
+        let camera = self.editor.camera(stage.view.size_px);
+        self.editor.node_under(camera.ray_through(self.in_view(self.pointer_px)))
+    }
+
+    /// Whether a left click in the scene chooses.
+    pub(super) fn picks(&self) -> bool {
+        self.editor.session().is_picking || self.modifiers.control_key()
+    }
+
+    pub(super) fn key(&mut self, input: &KeyInput) {
+        let Some(stage) = &self.stage else { return };
+        let Some(press) = input.press() else { return };
+        // A field takes every key; a button that was reached with Tab takes the space bar.
+        let is_typing = self.ui.has_keyboard(&stage.context);
+        let is_focused = is_typing || stage.context.egui_wants_keyboard_input();
+        if input.is_space() {
+            if input.is_pressed {
+                self.space.press(is_focused);
+                return;
+            }
+            if !self.space.release() {
+                return;
+            }
+        } else if !input.is_pressed || is_typing {
+            return;
+        }
+        if press.typed == Some(Key::Escape) && self.ui.takes_escape(&stage.context) {
+            return;
+        }
+        if let Some(command) = binding_for(&self.bindings, press).map(|binding| binding.command.clone()) {
+            self.apply(command);
+            self.request_redraw();
+        }
+    }
+
+    /// Whether what happens at a pixel of the window is the scene's.
+    pub(super) fn is_over_scene(&self, at_px: Vec2) -> bool {
+        let Some(stage) = &self.stage else { return false };
+        let at = at_px / stage.context.pixels_per_point();
+        let layer = stage.context.layer_id_at(egui::pos2(at.x, at.y));
+        !self.ui.has_dialog()
+            && stage.view.contains(at_px)
+            && layer.is_none_or(|layer| layer.order == Order::Background)
+    }
+
+    pub(super) fn in_view(&self, at_px: Vec2) -> Vec2 {
+        at_px - self.stage.as_ref().map_or(Vec2::ZERO, |stage| stage.view.min_px)
+    }
+
+    /// The pointer moved. Says whether anything that is drawn may change.
+    pub(super) fn moved(&mut self, position: PhysicalPosition<f64>) -> bool {
+        #[expect(clippy::cast_possible_truncation, reason = "windows are small")]
+        let at_px = Vec2::new(position.x as f32, position.y as f32);
+        let was_over_scene = self.is_over_scene(self.pointer_px);
+        self.pointer_px = at_px;
+        let is_held = self.pointer.is_held();
+        for action in self.pointer.move_to(self.in_view(at_px), self.space.is_held()) {
+            self.act(action);
+        }
+        is_held || self.picks() || !was_over_scene || !self.is_over_scene(at_px)
+    }
+
+    pub(super) fn button(&mut self, state: ElementState, button: MouseButton) {
+        let button = match button {
+            MouseButton::Left => Button::Left,
+            MouseButton::Middle => Button::Middle,
+            MouseButton::Right => Button::Right,
+            _ => return,
+        };
+        let action = match state {
+            ElementState::Pressed if self.is_over_scene(self.pointer_px) => {
+                let picks = self.picks();
+                self.pointer.press(button, self.in_view(self.pointer_px), picks)
+            }
+            ElementState::Pressed => None,
+            ElementState::Released => self.pointer.release(button),
+        };
+        if let Some(action) = action {
+            self.act(action);
+        }
+    }
+
+    pub(super) fn act(&mut self, action: Action) {
+        let Some(stage) = &self.stage else { return };
+        let camera = self.editor.camera(stage.view.size_px);
+        match action {
+            Action::Pick(at_px) => {
+                let rbt = self.editor.node_under(camera.ray_through(at_px));
+                self.apply(Command::View(ViewCommand::Choose(rbt)));
+            }
+            Action::Begin => {
+                self.space.drag();
+                self.apply(Command::Gesture(GestureCommand::Begin));
+            }
+            // Nothing goes on that was refused or taken back.
+            Action::Move { .. } | Action::Commit if !self.editor.is_dragging() => {}
+            Action::Move { kind, from_px, to_px } => {
+                let motion = self.editor.manipulation(&camera).motion(kind, from_px, to_px);
+                self.apply(Command::Gesture(GestureCommand::Move(motion)));
+            }
+            Action::Commit => self.apply(Command::Gesture(GestureCommand::Commit)),
+        }
+        self.request_redraw();
+    }
+
+    pub(super) fn wheel(&mut self, delta: MouseScrollDelta) {
+        let Some(stage) = &self.stage else { return };
+        if !self.is_over_scene(self.pointer_px) {
+            return;
+        }
+        #[expect(clippy::cast_possible_truncation, reason = "scrolling is small")]
+        let notches = match delta {
+            MouseScrollDelta::LineDelta(_, lines) => lines,
+            MouseScrollDelta::PixelDelta(pixels) => (pixels.y / PIXELS_PER_NOTCH) as f32,
+        };
+        if notches != 0.0 {
+            let camera = self.editor.camera(stage.view.size_px);
+            let motion = self.editor.manipulation(&camera).wheel(notches);
+            self.apply(Command::Edit(Edit::Wheel(motion)));
+            self.request_redraw();
+        }
+    }
+}
