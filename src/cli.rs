@@ -9,6 +9,7 @@ mod arguments;
 mod check;
 mod compare;
 mod error;
+mod interrupt;
 mod nodes;
 mod output;
 mod picture;
@@ -19,6 +20,7 @@ mod sample;
 mod scene;
 mod script;
 mod times;
+mod verify;
 mod window;
 
 use std::ffi::OsString;
@@ -61,6 +63,7 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>) -> Result<(), CliErro
         Some(Subcommand::Nodes) => nodes::run(&scene::load(scene)?),
         Some(Subcommand::Sample(arguments)) => sample::run(&arguments, &scene::load(scene)?),
         Some(Subcommand::Render(arguments)) => render::run(&arguments, scene),
+        Some(Subcommand::Verify(arguments)) => verify::run(&arguments, scene),
         Some(Subcommand::Compare(arguments)) => compare::run(&arguments),
         Some(Subcommand::Script(arguments)) => script::run(&arguments, scene::load(scene)?),
     }

@@ -65,6 +65,7 @@ pub mod cli;
 pub mod clock;
 pub mod compare;
 pub mod editor;
+pub mod film;
 pub mod frame;
 pub mod interpolation;
 pub mod json;

@@ -9,6 +9,7 @@
 
 mod bounds;
 mod gpu;
+mod identity;
 mod image;
 mod instances;
 mod light;
@@ -22,6 +23,7 @@ mod targets;
 mod uniforms;
 
 pub use gpu::{Gpu, GpuError};
+pub use identity::node_picture;
 pub use image::Image;
 pub use offscreen::Offscreen;
 pub use read::ImageReadError;
