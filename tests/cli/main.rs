@@ -2,9 +2,11 @@
 
 mod check;
 mod compare;
+mod films;
 mod playback;
 mod render;
 mod sample;
 mod sandbox;
 mod script;
 mod usage;
+mod verify;
