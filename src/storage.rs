@@ -77,6 +77,17 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), StorageError> {
     Ok(())
 }
 
+/// As [`write`], but without waiting for the disk: for pictures that can be made again. After a power cut they may be gone; an
+/// interrupted program leaves them whole or not at all.
+///
+/// # Errors
+/// [`StorageError::System`]; the file is as it was then.
+pub fn write_unsynced(path: &Path, bytes: &[u8]) -> Result<(), StorageError> {
+    let foreign = Foreign::new(path)?;
+    fs::write(foreign.path(), bytes)?;
+    Ok(fs::rename(foreign.path(), &foreign.target)?)
+}
+
 /// Copies a file, if it exists, to the first free name of `NAME.bak`, `NAME.bak2` and on, and says which.
 ///
 /// # Errors

@@ -70,14 +70,18 @@ pub fn run(arguments: &RenderArguments, scene: Option<&Path>) -> Result<(), CliE
         (Target::Folder, _) => {
             let moments =
                 Moments::of_film(arguments, source, view, arguments.fps.unwrap_or(target::FRAMES_PER_SECOND))?;
-            film::write_folder(output, &stage, &moments, &mut painter, &mut manifest)?;
+            // Hashing costs time.
+            let listed = arguments.manifest.is_some().then_some(&mut manifest);
+            film::write_folder(output, &stage, &moments, &mut painter, listed)?;
         }
         (Target::Film(_) | Target::Mp4, _) => {
             let fps = arguments.fps.unwrap_or(target.usual_frames_per_second());
             let moments = Moments::of_film(arguments, source, view, fps)?;
             let plan = moments.plan(size, fps, !is_seen_through)?;
             film::write_film(output, target, plan, &stage, &moments, &mut painter)?;
-            manifest.add_file(output)?;
+            if arguments.manifest.is_some() {
+                manifest.add_file(output)?;
+            }
         }
     }
     arguments.manifest.as_deref().map_or(Ok(()), |path| manifest.write(path))

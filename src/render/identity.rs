@@ -58,8 +58,8 @@ pub fn node_picture(gpu: &Gpu, frame: &Frame, width: u32, height: u32) -> Result
     };
     let attachment = wgpu::TextureUsages::RENDER_ATTACHMENT;
     let target = texture(FORMAT, attachment | wgpu::TextureUsages::COPY_SRC);
-    let (view, depth) =
-        (target.create_view(&Default::default()), texture(DEPTH_FORMAT, attachment).create_view(&Default::default()));
+    let whole = wgpu::TextureViewDescriptor::default();
+    let (view, depth) = (target.create_view(&whole), texture(DEPTH_FORMAT, attachment).create_view(&whole));
     let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
     {
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {

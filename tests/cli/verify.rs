@@ -89,3 +89,14 @@ fn a_bad_list_is_bad_input_and_says_where() {
     check(json!({"name": "a", "colour": "red"}), "dir/pictures.json: unknown field `colour`");
     sandbox.run(&["verify", "none"]).refuses("none/pictures.json: there is no such file or folder");
 }
+
+#[test]
+fn the_documented_list_verifies() {
+    let sandbox = sandbox();
+    let text = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/assets/ci/README.md")).unwrap();
+    let example = text.split("```json\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
+    sandbox.write("dir/pictures.json", example);
+    std::fs::rename(sandbox.path("dir/a.json"), sandbox.path("dir/wave.json")).unwrap();
+    sandbox.run(&["verify", "dir", "--update"]).succeeds();
+    sandbox.run(&["verify", "dir"]).succeeds();
+}

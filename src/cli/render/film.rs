@@ -17,7 +17,7 @@ use crate::storage::{self, Draft, Foreign};
 /// Frames that stand for a film when its palette is chosen.
 const PALETTE_FRAMES: usize = 6;
 
-/// Writes frame-00000.png and on into a folder, which is made where it is missing.
+/// Writes frame-00000.png and on into a folder, which is made where it is missing, and lists them in the manifest if there is one.
 ///
 /// # Errors
 /// [`CliError`]; frames that are written stay, each of them whole.
@@ -26,11 +26,17 @@ pub fn write_folder(
     stage: &Stage<'_>,
     moments: &Moments,
     painter: &mut Painter,
-    manifest: &mut Manifest,
+    mut manifest: Option<&mut Manifest>,
 ) -> Result<(), CliError> {
     storage::create_folder(folder).map_err(|reason| CliError::unwritten(folder, reason))?;
     pipeline::draw(moments, stage, painter, &Interrupt::listen(), |place, image| {
-        super::write(&folder.join(format!("frame-{place:05}.png")), &image.to_png()?, manifest)
+        let path = folder.join(format!("frame-{place:05}.png"));
+        let png = image.to_png()?;
+        storage::write_unsynced(&path, &png).map_err(|reason| CliError::unwritten(&path, reason))?;
+        if let Some(manifest) = &mut manifest {
+            manifest.add(&path, &png);
+        }
+        Ok(())
     })
 }
 

@@ -1,5 +1,6 @@
 //! What was rendered with what, as JSON: so that someone else can tell why their pictures differ.
 
+use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
@@ -39,7 +40,11 @@ impl Manifest {
 
     /// Adds a file that was just written with these bytes.
     pub fn add(&mut self, path: &Path, bytes: &[u8]) {
-        let hash = Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect();
+        let mut hash = String::new();
+        for byte in Sha256::digest(bytes) {
+            // Writing to a string does not fail.
+            let _ = write!(hash, "{byte:02x}");
+        }
         self.files.push((path.to_owned(), hash));
     }
 
