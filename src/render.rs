@@ -21,6 +21,7 @@ mod read;
 mod renderer;
 mod targets;
 mod uniforms;
+mod warm_up;
 
 pub use gpu::{Gpu, GpuError};
 pub use identity::node_picture;

@@ -8,6 +8,7 @@ mod pipeline;
 mod stage;
 mod target;
 
+use std::mem::ManuallyDrop;
 use std::path::Path;
 
 use super::animation::Animation;
@@ -47,7 +48,8 @@ pub fn run(arguments: &RenderArguments, scene: Option<&Path>) -> Result<(), CliE
         }
         film::find_ffmpeg(&arguments.output)?;
     }
-    let mut painter = Painter::new(size, arguments.samples)?;
+    // The system takes back in no time what a driver takes milliseconds to give back, and the process ends after this.
+    let mut painter = ManuallyDrop::new(Painter::new(size, arguments.samples)?);
     painter.set_background(arguments.background);
     let scene = scene::load(scene)?;
     let animation =

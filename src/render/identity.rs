@@ -11,6 +11,7 @@ use crate::render::gpu::{Gpu, GpuError};
 use crate::render::instances::{INSTANCES_START, Instance, Packed};
 use crate::render::mesh::{Mesh, Vertex};
 use crate::render::pipelines::DEPTH_FORMAT;
+use crate::render::renderer::Viewport;
 use crate::render::uniforms::Globals;
 use crate::scene::MeshKind;
 
@@ -27,7 +28,7 @@ pub fn node_picture(gpu: &Gpu, frame: &Frame, width: u32, height: u32) -> Result
     }
     let device = &gpu.device;
     let mut packed = Packed::default();
-    packed.pack(frame, &Globals::new(&frame.view, None, [width, height]));
+    packed.pack(frame, &Globals::new(frame, None, Viewport::whole(width, height)));
     let usage = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::VERTEX;
     // The globals' binding ends where instances begin, also where there are none.
     let frame_buffer = device.create_buffer_init(&BufferInitDescriptor { label: None, contents: &packed.bytes, usage });

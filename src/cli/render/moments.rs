@@ -2,9 +2,12 @@
 
 use std::path::Path;
 
+use num_rational::BigRational;
+use num_traits::FromPrimitive as _;
+
 use super::super::animation::Animation;
 use super::super::arguments::{RenderArguments, Size};
-use super::super::times::frame_times;
+use super::super::times::{FrameTime, frame_times};
 use super::super::{CliError, misuse};
 use super::View;
 use crate::film::{Grid, Plan};
@@ -123,20 +126,28 @@ impl Moments {
         let still = |start_ms| Moment { shown: Shown::Rest, seconds: seconds_at(start_ms), start_ms, turn: 0.0 };
         let mut all: Vec<Moment> = if let Some(animation) = source.animation {
             let [from, to] = source.span(arguments, animation)?;
-            let ms = f64::from(animation.ms_between_keyframes);
+            let (ms, timing) = (animation.ms_between_keyframes, source.range(animation)?.timing());
             let moment = |key_time: f64, start_ms| Moment { shown: Shown::KeyTime(key_time), ..still(start_ms) };
             if arguments.from.is_none() && arguments.to.is_none() {
-                let last = source.range(animation)?.last_key_time();
-                let times = frame_times(fps, animation.ms_between_keyframes, last);
-                times.map(|time| moment(time.key_time, time.ms)).collect()
+                frame_times(fps, ms, timing).map(|time| moment(time.key_time, time.ms)).collect()
             } else {
-                starts((to - from) * ms, fps).map(|start_ms| moment((from + start_ms / ms).min(to), start_ms)).collect()
+                let [start, end] = [from, to].map(|key_time| FrameTime::at_key_time(key_time, ms, timing).ms);
+                let key_time = |start_ms: f64| {
+                    let elapsed = BigRational::from_f64((start + start_ms) / f64::from(ms)).unwrap_or_default();
+                    timing.key_time_at(&elapsed).clamp(from, to)
+                };
+                let mut all: Vec<Moment> =
+                    starts(end - start, fps).map(|start_ms| moment(key_time(start_ms), start_ms)).collect();
+                // The ends as they were named, to the bit.
+                let last = all.len() - 1;
+                (all[last].shown, all[0].shown) = (Shown::KeyTime(to), Shown::KeyTime(from));
+                all
             }
         } else if let Some(last_second) = source.scene.last_second().filter(|&second| second > arguments.seconds) {
             starts((last_second - arguments.seconds) * 1000.0, fps).map(still).collect()
         } else if view == View::Turntable {
             // The end would be the start again.
-            frame_times(fps, TURN_MS, 1).take((TURN_MS * fps / 1000) as usize).map(|time| still(time.ms)).collect()
+            starts(f64::from(TURN_MS), fps).take((TURN_MS * fps / 1000) as usize).map(still).collect()
         } else {
             return Err(source.bad_input("nothing moves: name a keyframe file, or --camera turntable"));
         };
@@ -158,11 +169,11 @@ impl Moments {
         let still = Moment { shown: Shown::Rest, seconds: arguments.seconds, start_ms: 0.0, turn: 0.0 };
         let all = if let Some(animation) = source.animation {
             let [from, to] = source.span(arguments, animation)?;
-            let ms = f64::from(animation.ms_between_keyframes);
+            let (ms, timing) = (animation.ms_between_keyframes, source.range(animation)?.timing());
             fractions
                 .map(|fraction| {
                     let key_time = (from + (to - from) * fraction).min(to);
-                    let seconds = arguments.seconds + key_time * ms / 1000.0;
+                    let seconds = arguments.seconds + FrameTime::at_key_time(key_time, ms, timing).ms / 1000.0;
                     Moment { shown: Shown::KeyTime(key_time), seconds, turn: fraction, ..still }
                 })
                 .collect()

@@ -14,8 +14,8 @@ use crate::scene::{Colour, MeshKind, SceneGraph};
 /// How far the turntable's camera looks down, in degrees.
 const TURNTABLE_DOWN: f32 = 12.0;
 /// Ghosts of keyframes before and after.
-const BEFORE: &str = "#f2a33a";
-const AFTER: &str = "#5aa9e6";
+const BEFORE: &str = "#e08a4b";
+const AFTER: &str = "#4ba3d9";
 /// Opacity of the nearest ghost.
 const GHOST_OPACITY: f32 = 0.42;
 
