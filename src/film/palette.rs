@@ -12,6 +12,8 @@ use crate::render::Image;
 pub const MOST_COLOURS: usize = 255;
 /// About so many pixels of the sampled pictures are looked at.
 const SAMPLED_PIXELS: usize = 120_000;
+/// At least about so many pixels are learned from.
+const LEARNED_PIXELS: usize = 60_000;
 /// How far a dithered channel is moved at most, in levels of 256.
 const DITHER_LEVELS: i32 = 9;
 /// Bits a channel of the table of nearest colours.
@@ -68,6 +70,8 @@ impl Palette {
         // A step that is odd and no multiple of usual widths looks at every column.
         let step = (pixels.clone().count() / SAMPLED_PIXELS).max(1) | 1;
         let sample: Vec<u8> = pixels.step_by(step).flat_map(|pixel| [pixel[0], pixel[1], pixel[2], u8::MAX]).collect();
+        // The network learns by repetition: few pixels are shown often.
+        let sample = sample.repeat((LEARNED_PIXELS * 4 / sample.len().max(1)).max(1));
         let found = NeuQuant::new(3, MOST_COLOURS, &sample).color_map_rgb();
         let mut colours: Vec<[u8; 3]> = found.chunks_exact(3).map(|colour| [colour[0], colour[1], colour[2]]).collect();
         colours.sort_unstable();
