@@ -13,14 +13,16 @@ mod history;
 pub mod keymap;
 mod manipulate;
 mod playback;
+mod said;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-pub use command::{Command, Edit, Effect, FileCommand, GestureCommand, PlaybackCommand, ViewCommand};
+pub use command::{Command, Edit, Effect, FileCommand, GestureCommand, PlaybackCommand, ViewCommand, WindowCommand};
 pub use document::Document;
 pub use error::CommandError;
 pub use history::MOST_STEPS;
+pub use said::Said;
 pub use manipulate::{DragKind, Manipulation};
 
 use crate::clock::TICKS_PER_SECOND;
@@ -36,6 +38,8 @@ pub enum Severity {
     /// Something was done.
     #[default]
     Information,
+    /// Something outside was done that one waits for: a file was read or written.
+    Outcome,
     /// Something was refused or failed.
     Error,
 }
@@ -108,6 +112,7 @@ pub struct Editor {
     /// The document before the drag that is going on.
     gesture: Option<Document>,
     message: Message,
+    said: Said,
     path: PathBuf,
     /// The document as the file has it, where it was read or written; before that, the empty one.
     saved: Document,
@@ -138,6 +143,7 @@ impl Editor {
             seconds_clock: SecondsClock::default(),
             gesture: None,
             message: Message::default(),
+            said: Said::default(),
             path,
             is_file_known: false,
             scene,
@@ -166,6 +172,12 @@ impl Editor {
     #[must_use]
     pub const fn message(&self) -> &Message {
         &self.message
+    }
+
+    /// What was said lately, so that nothing is missed where several things are said at once.
+    #[must_use]
+    pub const fn said(&self) -> &Said {
+        &self.said
     }
 
     /// The keyframe file: what `i` reads and `w` writes.
@@ -291,7 +303,7 @@ impl Editor {
         };
         if has_ended {
             self.end_playback();
-            self.message = Message { text: "Played to the end.".to_owned(), severity: Severity::Information };
+            self.say("Played to the end.".to_owned());
         }
         ticks > 0
     }

@@ -17,7 +17,7 @@ impl Editor {
             Command::View(ViewCommand::ToggleSkyMode) => self.session.eye == 0 && self.session.chosen.is_none(),
             Command::File(FileCommand::Import | FileCommand::Open(_) | FileCommand::ChooseOpen)
             | Command::Gesture(GestureCommand::Begin) => is_still,
-            Command::View(_) | Command::File(_) => true,
+            Command::View(_) | Command::File(_) | Command::Window(_) => true,
             Command::Gesture(_) => self.gesture.is_some(),
             Command::Undo => is_still && self.gesture.is_none() && self.undo_label().is_some(),
             Command::Redo => is_still && self.gesture.is_none() && self.redo_label().is_some(),

@@ -2,21 +2,25 @@
 
 use egui::{Align2, Area, Color32, Frame, Margin, Order, Rect, RichText, ScrollArea, Sense, Stroke, Ui, vec2};
 
+use super::binding_of;
 use super::icons::was_pressed;
 use super::theme::{CORNER, Tokens, number_font};
+use super::words::Words;
 use crate::editor::keymap::{Binding, Group};
 use crate::editor::{Command, ViewCommand};
 
 /// What the mouse does over the scene, as (gesture, meaning).
-pub const MOUSE: [(&str, &str); 7] = [
-    ("Left drag", "Turn, by the arcball"),
-    ("Right drag", "Move in the view's plane"),
-    ("Middle drag", "Move along the view"),
-    ("Left+right drag", "Move along the view"),
-    ("Space+left drag", "Move along the view"),
-    ("Wheel", "Move along the view"),
-    ("Ctrl+click", "Choose the node to move; the ground chooses none"),
-];
+fn mouse(words: Words) -> [(&'static str, &'static str); 7] {
+    [
+        (words.say("Left drag"), words.say("Turn, by the arcball")),
+        (words.say("Right drag"), words.say("Move in the view's plane")),
+        (words.say("Middle drag"), words.say("Move along the view")),
+        (words.say("Left+right drag"), words.say("Move along the view")),
+        (words.say("Space+left drag"), words.say("Move along the view")),
+        (words.say("Wheel"), words.say("Move along the view")),
+        (words.say("Ctrl+click"), words.say("Choose the node to move; the ground chooses none")),
+    ]
+}
 
 /// Width of the column of keys, in points.
 const KEYS: f32 = 164.0;
@@ -60,20 +64,24 @@ fn contents(ui: &mut Ui, bindings: &[Binding], is_wide: bool, commands: &mut Vec
     let left = |ui: &mut Ui| {
         group(ui, bindings, Group::Keyframes);
         group(ui, bindings, Group::Playing);
-        heading(ui, "Mouse over the scene");
-        for (gesture, meaning) in MOUSE {
+        let words = Words::of(ui);
+        heading(ui, words.say("Mouse over the scene"));
+        for (gesture, meaning) in mouse(words) {
             row(ui, &[gesture.to_owned()], meaning);
         }
     };
     let mut right = |ui: &mut Ui| {
         group(ui, bindings, Group::View);
         group(ui, bindings, Group::File);
-        ui.add_space(16.0);
+        group(ui, bindings, Group::Window);
+        let help = binding_of(bindings, &Command::View(ViewCommand::ToggleHelp)).map(Binding::menu_key);
+        let close = Words::of(ui).fill("{} or Esc", &[&help.unwrap_or_default()]);
+        ui.add_space(8.0);
         ui.allocate_ui_with_layout(vec2(COLUMN, 24.0), egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            if was_pressed(&ui.button("Close")) {
+            if was_pressed(&ui.button(Words::of(ui).say("Close"))) {
                 commands.push(Command::View(ViewCommand::ToggleHelp));
             }
-            ui.label(RichText::new("h or Esc").small().color(Tokens::of(ui).dim));
+            ui.label(RichText::new(close).small().color(Tokens::of(ui).dim));
         });
     };
     if is_wide {
@@ -89,10 +97,11 @@ fn contents(ui: &mut Ui, bindings: &[Binding], is_wide: bool, commands: &mut Vec
 }
 
 fn group(ui: &mut Ui, bindings: &[Binding], group: Group) {
-    heading(ui, group.heading());
+    let words = Words::of(ui);
+    heading(ui, words.say(group.heading()));
     for binding in bindings.iter().filter(|binding| binding.group == group) {
         let keys: Vec<String> = binding.chords.iter().map(crate::editor::keymap::Chord::label).collect();
-        row(ui, &keys, binding.help);
+        row(ui, &keys, words.say(binding.help));
     }
     ui.add_space(12.0);
 }
@@ -119,7 +128,7 @@ fn row(ui: &mut Ui, keys: &[String], meaning: &str) {
         let galley = ui.painter().layout(meaning.to_owned(), egui::FontId::proportional(12.0), tokens.text, SENTENCES);
         let height = galley.size().y.max(LINE);
         let (rect, response) = ui.allocate_exact_size(vec2(SENTENCES, height), Sense::hover());
-        let label = format!("{}: {meaning}", keys.join(" or "));
+        let label = format!("{}: {meaning}", keys.join(Words::of(ui).say(" or ")));
         response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Label, true, &label));
         ui.painter().galley(rect.left_top() + vec2(0.0, (height - galley.size().y) / 2.0), galley, tokens.text);
     });
