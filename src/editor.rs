@@ -22,8 +22,8 @@ pub use command::{Command, Edit, Effect, FileCommand, GestureCommand, PlaybackCo
 pub use document::Document;
 pub use error::CommandError;
 pub use history::MOST_STEPS;
-pub use said::Said;
 pub use manipulate::{DragKind, Manipulation};
+pub use said::Said;
 
 use crate::clock::TICKS_PER_SECOND;
 use crate::keyframe::PlayRange;

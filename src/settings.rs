@@ -318,9 +318,12 @@ mod tests {
 
     #[test]
     fn a_locale_has_a_language() {
-        for (locale, language) in
-            [("ko_KR.UTF-8", Language::Korean), ("ko", Language::Korean), ("C", Language::English), ("", Language::English)]
-        {
+        for (locale, language) in [
+            ("ko_KR.UTF-8", Language::Korean),
+            ("ko", Language::Korean),
+            ("C", Language::English),
+            ("", Language::English),
+        ] {
             assert_eq!(Language::of_locale(locale), language, "{locale}");
         }
     }

@@ -161,14 +161,15 @@ impl Ui {
         let tokens = Tokens::of(ui);
         let plain = |fill, x, y| Frame::new().fill(fill).inner_margin(Margin::symmetric(x, y));
         let shown = Shown { editor, keymap: &self.keymap, settings: &self.settings };
+        let shows_messages = self.log.is_shown();
         Panel::top("menu bar").exact_size(theme::MENU_BAR).frame(plain(tokens.panel, 4, 1)).show(ui, |ui| {
-            menu::show(ui, shown, self.log.is_shown(), commands);
+            menu::show(ui, shown, shows_messages, commands);
         });
         Panel::bottom("status").exact_size(theme::STATUS).frame(plain(tokens.panel, 8, 2)).show(ui, |ui| {
             status::show(ui, editor);
         });
         Panel::bottom("strip").exact_size(theme::STRIP).frame(plain(tokens.window, 0, 0)).show(ui, |ui| {
-            self.strip.show(ui, editor, commands);
+            self.strip.show(ui, editor, &self.keymap, commands);
         });
         Panel::bottom("transport").exact_size(theme::TRANSPORT).frame(plain(tokens.panel, 8, 4)).show(ui, |ui| {
             transport::show(ui, editor, self.keymap.bindings(), commands);

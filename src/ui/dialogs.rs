@@ -4,9 +4,9 @@ use std::path::{Path, PathBuf};
 
 use egui::{Align, Align2, Frame, Id, Key, Layout, Margin, Modal, RichText, TextEdit, Ui, vec2};
 
-use super::theme::{CORNER, Tokens};
 use super::keys::{KeysDialog, Outcome};
 use super::palette::Palette;
+use super::theme::{CORNER, Tokens};
 use super::words::Words;
 use super::{PathPurpose, QuitAnswer, Shown, UiOutput};
 use crate::editor::{Command, Editor, FileCommand};
@@ -47,8 +47,9 @@ pub fn show(ui: &Ui, dialog: &mut Option<Dialog>, shown: Shown<'_>, output: &mut
     let frame = Frame::popup(ui.style()).inner_margin(margin).corner_radius(2 * CORNER);
     let id = Id::unique(if is_list { "commands" } else { "dialog" });
     let mut modal = Modal::new(id).backdrop_color(Tokens::of(ui).shade).frame(frame);
-    if is_list {
-        modal = modal.area(Modal::default_area(id).anchor(Align2::CENTER_TOP, vec2(0.0, 72.0)));
+    if matches!(question, Dialog::Commands(_) | Dialog::Keys(_)) {
+        // From a place of their own, so that they do not move while their height changes.
+        modal = modal.area(Modal::default_area(id).anchor(Align2::CENTER_TOP, vec2(0.0, 64.0)));
     }
     let shown = modal.show(ui.ctx(), |ui| match question {
         Dialog::Path { purpose, typed, is_new } => at_width(ui, |ui| path(ui, *purpose, typed, is_new, output)),

@@ -16,13 +16,7 @@ const UNITS_PER_POINT: f32 = 0.01;
 const DEGREES_PER_POINT: f32 = 0.5;
 
 /// Shows the numbers of the node at hand.
-pub fn show(
-    ui: &mut Ui,
-    editor: &Editor,
-    angles: &mut ShownAngles,
-    keymap: &Keymap,
-    commands: &mut Vec<Command>,
-) {
+pub fn show(ui: &mut Ui, editor: &Editor, angles: &mut ShownAngles, keymap: &Keymap, commands: &mut Vec<Command>) {
     let words = Words::of(ui);
     let tokens = Tokens::of(ui);
     let scene = editor.scene();
@@ -44,14 +38,17 @@ pub fn show(
         label(ui, words.say("Translation"));
         let mut translation = parent_from_node.translation.to_array();
         let names = ["x", "y", "z"];
-        if let Some(changed) = numbers(ui, words.say("Translation"), &names, &mut translation, UNITS_PER_POINT, 3, commands) {
+        if let Some(changed) =
+            numbers(ui, words.say("Translation"), &names, &mut translation, UNITS_PER_POINT, 3, commands)
+        {
             finish(&changed, Command::Edit(Edit::SetTranslation(rbt, Vec3::from(translation))), commands);
         }
 
         label(ui, words.say("Rotation, degrees"));
         let mut degrees = angles.of(rbt, parent_from_node.rotation);
         let names = [words.say("yaw"), words.say("pitch"), words.say("roll")];
-        if let Some(changed) = numbers(ui, words.say("Rotation"), &names, &mut degrees, DEGREES_PER_POINT, 1, commands) {
+        if let Some(changed) = numbers(ui, words.say("Rotation"), &names, &mut degrees, DEGREES_PER_POINT, 1, commands)
+        {
             angles.set(rbt, degrees);
             let rotation = rotation_from_degrees(degrees);
             finish(&changed, Command::Edit(Edit::SetRotation(rbt, rotation)), commands);

@@ -6,9 +6,7 @@ use super::Shown;
 use super::icons::was_pressed;
 use super::theme::{GRID, ROW, Tokens};
 use super::words::Words;
-use crate::editor::keymap::{
-    Binding, Chord, Group, Key, Modifiers, NAMED_KEYS, can_change, chords_of_table,
-};
+use crate::editor::keymap::{Binding, Chord, Group, Key, Modifiers, NAMED_KEYS, can_change, chords_of_table};
 use crate::editor::{Command, WindowCommand};
 
 /// Width of the dialog, in points.
@@ -182,8 +180,9 @@ enum Pressed {
 /// Takes the keyboard's events and says what they mean.
 fn press(ui: &Ui) -> Option<Pressed> {
     let events = ui.input_mut(|input| {
-        let (keyboard, others): (Vec<Event>, Vec<Event>) =
-            std::mem::take(&mut input.events).into_iter().partition(|event| matches!(event, Event::Key { .. } | Event::Text(_)));
+        let (keyboard, others): (Vec<Event>, Vec<Event>) = std::mem::take(&mut input.events)
+            .into_iter()
+            .partition(|event| matches!(event, Event::Key { .. } | Event::Text(_)));
         input.events = others;
         keyboard
     });
@@ -196,11 +195,8 @@ fn press(ui: &Ui) -> Option<Pressed> {
         Event::Key { key: egui::Key::Escape, pressed: true, .. } => Some(Pressed::Nothing),
         Event::Key { key: egui::Key::Backspace, pressed: true, .. } => Some(Pressed::Removes),
         Event::Key { key, pressed: true, modifiers, .. } => {
-            let modifiers = Modifiers {
-                shift: modifiers.shift,
-                ctrl: modifiers.ctrl || modifiers.command,
-                alt: modifiers.alt,
-            };
+            let modifiers =
+                Modifiers { shift: modifiers.shift, ctrl: modifiers.ctrl || modifiers.command, alt: modifiers.alt };
             chord(*key, typed, modifiers).map(Pressed::Chord)
         }
         _ => None,
@@ -216,7 +212,9 @@ fn chord(key: egui::Key, typed: Option<char>, modifiers: Modifiers) -> Option<Ch
         let mut characters = name.chars();
         characters.next().filter(|_| characters.next().is_none()).map(Key::typing)
     };
-    let key = named.or_else(|| one(key.name())).or_else(|| one(key.symbol_or_name()))?;
+    // Its sign is the one for people.
+    let minus = (key == egui::Key::Minus).then_some(Key::Character('-'));
+    let key = named.or(minus).or_else(|| one(key.name())).or_else(|| one(key.symbol_or_name()))?;
     Some(Chord { key, modifiers })
 }
 

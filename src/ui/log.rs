@@ -2,7 +2,10 @@
 
 use std::time::Duration;
 
-use egui::{Align2, Area, Context, Frame, Id, Label, Margin, Order, Pos2, Rect, RichText, Role, ScrollArea, Sense, Stroke, Ui, WidgetInfo, vec2};
+use egui::{
+    Align2, Area, Context, Frame, Id, Label, Margin, Order, Pos2, Rect, RichText, Role, ScrollArea, Sense, Stroke, Ui,
+    WidgetInfo, vec2,
+};
 
 use super::icons::{Icon, paint, was_pressed};
 use super::theme::{CORNER, GRID, Tokens};
@@ -176,16 +179,22 @@ impl Log {
             ui.label(RichText::new(words.say("Nothing was said yet.")).color(tokens.dim));
         }
         let line = 18.0;
-        ScrollArea::both().auto_shrink(false).stick_to_bottom(true).show_rows(ui, line, self.entries.len(), |ui, seen| {
-            for entry in &self.entries[seen] {
-                ui.horizontal(|ui| {
-                    ui.set_height(line);
-                    ui.label(RichText::new(time_text(entry.at)).monospace().color(tokens.dim));
-                    let text = RichText::new(words.message(&entry.message.text)).color(colour(entry.message.severity, tokens));
-                    ui.add(Label::new(text).selectable(true).extend());
-                });
-            }
-        });
+        ScrollArea::both().auto_shrink(false).stick_to_bottom(true).show_rows(
+            ui,
+            line,
+            self.entries.len(),
+            |ui, seen| {
+                for entry in &self.entries[seen] {
+                    ui.horizontal(|ui| {
+                        ui.set_height(line);
+                        ui.label(RichText::new(time_text(entry.at)).monospace().color(tokens.dim));
+                        let text = RichText::new(words.message(&entry.message.text))
+                            .color(colour(entry.message.severity, tokens));
+                        ui.add(Label::new(text).selectable(true).extend());
+                    });
+                }
+            },
+        );
     }
 
     fn text(&self, words: Words) -> String {

@@ -2,11 +2,11 @@
 
 use egui::{Align, Button, Label, Layout, MenuBar, Response, RichText, Sense, Ui, vec2};
 
+use super::Shown;
+use super::choices::{Choice, Topic, choices};
 use super::icons::{self, Icon, was_pressed};
 use super::theme::{ROW, Tokens};
 use super::words::Words;
-use super::Shown;
-use super::choices::{Choice, Topic, choices};
 use crate::editor::keymap::{Binding, Group};
 use crate::editor::{Command, Editor, FileCommand, PlaybackCommand, ViewCommand, WindowCommand};
 
@@ -113,9 +113,8 @@ fn item(ui: &mut Ui, editor: &Editor, binding: &Binding, shows_messages: bool, c
         Command::Window(WindowCommand::ToggleMessages) => shows_messages,
         _ => false,
     };
-    let button = Button::new(label)
-        .shortcut_text(RichText::new(binding.menu_key()).monospace())
-        .min_size(vec2(0.0, ROW));
+    let button =
+        Button::new(label).shortcut_text(RichText::new(binding.menu_key()).monospace()).min_size(vec2(0.0, ROW));
     let response = ui.add_enabled(editor.can(&binding.command), button);
     tick(ui, &response, is_on);
     let response = response.on_hover_text(words.say(binding.help));

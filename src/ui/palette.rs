@@ -107,7 +107,8 @@ fn row(ui: &mut Ui, entry: &Entry, is_at: bool) -> Response {
     let drawn =
         ui.painter().text(name, Align2::LEFT_CENTER, &entry.name, text_font(), tokens.text.gamma_multiply(fade));
     let keys = rect.right_center() - vec2(8.0, 0.0);
-    let keys = ui.painter().text(keys, Align2::RIGHT_CENTER, &entry.keys, number_font(), tokens.text.gamma_multiply(fade));
+    let keys =
+        ui.painter().text(keys, Align2::RIGHT_CENTER, &entry.keys, number_font(), tokens.text.gamma_multiply(fade));
     let group = keys.left_center() - vec2(if entry.keys.is_empty() { 0.0 } else { 12.0 }, 0.0);
     let room = group.x - drawn.right() - 16.0;
     let galley = ui.painter().layout_no_wrap(entry.group.clone(), small_font(), tokens.dim.gamma_multiply(fade));

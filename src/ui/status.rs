@@ -18,8 +18,7 @@ pub fn show(ui: &mut Ui, editor: &Editor) {
             let place = words.message(&editor.where_we_are());
             let message = editor.message();
             let text = words.message(&message.text);
-            let said =
-                text.strip_prefix(&place).map_or(text.as_str(), |rest| rest.trim_start_matches([':', '.', ' ']));
+            let said = text.strip_prefix(&place).map_or(text.as_str(), |rest| rest.trim_start_matches([':', '.', ' ']));
             ui.label(RichText::new(&place).small().color(tokens.dim));
             if !said.is_empty() {
                 let colour = match message.severity {

@@ -68,6 +68,12 @@ impl Words {
         }
     }
 
+    /// Whether the catalogue has a sentence or name in this language.
+    #[must_use]
+    pub fn knows(self, english: &str) -> bool {
+        self.0 == Language::English || self.entry(english).is_some()
+    }
+
     fn entry(self, english: &str) -> Option<&'static str> {
         self.table().iter().find(|(key, _)| *key == english).map(|(_, said)| *said)
     }

@@ -64,9 +64,9 @@ impl Kept {
 
 /// The language that the system's locale asks for.
 fn system_language() -> Language {
-    let locale = ["LC_ALL", "LC_MESSAGES", "LANG"].iter().find_map(|name| {
-        std::env::var(name).ok().filter(|locale| !locale.is_empty())
-    });
+    let locale = ["LC_ALL", "LC_MESSAGES", "LANG"]
+        .iter()
+        .find_map(|name| std::env::var(name).ok().filter(|locale| !locale.is_empty()));
     locale.map_or_else(Language::default, |locale| Language::of_locale(&locale))
 }
 

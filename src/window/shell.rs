@@ -89,8 +89,11 @@ impl Shell {
 
     fn open(&mut self, event_loop: &ActiveEventLoop) {
         self.title = title(&self.editor);
-        let attributes =
-            Window::default_attributes().with_title(&self.title).with_inner_size(SIZE).with_min_inner_size(SMALLEST).with_visible(false);
+        let attributes = Window::default_attributes()
+            .with_title(&self.title)
+            .with_inner_size(SIZE)
+            .with_min_inner_size(SMALLEST)
+            .with_visible(false);
         let stage = match event_loop.create_window(attributes) {
             Ok(window) => Stage::new(event_loop, Arc::new(window), &self.proxy),
             Err(error) => Err(WindowError::NoDisplay { reason: error.to_string() }),

@@ -115,7 +115,8 @@ impl Stage {
         let scale = window.scale_factor() as f32;
         let most = usize::try_from(gpu.largest_side_px()).ok();
         let viewport = egui::ViewportId::ROOT;
-        let mut input = egui_winit::State::new(context.clone(), viewport, event_loop, Some(scale), window.theme(), most);
+        let mut input =
+            egui_winit::State::new(context.clone(), viewport, event_loop, Some(scale), window.theme(), most);
         // Before the window shows: a screen reader asks for it from its first moment.
         input.init_accesskit(event_loop, &window, proxy.clone());
         window.set_visible(true);

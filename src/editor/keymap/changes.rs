@@ -69,8 +69,7 @@ impl Keymap {
         let chords = chords
             .iter()
             .map(|chord| {
-                Chord::parse(chord)
-                    .ok_or_else(|| KeymapError::NoKey { chord: chord.clone(), name: name.to_owned() })
+                Chord::parse(chord).ok_or_else(|| KeymapError::NoKey { chord: chord.clone(), name: name.to_owned() })
             })
             .collect::<Result<Vec<Chord>, _>>()?;
         self.put(name, chords);

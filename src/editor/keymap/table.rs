@@ -197,13 +197,7 @@ pub fn bindings() -> Vec<Binding> {
             "Commands…",
             "List all commands, and run one by typing a part of its name",
         ),
-        row(
-            Group::Window,
-            vec![],
-            Command::Window(WindowCommand::ShowKeys),
-            "Keys…",
-            "Show the keys, and change them",
-        ),
+        row(Group::Window, vec![], Command::Window(WindowCommand::ShowKeys), "Keys…", "Show the keys, and change them"),
         row(
             Group::Window,
             vec![],
