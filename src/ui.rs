@@ -147,7 +147,7 @@ impl Ui {
         output.viewport = CentralPanel::no_frame().show(ui, |ui| ui.max_rect()).inner;
         overlay::show(ui, output.viewport, editor, &self.keymap, &self.log);
         if editor.session().shows_help {
-            help::show(ui, output.viewport, self.keymap.bindings(), &mut output.commands);
+            help::show(ui, self.keymap.bindings(), &mut output.commands);
         }
         self.log.show_list(ui.ctx(), output.viewport, &mut output.commands);
         self.log.show_toasts(ui, output.viewport);

@@ -339,7 +339,9 @@ fn tab_reaches_every_control() {
     for _ in 0..2 * wanted.len() {
         harness.key_press(Key::Tab);
         harness.run();
-        let focused = harness.query_all_by(|node| node.is_focused()).filter_map(|node| node.accesskit_node().label());
+        let focused = harness
+            .query_all_by(|node| node.is_focused() && !node.is_hidden())
+            .filter_map(|node| node.accesskit_node().label());
         reached.extend(focused);
     }
     for name in wanted {

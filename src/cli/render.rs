@@ -1,5 +1,6 @@
 //! `inbetween render`: images with no window.
 
+use std::mem::ManuallyDrop;
 use std::path::Path;
 
 use super::animation::Animation;
@@ -23,7 +24,8 @@ pub fn run(arguments: &RenderArguments, scene: Option<&Path>) -> Result<(), CliE
     if arguments.fps.is_some() && arguments.output.extension().is_some_and(|extension| extension == "png") {
         return Err(misuse("with --fps, --output names a folder for the numbered images"));
     }
-    let mut painter = Painter::new(arguments.size, arguments.samples)?;
+    // The system takes back in no time what a driver takes milliseconds to give back, and the process ends after this.
+    let mut painter = ManuallyDrop::new(Painter::new(arguments.size, arguments.samples)?);
     let scene = scene::load(scene)?;
     let Some(file) = &arguments.file else {
         return write(&mut painter, &scene, scene.rest_pose(), arguments.seconds, &arguments.output);
@@ -48,7 +50,7 @@ pub fn run(arguments: &RenderArguments, scene: Option<&Path>) -> Result<(), CliE
     };
     let folder = &arguments.output;
     storage::create_folder(folder).map_err(|reason| CliError::unwritten(folder, reason))?;
-    let times = frame_times(fps, animation.ms_between_keyframes, range.last_key_time());
+    let times = frame_times(fps, animation.ms_between_keyframes, range.timing());
     let mut progress = Progress::new("frame", times.len());
     for (number, time) in times.enumerate() {
         let path = folder.join(format!("frame-{number:05}.png"));

@@ -134,6 +134,8 @@ pub struct KeyPress {
 pub enum Group {
     /// The keyframe list.
     Keyframes,
+    /// The timeline.
+    Timeline,
     /// Playing.
     Playing,
     /// Looking and handling.
@@ -146,13 +148,14 @@ pub enum Group {
 
 impl Group {
     /// All of them, in the order of the help.
-    pub const ALL: [Self; 5] = [Self::Keyframes, Self::Playing, Self::View, Self::File, Self::Window];
+    pub const ALL: [Self; 6] = [Self::Keyframes, Self::Timeline, Self::Playing, Self::View, Self::File, Self::Window];
 
     /// Its heading.
     #[must_use]
     pub const fn heading(self) -> &'static str {
         match self {
             Self::Keyframes => "Keyframes",
+            Self::Timeline => "Timeline",
             Self::Playing => "Playing",
             Self::View => "Looking and handling",
             Self::File => "Files and undo",

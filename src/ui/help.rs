@@ -23,25 +23,27 @@ fn mouse(words: Words) -> [(&'static str, &'static str); 7] {
 }
 
 /// Width of the column of keys, in points.
-const KEYS: f32 = 164.0;
+const KEYS: f32 = 160.0;
 /// Width of the column of sentences, in points.
-const SENTENCES: f32 = 288.0;
+const SENTENCES: f32 = 232.0;
 
 /// Width of a column of both, in points.
 const COLUMN: f32 = KEYS + 4.0 + SENTENCES;
 /// Room between two of those, in points.
-const GAP: f32 = 20.0;
+const GAP: f32 = 16.0;
 /// Height of a line, in points.
 const LINE: f32 = 19.0;
 
 /// Shows the help; a click on its cross asks to hide it.
-pub fn show(ui: &Ui, viewport: Rect, bindings: &[Binding], commands: &mut Vec<Command>) {
+pub fn show(ui: &Ui, bindings: &[Binding], commands: &mut Vec<Command>) {
     let tokens = Tokens::of(ui);
+    // Three columns need more than the 3D view.
+    let window = ui.ctx().content_rect();
     Area::new(egui::Id::unique("help"))
         .order(Order::Middle)
         .pivot(Align2::CENTER_CENTER)
-        .fixed_pos(viewport.center())
-        .constrain_to(viewport)
+        .fixed_pos(window.center())
+        .constrain_to(window)
         .show(ui.ctx(), |ui| {
             Frame::new()
                 .fill(tokens.panel)
@@ -49,57 +51,76 @@ pub fn show(ui: &Ui, viewport: Rect, bindings: &[Binding], commands: &mut Vec<Co
                 .corner_radius(2 * CORNER)
                 .inner_margin(Margin::same(16))
                 .show(ui, |ui| {
-                    let room = viewport.size() - vec2(48.0, 64.0);
+                    let room = window.size() - vec2(44.0, 64.0);
                     ScrollArea::both()
                         .min_scrolled_width(room.x)
                         .min_scrolled_height(room.y)
-                        .show(ui, |ui| contents(ui, bindings, room.x >= 2.0 * COLUMN + GAP, commands));
+                        .show(ui, |ui| contents(ui, bindings, room.x, commands));
                 });
         });
 }
 
-fn contents(ui: &mut Ui, bindings: &[Binding], is_wide: bool, commands: &mut Vec<Command>) {
+fn contents(ui: &mut Ui, bindings: &[Binding], room: f32, commands: &mut Vec<Command>) {
     ui.spacing_mut().item_spacing = vec2(GAP, 2.0);
     ui.spacing_mut().interact_size.y = LINE;
-    let left = |ui: &mut Ui| {
-        group(ui, bindings, Group::Keyframes);
-        group(ui, bindings, Group::Playing);
-        let words = Words::of(ui);
-        heading(ui, words.say("Mouse over the scene"));
-        for (gesture, meaning) in mouse(words) {
-            row(ui, &[gesture.to_owned()], meaning);
+    let groups = |ui: &mut Ui, groups: &[Group]| {
+        for &one in groups {
+            group(ui, bindings, one);
         }
     };
-    let mut right = |ui: &mut Ui| {
-        group(ui, bindings, Group::View);
-        group(ui, bindings, Group::File);
-        group(ui, bindings, Group::Window);
-        let help = binding_of(bindings, &Command::View(ViewCommand::ToggleHelp)).map(Binding::menu_key);
-        let close = Words::of(ui).fill("{} or Esc", &[&help.unwrap_or_default()]);
-        ui.add_space(8.0);
-        ui.allocate_ui_with_layout(vec2(COLUMN, 24.0), egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            if was_pressed(&ui.button(Words::of(ui).say("Close"))) {
-                commands.push(Command::View(ViewCommand::ToggleHelp));
-            }
-            ui.label(RichText::new(close).small().color(Tokens::of(ui).dim));
-        });
+    let first = |ui: &mut Ui| groups(ui, &[Group::Keyframes, Group::Playing]);
+    let second = |ui: &mut Ui| groups(ui, &[Group::Timeline, Group::View]);
+    let mut third = |ui: &mut Ui| {
+        groups(ui, &[Group::File, Group::Window]);
+        mouse_group(ui);
+        close(ui, bindings, commands);
     };
-    if is_wide {
+    if room >= 3.0 * COLUMN + 2.0 * GAP {
         ui.horizontal_top(|ui| {
-            ui.vertical(left);
-            ui.vertical(&mut right);
+            ui.vertical(first);
+            ui.vertical(second);
+            ui.vertical(&mut third);
+        });
+    } else if room >= 2.0 * COLUMN + GAP {
+        ui.horizontal_top(|ui| {
+            ui.vertical(|ui| {
+                first(ui);
+                second(ui);
+            });
+            ui.vertical(&mut third);
         });
     } else {
-        left(ui);
-        ui.add_space(12.0);
-        right(ui);
+        first(ui);
+        second(ui);
+        third(ui);
     }
+}
+
+fn mouse_group(ui: &mut Ui) {
+    let words = Words::of(ui);
+    heading(ui, words.say("Mouse over the scene"));
+    for (gesture, meaning) in mouse(words) {
+        row(ui, &[gesture.to_owned()], meaning);
+    }
+}
+
+fn close(ui: &mut Ui, bindings: &[Binding], commands: &mut Vec<Command>) {
+    let help = binding_of(bindings, &Command::View(ViewCommand::ToggleHelp)).map(Binding::menu_key);
+    let keys = Words::of(ui).fill("{} or Esc", &[&help.unwrap_or_default()]);
+    ui.add_space(16.0);
+    ui.allocate_ui_with_layout(vec2(COLUMN, 24.0), egui::Layout::right_to_left(egui::Align::Center), |ui| {
+        if was_pressed(&ui.button(Words::of(ui).say("Close"))) {
+            commands.push(Command::View(ViewCommand::ToggleHelp));
+        }
+        ui.label(RichText::new(keys).small().color(Tokens::of(ui).dim));
+    });
 }
 
 fn group(ui: &mut Ui, bindings: &[Binding], group: Group) {
     let words = Words::of(ui);
     heading(ui, words.say(group.heading()));
-    for binding in bindings.iter().filter(|binding| binding.group == group) {
+    // What has no key stands in the menus and in the list of commands.
+    for binding in bindings.iter().filter(|binding| binding.group == group && !binding.chords.is_empty()) {
         let keys: Vec<String> = binding.chords.iter().map(crate::editor::keymap::Chord::label).collect();
         row(ui, &keys, words.say(binding.help));
     }

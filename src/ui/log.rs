@@ -237,12 +237,17 @@ fn show_toast(ui: &Ui, toast: &Toast, corner: Pos2, now: f64) -> egui::Response 
                 .corner_radius(CORNER)
                 .inner_margin(Margin { left: 10, right: 14, top: 8, bottom: 8 })
                 .show(ui, |ui| {
+                    ui.spacing_mut().item_spacing.x = 2.0 * GRID;
                     ui.horizontal_top(|ui| {
-                        let (rect, response) = ui.allocate_exact_size(vec2(18.0, 16.0), Sense::hover());
+                        let (rect, response) = ui.allocate_exact_size(vec2(16.0, 16.0), Sense::hover());
                         response.widget_info(|| WidgetInfo::labeled(Role::Alert, true, &text));
-                        paint(ui.painter(), icon, rect.center() - vec2(1.0, 0.0), colour);
-                        ui.set_max_width(WIDTH);
-                        ui.add(Label::new(RichText::new(&text).size(12.0).color(tokens.text)).wrap());
+                        paint(ui.painter(), icon, rect.center(), colour);
+                        // The text is laid out first, so that the toast is as wide as it needs and no wider.
+                        let font = egui::FontId::proportional(12.0);
+                        let galley = ui.painter().layout(text.clone(), font, tokens.text, WIDTH);
+                        let (rect, response) = ui.allocate_exact_size(galley.size(), Sense::hover());
+                        response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &text));
+                        ui.painter().galley(rect.left_top(), galley, tokens.text);
                     });
                 });
         })

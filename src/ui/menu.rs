@@ -40,7 +40,7 @@ const INSET: f32 = 20.0;
 /// The menu that shows a row.
 fn menu_of(binding: &Binding) -> Menu {
     match (&binding.command, binding.group) {
-        (Command::Undo | Command::Redo | Command::Cancel, _) | (_, Group::Keyframes) => Menu::Edit,
+        (Command::Undo | Command::Redo | Command::Cancel, _) | (_, Group::Keyframes | Group::Timeline) => Menu::Edit,
         (Command::View(ViewCommand::ToggleHelp), _) => Menu::Help,
         (Command::Window(WindowCommand::ShowCommands | WindowCommand::ShowKeys), _) => Menu::Help,
         (_, Group::Playing) => Menu::Animation,

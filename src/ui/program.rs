@@ -6,7 +6,7 @@ use super::palette::Palette;
 use super::words::Words;
 use super::{PanelSize, Ui};
 use crate::editor::WindowCommand;
-use crate::editor::keymap::{Chord, Keymap, KeymapError, chords_of_table};
+use crate::editor::keymap::{Binding, Chord, Keymap, KeymapError, chords_of_table};
 use crate::settings::{Settings, ThemeChoice};
 
 impl Ui {
@@ -61,7 +61,7 @@ impl Ui {
             Some(chords) => settings.keys.insert(name.to_owned(), chords),
             None => settings.keys.remove(name),
         };
-        let keys = keymap.get(name).map(|binding| binding.keys()).unwrap_or_default();
+        let keys = keymap.get(name).map(Binding::keys).unwrap_or_default();
         Ok(if keys.is_empty() { format!("{name} has no key now.") } else { format!("{name}: {keys}.") })
     }
 

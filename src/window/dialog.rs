@@ -20,9 +20,11 @@ pub fn ask(purpose: PathPurpose, current: &Path, words: Words, proxy: EventLoopP
     let name = current.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
     thread::spawn(move || {
         let start = now();
-        let mut dialog = FileDialog::new()
-            .add_filter(words.say("Keyframe files"), &["json"])
-            .add_filter(words.say("All files"), &["*"]);
+        let mut dialog = FileDialog::new().add_filter(words.say("Keyframe files"), &["json"]);
+        if purpose == PathPurpose::Open {
+            dialog = dialog.add_filter(words.say("Keyframes as text"), &["txt", "csv"]);
+        }
+        dialog = dialog.add_filter(words.say("All files"), &["*"]);
         if let Some(folder) = folder {
             dialog = dialog.set_directory(folder);
         }

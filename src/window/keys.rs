@@ -154,6 +154,10 @@ fn placed(place: KeyCode, shift: bool) -> Option<Key> {
         KeyCode::Space => return Some(Key::Space),
         KeyCode::Escape => return Some(Key::Escape),
         KeyCode::F11 => return Some(Key::F11),
+        KeyCode::Home => return Some(Key::Home),
+        KeyCode::Delete => return Some(Key::Delete),
+        KeyCode::ArrowLeft => return Some(Key::Left),
+        KeyCode::ArrowRight => return Some(Key::Right),
         _ => return None,
     }))
 }

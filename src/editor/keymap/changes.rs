@@ -101,13 +101,11 @@ impl Keymap {
     pub fn set(&mut self, name: &str, chords: Vec<Chord>) -> Result<(), KeymapError> {
         let binding = self.get(name).filter(|binding| can_change(binding));
         let name = binding.ok_or_else(|| KeymapError::NoSuchBinding { name: name.to_owned() })?.name;
-        match self.clash(name, &chords) {
-            Some(error) => Err(error),
-            None => {
-                self.put(name, chords);
-                Ok(())
-            }
+        if let Some(error) = self.clash(name, &chords) {
+            return Err(error);
         }
+        self.put(name, chords);
+        Ok(())
     }
 
     fn put(&mut self, name: &str, chords: Vec<Chord>) {
