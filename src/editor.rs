@@ -14,19 +14,23 @@ pub mod keymap;
 mod manipulate;
 mod playback;
 mod playing;
+mod said;
 mod timeline;
 mod view;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-pub use command::{Command, Edit, Effect, FileCommand, GestureCommand, PlaybackCommand, TimelineEdit, ViewCommand};
+pub use command::{
+    Command, Edit, Effect, FileCommand, GestureCommand, PlaybackCommand, TimelineEdit, ViewCommand, WindowCommand,
+};
 pub use document::Document;
 pub use error::CommandError;
 pub use history::MOST_STEPS;
 pub use manipulate::{DragKind, Manipulation};
 pub use playback::PlayMode;
 pub use playing::SPEED_PERCENT_RANGE;
+pub use said::Said;
 
 use crate::clock::TICKS_PER_SECOND;
 use crate::keyframe::KeyframeIndex;
@@ -42,6 +46,8 @@ pub enum Severity {
     /// Something was done.
     #[default]
     Information,
+    /// Something outside was done that one waits for: a file was read or written.
+    Outcome,
     /// Something was refused or failed.
     Error,
 }
@@ -127,6 +133,7 @@ pub struct Editor {
     gesture: Option<Document>,
     clipboard: Clipboard,
     message: Message,
+    said: Said,
     path: PathBuf,
     /// The document as the file has it, where it was read or written; before that, the empty one.
     saved: Document,
@@ -164,6 +171,7 @@ impl Editor {
             gesture: None,
             clipboard: Clipboard::default(),
             message: Message::default(),
+            said: Said::default(),
             path,
             is_file_known: false,
             scene,
@@ -192,6 +200,12 @@ impl Editor {
     #[must_use]
     pub const fn message(&self) -> &Message {
         &self.message
+    }
+
+    /// What was said lately, so that nothing is missed where several things are said at once.
+    #[must_use]
+    pub const fn said(&self) -> &Said {
+        &self.said
     }
 
     /// The keyframe file: what `i` reads and `w` writes.

@@ -140,6 +140,19 @@ pub fn create_folder(path: &Path) -> Result<(), StorageError> {
     Ok(fs::create_dir_all(path)?)
 }
 
+/// The file of the settings, in the system's folder for such; `None` where there is no such folder.
+#[must_use]
+pub fn settings_path() -> Option<PathBuf> {
+    let folders = etcetera::base_strategy::choose_native_strategy().ok()?;
+    Some(etcetera::BaseStrategy::config_dir(&folders).join("inbetween").join("settings.json"))
+}
+
+/// A path that means the same wherever the program is started.
+#[must_use]
+pub fn absolute(path: &Path) -> PathBuf {
+    std::path::absolute(path).unwrap_or_else(|_| path.to_owned())
+}
+
 /// Whether a file or folder stands there.
 #[must_use]
 pub fn exists(path: &Path) -> bool {

@@ -4,24 +4,33 @@
 //! typed live in [`Ui`]. Nothing here knows the window, the GPU, files or the clock.
 
 pub mod angles;
+mod choices;
 mod dialogs;
+mod fonts;
 mod help;
 mod icons;
 mod inspector;
+mod keys;
+mod log;
 mod menu;
 mod overlay;
+mod palette;
+mod program;
 mod status;
 mod strip;
 pub mod theme;
 mod transport;
 mod tree;
+pub mod words;
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use egui::{CentralPanel, Frame, Margin, Panel, Rect, ScrollArea};
 
-use crate::editor::keymap::{Binding, bindings};
+use crate::editor::keymap::{Binding, Keymap};
 use crate::editor::{Command, Editor};
+use crate::settings::Settings;
 use dialogs::Dialog;
 use theme::Tokens;
 
@@ -54,28 +63,42 @@ pub struct UiOutput {
     pub viewport: Rect,
     /// The answer to [`Ui::ask_before_quitting`], once.
     pub quit_answer: Option<QuitAnswer>,
+    /// Panels whose edges were dragged, and their new sizes in points, once.
+    pub panels: Vec<(&'static str, f32)>,
+}
+
+impl Default for UiOutput {
+    fn default() -> Self {
+        Self { commands: Vec::new(), viewport: Rect::NOTHING, quit_answer: None, panels: Vec::new() }
+    }
+}
+
+/// What panels read.
+#[derive(Clone, Copy)]
+struct Shown<'a> {
+    editor: &'a Editor,
+    keymap: &'a Keymap,
+    settings: &'a Settings,
+}
+
+/// A panel's size when it was last shown.
+#[derive(Clone, Copy, Debug)]
+struct PanelSize {
+    size: f32,
+    is_dragged: bool,
 }
 
 /// The panels' own state.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Ui {
-    bindings: Vec<Binding>,
+    keymap: Keymap,
+    settings: Settings,
+    log: log::Log,
+    watched: BTreeMap<&'static str, PanelSize>,
     tree: tree::Tree,
     angles: angles::ShownAngles,
     strip: strip::Strip,
     dialog: Option<Dialog>,
-}
-
-impl Default for Ui {
-    fn default() -> Self {
-        Self {
-            bindings: bindings(),
-            tree: tree::Tree::default(),
-            angles: angles::ShownAngles::default(),
-            strip: strip::Strip::default(),
-            dialog: None,
-        }
-    }
 }
 
 impl Ui {
@@ -115,51 +138,70 @@ impl Ui {
 
     /// Shows the panels in the whole window's `ui`.
     pub fn show(&mut self, ui: &mut egui::Ui, editor: &Editor) -> UiOutput {
-        let mut output = UiOutput { commands: Vec::new(), viewport: Rect::NOTHING, quit_answer: None };
+        self.dress(ui.ctx());
+        self.log.take_in(editor.said(), ui.input(|input| input.time));
+        let mut output = UiOutput::default();
         if editor.session().shows_panels {
             self.show_panels(ui, editor, &mut output.commands);
         }
         output.viewport = CentralPanel::no_frame().show(ui, |ui| ui.max_rect()).inner;
-        overlay::show(ui, output.viewport, editor);
+        overlay::show(ui, output.viewport, editor, &self.keymap, &self.log);
         if editor.session().shows_help {
-            help::show(ui, output.viewport, &self.bindings, &mut output.commands);
+            help::show(ui, self.keymap.bindings(), &mut output.commands);
         }
-        dialogs::show(ui, &mut self.dialog, editor, &mut output);
+        self.log.show_list(ui.ctx(), output.viewport, &mut output.commands);
+        self.log.show_toasts(ui, output.viewport);
+        let shown = Shown { editor, keymap: &self.keymap, settings: &self.settings };
+        dialogs::show(ui, &mut self.dialog, shown, &mut output);
+        output.panels = self.dragged_panels(ui);
         output
     }
 
     fn show_panels(&mut self, ui: &mut egui::Ui, editor: &Editor, commands: &mut Vec<Command>) {
         let tokens = Tokens::of(ui);
         let plain = |fill, x, y| Frame::new().fill(fill).inner_margin(Margin::symmetric(x, y));
+        let shown = Shown { editor, keymap: &self.keymap, settings: &self.settings };
+        let shows_messages = self.log.is_shown();
         Panel::top("menu bar").exact_size(theme::MENU_BAR).frame(plain(tokens.panel, 4, 1)).show(ui, |ui| {
-            menu::show(ui, editor, &self.bindings, commands);
+            menu::show(ui, shown, shows_messages, commands);
         });
         Panel::bottom("status").exact_size(theme::STATUS).frame(plain(tokens.panel, 8, 2)).show(ui, |ui| {
             status::show(ui, editor);
         });
         Panel::bottom("strip").exact_size(theme::STRIP).frame(plain(tokens.window, 0, 0)).show(ui, |ui| {
-            self.strip.show(ui, editor, commands);
+            self.strip.show(ui, editor, &self.keymap, commands);
         });
         Panel::bottom("transport").exact_size(theme::TRANSPORT).frame(plain(tokens.panel, 8, 4)).show(ui, |ui| {
-            transport::show(ui, editor, &self.bindings, commands);
+            transport::show(ui, editor, self.keymap.bindings(), commands);
         });
-        Panel::right("side")
-            .default_size(theme::SIDE)
+        let side = Panel::right("side")
+            .default_size(self.panel_size("side", theme::SIDE))
             .size_range(200.0..=480.0)
             .frame(plain(tokens.panel, 0, 0))
             .show(ui, |ui| self.show_side(ui, editor, commands));
+        self.watch_panel(ui, "side", side.response.rect.width());
     }
 
     fn show_side(&mut self, ui: &mut egui::Ui, editor: &Editor, commands: &mut Vec<Command>) {
         Panel::bottom("inspector").frame(Frame::new().inner_margin(Margin::same(12))).show(ui, |ui| {
-            inspector::show(ui, editor, &mut self.angles, commands);
+            inspector::show(ui, editor, &mut self.angles, &self.keymap, commands);
         });
         ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
             Frame::new().inner_margin(Margin { left: 4, right: 4, top: 8, bottom: 8 }).show(ui, |ui| {
-                self.tree.show(ui, editor, commands);
+                self.tree.show(ui, editor, &self.keymap, commands);
             });
         });
     }
+}
+
+/// The keys of a command, for people; empty where it has none.
+fn key_of(keymap: &Keymap, command: &Command) -> String {
+    binding_of(keymap.bindings(), command).map(Binding::menu_key).unwrap_or_default()
+}
+
+/// A tip, and the key that does the same.
+fn tip(text: &str, key: &str) -> String {
+    if key.is_empty() { text.to_owned() } else { format!("{text}  ·  {key}") }
 }
 
 /// The row of the table for a command.

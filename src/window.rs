@@ -6,6 +6,7 @@
 mod dialog;
 mod effects;
 mod handling;
+mod kept;
 pub mod keys;
 pub mod pointer;
 mod shell;
@@ -15,6 +16,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
+use egui_winit::accesskit_winit;
 use thiserror::Error;
 use winit::event_loop::EventLoop;
 
@@ -60,6 +62,14 @@ pub(crate) enum Happening {
     },
     /// The device is gone: everything on it is made again.
     DeviceLost,
+    /// A screen reader asks for something.
+    Accessibility(accesskit_winit::WindowEvent),
+}
+
+impl From<accesskit_winit::Event> for Happening {
+    fn from(event: accesskit_winit::Event) -> Self {
+        Self::Accessibility(event.window_event)
+    }
 }
 
 /// Opens the window on an editor, does `at_start`, and goes on until the user quits.

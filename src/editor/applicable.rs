@@ -29,7 +29,7 @@ impl Editor {
             | Command::Gesture(GestureCommand::Begin) => is_still,
             Command::View(ViewCommand::CopyPose) => self.session.chosen.is_some(),
             Command::View(ViewCommand::CopyKeyframes) => !self.document.keyframes.is_empty(),
-            Command::View(_) | Command::File(_) => true,
+            Command::View(_) | Command::File(_) | Command::Window(_) => true,
             Command::Gesture(_) => self.gesture.is_some(),
             Command::Undo => is_still && self.gesture.is_none() && self.undo_label().is_some(),
             Command::Redo => is_still && self.gesture.is_none() && self.redo_label().is_some(),

@@ -29,12 +29,20 @@ impl Editor {
         outcome.map(|(_, effects)| effects)
     }
 
+    /// Says something as the editor would, for the log and the status line.
+    pub fn say_of(&mut self, severity: Severity, text: String) {
+        if !text.is_empty() {
+            self.said.push(Message { text: text.clone(), severity });
+        }
+        self.message = Message { text, severity };
+    }
+
     pub(super) fn say(&mut self, text: String) {
-        self.message = Message { text, severity: Severity::Information };
+        self.say_of(Severity::Information, text);
     }
 
     pub(super) fn say_error(&mut self, error: &CommandError) {
-        self.message = Message { text: error.to_string(), severity: Severity::Error };
+        self.say_of(Severity::Error, error.to_string());
     }
 
     fn dispatch(&mut self, command: Command) -> Result<(String, Vec<Effect>), CommandError> {
@@ -48,6 +56,7 @@ impl Editor {
             Command::Undo => silent(self.undo()),
             Command::Redo => silent(self.redo()),
             Command::Cancel => silent(Ok(self.cancel())),
+            Command::Window(command) => Ok((String::new(), vec![Effect::Window(command)])),
         }
     }
 

@@ -9,6 +9,9 @@ use crate::interpolation::Interpolation;
 use crate::keyframe::{Easing, KeyframeIndex};
 use crate::pose::RbtIndex;
 use crate::rbt::Rbt;
+use crate::settings::{Language, ThemeChoice};
+
+use super::keymap::Chord;
 
 /// Everything that can be asked of the editor. A hotkey, a menu item, a button and a script line that mean the same are the same command.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,6 +32,37 @@ pub enum Command {
     Redo,
     /// Leaves the drag, the mode or the panel at hand.
     Cancel,
+    /// Changes the window itself, or what it keeps; the editor only hands it on.
+    Window(WindowCommand),
+}
+
+/// What concerns the window and its settings, not the scene.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum WindowCommand {
+    /// Shows the list of commands.
+    ShowCommands,
+    /// Shows the keys, which can be changed there.
+    ShowKeys,
+    /// Shows or hides the log of messages.
+    ToggleMessages,
+    /// The panels one step larger.
+    Larger,
+    /// The panels one step smaller.
+    Smaller,
+    /// The panels in this size, in percent of what the system asks for.
+    SetScale(u16),
+    /// Which colours show.
+    SetTheme(ThemeChoice),
+    /// The language of the window's words.
+    SetLanguage(Language),
+    /// Gives the binding of this name other keys; none: it has no key.
+    SetKeys(&'static str, Vec<Chord>),
+    /// Gives the binding of this name the keys of the table.
+    ResetKeys(&'static str),
+    /// Gives every binding the keys of the table.
+    ResetAllKeys,
+    /// Forgets the recent files.
+    ForgetRecent,
 }
 
 /// Changes of the document.
@@ -239,4 +273,6 @@ pub enum Effect {
     ChooseSaveAs,
     /// End the program, asking first where something is unsaved.
     Quit,
+    /// Change the window or its settings. Without a window there is nothing to do.
+    Window(WindowCommand),
 }

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use super::{CommandError, Editor, Effect, FileCommand};
+use super::{CommandError, Editor, Effect, FileCommand, Severity};
 use crate::keyframe::{KeyframeList, keyframes_to_json};
 use crate::text_layouts::{ImportError, Imported, Options, import};
 
@@ -54,7 +54,7 @@ impl Editor {
     pub fn keyframes_read(&mut self, path: &Path, bytes: Result<Vec<u8>, String>) -> Result<(), CommandError> {
         let outcome = self.import(path, bytes);
         match &outcome {
-            Ok(text) => self.say(text.clone()),
+            Ok(text) => self.say_of(Severity::Outcome, text.clone()),
             Err(error) => self.say_error(error),
         }
         outcome.map(|_| ())
@@ -104,7 +104,7 @@ impl Editor {
                 let count = keyframes_counted(self.document.keyframes.len());
                 let kept =
                     kept.map_or_else(String::new, |kept| format!(" What it held before is in {}.", kept.display()));
-                self.say(format!("Wrote {count} to {}.{kept}", path.display()));
+                self.say_of(Severity::Outcome, format!("Wrote {count} to {}.{kept}", path.display()));
                 self.is_now_saved_in(path.to_owned());
                 Ok(())
             }
@@ -123,7 +123,7 @@ impl Editor {
     pub fn screenshot_taken(&mut self, path: &Path, outcome: Result<(), String>) -> Result<(), CommandError> {
         match outcome {
             Ok(()) => {
-                self.say(format!("Screenshot: {}.", path.display()));
+                self.say_of(Severity::Outcome, format!("Screenshot: {}.", path.display()));
                 Ok(())
             }
             Err(reason) => {

@@ -1,9 +1,11 @@
 //! Hotkeys: one table of bindings, from which the help, the menus and the README's block are made.
 
+mod changes;
 mod table;
 
 use std::fmt::Write as _;
 
+pub use changes::{Keymap, KeymapError, can_change, chords_of_table};
 pub use table::bindings;
 
 use super::Command;
@@ -17,17 +19,82 @@ pub enum Key {
     Space,
     /// Escape.
     Escape,
+    /// F1 and on.
+    F1,
+    /// F2.
+    F2,
+    /// F3.
+    F3,
+    /// F4.
+    F4,
+    /// F5.
+    F5,
+    /// F6.
+    F6,
+    /// F7.
+    F7,
+    /// F8.
+    F8,
+    /// F9.
+    F9,
+    /// F10.
+    F10,
     /// F11.
     F11,
+    /// F12.
+    F12,
     /// Home.
     Home,
+    /// End.
+    End,
+    /// Page up.
+    PageUp,
+    /// Page down.
+    PageDown,
+    /// Insert.
+    Insert,
     /// Delete.
     Delete,
-    /// Left arrow.
+    /// Enter or Return.
+    Enter,
+    /// The arrow to the left.
     Left,
-    /// Right arrow.
+    /// The arrow to the right.
     Right,
+    /// The arrow up.
+    Up,
+    /// The arrow down.
+    Down,
 }
+
+/// Keys that type no character, with their names for people; scripts and the settings write them in any case.
+pub const NAMED_KEYS: [(Key, &str); 25] = [
+    (Key::Space, "Space"),
+    (Key::Escape, "Esc"),
+    (Key::F1, "F1"),
+    (Key::F2, "F2"),
+    (Key::F3, "F3"),
+    (Key::F4, "F4"),
+    (Key::F5, "F5"),
+    (Key::F6, "F6"),
+    (Key::F7, "F7"),
+    (Key::F8, "F8"),
+    (Key::F9, "F9"),
+    (Key::F10, "F10"),
+    (Key::F11, "F11"),
+    (Key::F12, "F12"),
+    (Key::Home, "Home"),
+    (Key::End, "End"),
+    (Key::PageUp, "PageUp"),
+    (Key::PageDown, "PageDown"),
+    (Key::Insert, "Insert"),
+    (Key::Delete, "Delete"),
+    (Key::Enter, "Enter"),
+    (Key::Left, "Left"),
+    (Key::Right, "Right"),
+    (Key::Up, "Up"),
+    (Key::Down, "Down"),
+];
 
 /// Which modifiers are held.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -75,9 +142,14 @@ pub enum Group {
     View,
     /// Files and undo.
     File,
+    /// The window itself.
+    Window,
 }
 
 impl Group {
+    /// All of them, in the order of the help.
+    pub const ALL: [Self; 6] = [Self::Keyframes, Self::Timeline, Self::Playing, Self::View, Self::File, Self::Window];
+
     /// Its heading.
     #[must_use]
     pub const fn heading(self) -> &'static str {
@@ -87,6 +159,7 @@ impl Group {
             Self::Playing => "Playing",
             Self::View => "Looking and handling",
             Self::File => "Files and undo",
+            Self::Window => "Window",
         }
     }
 }
@@ -136,15 +209,41 @@ impl Chord {
         match self.key {
             Key::Character(letter) if label.is_empty() => label.push(letter),
             Key::Character(letter) => label.extend(letter.to_uppercase()),
-            Key::Space => label.push_str("Space"),
-            Key::Escape => label.push_str("Esc"),
-            Key::F11 => label.push_str("F11"),
-            Key::Home => label.push_str("Home"),
-            Key::Delete => label.push_str("Delete"),
-            Key::Left => label.push_str("Left"),
-            Key::Right => label.push_str("Right"),
+            named => label.extend(NAMED_KEYS.iter().filter(|(key, _)| *key == named).map(|(_, name)| *name)),
         }
         label
+    }
+
+    /// The chord that a text means, as [`Chord::label`] writes it, in any case.
+    #[must_use]
+    pub fn parse(text: &str) -> Option<Self> {
+        let mut modifiers = Modifiers::default();
+        let mut rest = text;
+        while rest.chars().count() > 1
+            && let Some((modifier, after)) = rest.split_once('+')
+            && !after.is_empty()
+        {
+            match modifier.to_lowercase().as_str() {
+                "shift" => modifiers.shift = true,
+                "ctrl" => modifiers.ctrl = true,
+                "alt" => modifiers.alt = true,
+                _ => return None,
+            }
+            rest = after;
+        }
+        let mut characters = rest.chars();
+        let key = match (characters.next(), characters.next()) {
+            (Some(character), None) => Key::typing(character),
+            _ if rest.eq_ignore_ascii_case("escape") => Key::Escape,
+            _ => NAMED_KEYS.iter().find(|(_, name)| rest.eq_ignore_ascii_case(name)).map(|(key, _)| *key)?,
+        };
+        Some(Self { key, modifiers })
+    }
+
+    /// Whether some press means both.
+    #[must_use]
+    pub fn meets(self, other: Self) -> bool {
+        self.matches(other.key, other.modifiers)
     }
 
     fn matches(self, key: Key, modifiers: Modifiers) -> bool {
@@ -181,37 +280,11 @@ pub fn binding_for(table: &[Binding], press: KeyPress) -> Option<&Binding> {
         .filter(|binding| binding.repeats || !press.is_repeat)
 }
 
-/// The press that a script's word means: a character itself, or `space`, `escape`, `f11`, `home`, `delete`, `left`, `right`, with `shift+`, `ctrl+`, `alt+` before it.
+/// The press that a script's word means: a character itself, or a key's name such as `space`, `escape`, `f11`, `home`, with `shift+`,
+/// `ctrl+`, `alt+` before it.
 #[must_use]
 pub fn press_from_word(word: &str) -> Option<KeyPress> {
-    let mut modifiers = Modifiers::default();
-    let mut rest = word;
-    while rest.chars().count() > 1
-        && let Some((modifier, after)) = rest.split_once('+')
-        && !after.is_empty()
-    {
-        match modifier.to_lowercase().as_str() {
-            "shift" => modifiers.shift = true,
-            "ctrl" => modifiers.ctrl = true,
-            "alt" => modifiers.alt = true,
-            _ => return None,
-        }
-        rest = after;
-    }
-    let mut characters = rest.chars();
-    let key = match (characters.next(), characters.next()) {
-        (Some(character), None) => Key::typing(character),
-        _ => match rest.to_lowercase().as_str() {
-            "space" => Key::Space,
-            "escape" | "esc" => Key::Escape,
-            "f11" => Key::F11,
-            "home" => Key::Home,
-            "delete" => Key::Delete,
-            "left" => Key::Left,
-            "right" => Key::Right,
-            _ => return None,
-        },
-    };
+    let Chord { key, modifiers } = Chord::parse(word)?;
     Some(KeyPress { typed: Some(key), placed: None, modifiers, is_repeat: false })
 }
 

@@ -2,10 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
-use egui::{Align, Frame, Id, Key, Layout, Margin, Modal, RichText, TextEdit, Ui};
+use egui::{Align, Align2, Frame, Id, Key, Layout, Margin, Modal, RichText, TextEdit, Ui, vec2};
 
+use super::keys::{KeysDialog, Outcome};
+use super::palette::Palette;
 use super::theme::{CORNER, Tokens};
-use super::{PathPurpose, QuitAnswer, UiOutput};
+use super::words::Words;
+use super::{PathPurpose, QuitAnswer, Shown, UiOutput};
 use crate::editor::{Command, Editor, FileCommand};
 
 /// The question at hand.
@@ -22,6 +25,10 @@ pub enum Dialog {
     },
     /// What about unsaved work?
     Quit,
+    /// Which command?
+    Commands(Palette),
+    /// Which keys?
+    Keys(KeysDialog),
 }
 
 impl Dialog {
@@ -32,33 +39,52 @@ impl Dialog {
 }
 
 /// Shows the question, if there is one.
-pub fn show(ui: &Ui, dialog: &mut Option<Dialog>, editor: &Editor, output: &mut UiOutput) {
+pub fn show(ui: &Ui, dialog: &mut Option<Dialog>, shown: Shown<'_>, output: &mut UiOutput) {
     let Some(question) = dialog else { return };
     let escape = ui.input(|input| input.key_pressed(Key::Escape));
-    let frame = Frame::popup(ui.style()).inner_margin(Margin::same(16)).corner_radius(2 * CORNER);
-    let modal = Modal::new(Id::unique("dialog")).backdrop_color(Tokens::of(ui).shade).frame(frame);
-    let is_answered = modal
-        .show(ui.ctx(), |ui| {
-            ui.set_width(400.0);
-            match question {
-                Dialog::Path { purpose, typed, is_new } => path(ui, *purpose, typed, is_new, output),
-                Dialog::Quit => quit(ui, editor, output),
-            }
-        })
-        .inner;
-    if is_answered || escape {
+    let is_list = matches!(question, Dialog::Commands(_));
+    let margin = Margin::same(if is_list { 8 } else { 16 });
+    let frame = Frame::popup(ui.style()).inner_margin(margin).corner_radius(2 * CORNER);
+    let id = Id::unique(if is_list { "commands" } else { "dialog" });
+    let mut modal = Modal::new(id).backdrop_color(Tokens::of(ui).shade).frame(frame);
+    if matches!(question, Dialog::Commands(_) | Dialog::Keys(_)) {
+        // From a place of their own, so that they do not move while their height changes.
+        modal = modal.area(Modal::default_area(id).anchor(Align2::CENTER_TOP, vec2(0.0, 64.0)));
+    }
+    let shown = modal.show(ui.ctx(), |ui| match question {
+        Dialog::Path { purpose, typed, is_new } => at_width(ui, |ui| path(ui, *purpose, typed, is_new, output)),
+        Dialog::Quit => at_width(ui, |ui| quit(ui, shown.editor, output)),
+        Dialog::Commands(palette) => outcome(palette.show(ui, shown, &mut output.commands)),
+        Dialog::Keys(keys) => keys.show(ui, shown, &mut output.commands),
+    });
+    let is_left = match question {
+        // These lose nothing where one clicks beside them.
+        Dialog::Commands(_) | Dialog::Keys(_) => shown.backdrop_response.clicked(),
+        Dialog::Path { .. } | Dialog::Quit => false,
+    };
+    if shown.inner == Outcome::IsOver || is_left || (escape && shown.inner != Outcome::TookEscape) {
         *dialog = None;
     }
 }
 
+const fn outcome(is_over: bool) -> Outcome {
+    if is_over { Outcome::IsOver } else { Outcome::Stays }
+}
+
+fn at_width(ui: &mut Ui, contents: impl FnOnce(&mut Ui) -> bool) -> Outcome {
+    ui.set_width(400.0);
+    outcome(contents(ui))
+}
+
 fn path(ui: &mut Ui, purpose: PathPurpose, typed: &mut String, is_new: &mut bool, output: &mut UiOutput) -> bool {
+    let words = Words::of(ui);
     let (heading, verb) = match purpose {
-        PathPurpose::Open => ("Open a keyframe file", "Open"),
-        PathPurpose::SaveAs => ("Save the keyframes as", "Save"),
+        PathPurpose::Open => (words.say("Open a keyframe file"), words.say("Open")),
+        PathPurpose::SaveAs => (words.say("Save the keyframes as"), words.say("Save")),
     };
     ui.heading(heading);
     ui.add_space(8.0);
-    ui.label(RichText::new("Path of the file").small().color(Tokens::of(ui).dim));
+    ui.label(RichText::new(words.say("Path of the file")).small().color(Tokens::of(ui).dim));
     let field = ui.add(TextEdit::singleline(typed).desired_width(f32::INFINITY).hint_text("animation.json"));
     if std::mem::take(is_new) {
         field.request_focus();
@@ -70,7 +96,7 @@ fn path(ui: &mut Ui, purpose: PathPurpose, typed: &mut String, is_new: &mut bool
     let mut is_cancelled = false;
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
         is_confirmed = ui.add_enabled(is_typed, primary(ui, verb)).clicked();
-        is_cancelled = ui.button("Cancel").clicked();
+        is_cancelled = ui.button(words.say("Cancel")).clicked();
     });
     if entered || is_confirmed {
         let path = PathBuf::from(typed.trim());
@@ -84,13 +110,19 @@ fn path(ui: &mut Ui, purpose: PathPurpose, typed: &mut String, is_new: &mut bool
 
 fn quit(ui: &mut Ui, editor: &Editor, output: &mut UiOutput) -> bool {
     let (changes, posing) = (editor.has_unsaved_changes(), editor.has_unsaved_posing());
-    ui.heading(if changes { "Save the changes before quitting?" } else { "Quit without keeping the pose?" });
+    let words = Words::of(ui);
+    ui.heading(if changes {
+        words.say("Save the changes before quitting?")
+    } else {
+        words.say("Quit without keeping the pose?")
+    });
     ui.add_space(8.0);
     if changes {
-        ui.label(format!("{} does not hold all of your keyframes and settings.", editor.path().display()));
+        let path = editor.path().display().to_string();
+        ui.label(words.fill("{} does not hold all of your keyframes and settings.", &[&path]));
     }
     if posing {
-        ui.label("The robots stand in a pose that no keyframe holds.");
+        ui.label(words.say("The robots stand in a pose that no keyframe holds."));
     }
     ui.add_space(16.0);
     let mut is_cancelled = false;
@@ -108,13 +140,13 @@ fn quit(ui: &mut Ui, editor: &Editor, output: &mut UiOutput) -> bool {
         };
         let can_keep = posing && !editor.is_playing();
         if can_keep {
-            answer(ui, "Keep pose and save", true, QuitAnswer::KeepPoseAndSave);
+            answer(ui, words.say("Keep pose and save"), true, QuitAnswer::KeepPoseAndSave);
         }
         if changes {
-            answer(ui, "Save", !can_keep, QuitAnswer::Save);
+            answer(ui, words.say("Save"), !can_keep, QuitAnswer::Save);
         }
-        answer(ui, "Discard", false, QuitAnswer::Discard);
-        is_cancelled = ui.button("Cancel").clicked();
+        answer(ui, words.say("Discard"), false, QuitAnswer::Discard);
+        is_cancelled = ui.button(words.say("Cancel")).clicked();
     });
     output.quit_answer.is_some() || is_cancelled
 }

@@ -2,42 +2,48 @@
 
 use egui::{Align2, Area, Color32, Frame, Margin, Order, Rect, RichText, ScrollArea, Sense, Stroke, Ui, vec2};
 
+use super::binding_of;
 use super::icons::was_pressed;
 use super::theme::{CORNER, Tokens, number_font};
+use super::words::Words;
 use crate::editor::keymap::{Binding, Group};
 use crate::editor::{Command, ViewCommand};
 
 /// What the mouse does over the scene, as (gesture, meaning).
-pub const MOUSE: [(&str, &str); 7] = [
-    ("Left drag", "Turn, by the arcball"),
-    ("Right drag", "Move in the view's plane"),
-    ("Middle drag", "Move along the view"),
-    ("Left+right drag", "Move along the view"),
-    ("Space+left drag", "Move along the view"),
-    ("Wheel", "Move along the view"),
-    ("Ctrl+click", "Choose the node to move; the ground chooses none"),
-];
+fn mouse(words: Words) -> [(&'static str, &'static str); 7] {
+    [
+        (words.say("Left drag"), words.say("Turn, by the arcball")),
+        (words.say("Right drag"), words.say("Move in the view's plane")),
+        (words.say("Middle drag"), words.say("Move along the view")),
+        (words.say("Left+right drag"), words.say("Move along the view")),
+        (words.say("Space+left drag"), words.say("Move along the view")),
+        (words.say("Wheel"), words.say("Move along the view")),
+        (words.say("Ctrl+click"), words.say("Choose the node to move; the ground chooses none")),
+    ]
+}
 
 /// Width of the column of keys, in points.
-const KEYS: f32 = 164.0;
+const KEYS: f32 = 160.0;
 /// Width of the column of sentences, in points.
-const SENTENCES: f32 = 288.0;
+const SENTENCES: f32 = 232.0;
 
 /// Width of a column of both, in points.
 const COLUMN: f32 = KEYS + 4.0 + SENTENCES;
 /// Room between two of those, in points.
-const GAP: f32 = 20.0;
+const GAP: f32 = 16.0;
 /// Height of a line, in points.
 const LINE: f32 = 19.0;
 
 /// Shows the help; a click on its cross asks to hide it.
-pub fn show(ui: &Ui, viewport: Rect, bindings: &[Binding], commands: &mut Vec<Command>) {
+pub fn show(ui: &Ui, bindings: &[Binding], commands: &mut Vec<Command>) {
     let tokens = Tokens::of(ui);
+    // Three columns need more than the 3D view.
+    let window = ui.ctx().content_rect();
     Area::new(egui::Id::unique("help"))
         .order(Order::Middle)
         .pivot(Align2::CENTER_CENTER)
-        .fixed_pos(viewport.center())
-        .constrain_to(viewport)
+        .fixed_pos(window.center())
+        .constrain_to(window)
         .show(ui.ctx(), |ui| {
             Frame::new()
                 .fill(tokens.panel)
@@ -45,55 +51,78 @@ pub fn show(ui: &Ui, viewport: Rect, bindings: &[Binding], commands: &mut Vec<Co
                 .corner_radius(2 * CORNER)
                 .inner_margin(Margin::same(16))
                 .show(ui, |ui| {
-                    let room = viewport.size() - vec2(48.0, 64.0);
+                    let room = window.size() - vec2(44.0, 64.0);
                     ScrollArea::both()
                         .min_scrolled_width(room.x)
                         .min_scrolled_height(room.y)
-                        .show(ui, |ui| contents(ui, bindings, room.x >= 2.0 * COLUMN + GAP, commands));
+                        .show(ui, |ui| contents(ui, bindings, room.x, commands));
                 });
         });
 }
 
-fn contents(ui: &mut Ui, bindings: &[Binding], is_wide: bool, commands: &mut Vec<Command>) {
+fn contents(ui: &mut Ui, bindings: &[Binding], room: f32, commands: &mut Vec<Command>) {
     ui.spacing_mut().item_spacing = vec2(GAP, 2.0);
     ui.spacing_mut().interact_size.y = LINE;
-    let left = |ui: &mut Ui| {
-        group(ui, bindings, Group::Keyframes);
-        group(ui, bindings, Group::Playing);
-        heading(ui, "Mouse over the scene");
-        for (gesture, meaning) in MOUSE {
-            row(ui, &[gesture.to_owned()], meaning);
+    let groups = |ui: &mut Ui, groups: &[Group]| {
+        for &one in groups {
+            group(ui, bindings, one);
         }
     };
-    let mut right = |ui: &mut Ui| {
-        group(ui, bindings, Group::Timeline);
-        group(ui, bindings, Group::View);
-        group(ui, bindings, Group::File);
-        ui.add_space(16.0);
-        ui.allocate_ui_with_layout(vec2(COLUMN, 24.0), egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            if was_pressed(&ui.button("Close")) {
-                commands.push(Command::View(ViewCommand::ToggleHelp));
-            }
-            ui.label(RichText::new("h or Esc").small().color(Tokens::of(ui).dim));
-        });
+    let first = |ui: &mut Ui| groups(ui, &[Group::Keyframes, Group::Playing]);
+    let second = |ui: &mut Ui| groups(ui, &[Group::Timeline, Group::View]);
+    let mut third = |ui: &mut Ui| {
+        groups(ui, &[Group::File, Group::Window]);
+        mouse_group(ui);
+        close(ui, bindings, commands);
     };
-    if is_wide {
+    if room >= 3.0 * COLUMN + 2.0 * GAP {
         ui.horizontal_top(|ui| {
-            ui.vertical(left);
-            ui.vertical(&mut right);
+            ui.vertical(first);
+            ui.vertical(second);
+            ui.vertical(&mut third);
+        });
+    } else if room >= 2.0 * COLUMN + GAP {
+        ui.horizontal_top(|ui| {
+            ui.vertical(|ui| {
+                first(ui);
+                second(ui);
+            });
+            ui.vertical(&mut third);
         });
     } else {
-        left(ui);
-        ui.add_space(12.0);
-        right(ui);
+        first(ui);
+        second(ui);
+        third(ui);
     }
 }
 
+fn mouse_group(ui: &mut Ui) {
+    let words = Words::of(ui);
+    heading(ui, words.say("Mouse over the scene"));
+    for (gesture, meaning) in mouse(words) {
+        row(ui, &[gesture.to_owned()], meaning);
+    }
+}
+
+fn close(ui: &mut Ui, bindings: &[Binding], commands: &mut Vec<Command>) {
+    let help = binding_of(bindings, &Command::View(ViewCommand::ToggleHelp)).map(Binding::menu_key);
+    let keys = Words::of(ui).fill("{} or Esc", &[&help.unwrap_or_default()]);
+    ui.add_space(16.0);
+    ui.allocate_ui_with_layout(vec2(COLUMN, 24.0), egui::Layout::right_to_left(egui::Align::Center), |ui| {
+        if was_pressed(&ui.button(Words::of(ui).say("Close"))) {
+            commands.push(Command::View(ViewCommand::ToggleHelp));
+        }
+        ui.label(RichText::new(keys).small().color(Tokens::of(ui).dim));
+    });
+}
+
 fn group(ui: &mut Ui, bindings: &[Binding], group: Group) {
-    heading(ui, group.heading());
-    for binding in bindings.iter().filter(|binding| binding.group == group) {
+    let words = Words::of(ui);
+    heading(ui, words.say(group.heading()));
+    // What has no key stands in the menus and in the list of commands.
+    for binding in bindings.iter().filter(|binding| binding.group == group && !binding.chords.is_empty()) {
         let keys: Vec<String> = binding.chords.iter().map(crate::editor::keymap::Chord::label).collect();
-        row(ui, &keys, binding.help);
+        row(ui, &keys, words.say(binding.help));
     }
     ui.add_space(12.0);
 }
@@ -120,7 +149,7 @@ fn row(ui: &mut Ui, keys: &[String], meaning: &str) {
         let galley = ui.painter().layout(meaning.to_owned(), egui::FontId::proportional(12.0), tokens.text, SENTENCES);
         let height = galley.size().y.max(LINE);
         let (rect, response) = ui.allocate_exact_size(vec2(SENTENCES, height), Sense::hover());
-        let label = format!("{}: {meaning}", keys.join(" or "));
+        let label = format!("{}: {meaning}", keys.join(Words::of(ui).say(" or ")));
         response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Label, true, &label));
         ui.painter().galley(rect.left_top() + vec2(0.0, (height - galley.size().y) / 2.0), galley, tokens.text);
     });

@@ -37,6 +37,8 @@ pub enum Icon {
     Eye,
     /// It is on.
     Tick,
+    /// Something went wrong.
+    Warning,
 }
 
 /// Draws an icon about a centre.
@@ -110,6 +112,11 @@ pub fn paint(painter: &Painter, icon: Icon, centre: Pos2, colour: Color32) {
         Icon::Tick => {
             line(at(-3.5, 0.0), at(-1.0, 3.0));
             line(at(-1.0, 3.0), at(4.0, -3.5));
+        }
+        Icon::Warning => {
+            painter.circle_stroke(centre, 6.5, stroke);
+            line(at(0.0, -3.5), at(0.0, 0.8));
+            painter.circle_filled(at(0.0, 3.2), 1.0, colour);
         }
         Icon::Eye => {
             let lid = |side: f32| {

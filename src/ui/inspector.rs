@@ -4,8 +4,11 @@ use egui::{DragValue, Label, Response, RichText, Ui, vec2};
 use glam::Vec3;
 
 use super::angles::{ShownAngles, rotation_from_degrees, with_component};
+use super::key_of;
 use super::theme::{GRID, ROW, Tokens};
-use crate::editor::{Command, Edit, Editor, GestureCommand};
+use super::words::Words;
+use crate::editor::keymap::Keymap;
+use crate::editor::{Command, Edit, Editor, GestureCommand, PlaybackCommand};
 
 /// Scene units for each point that a number is dragged.
 const UNITS_PER_POINT: f32 = 0.01;
@@ -13,7 +16,8 @@ const UNITS_PER_POINT: f32 = 0.01;
 const DEGREES_PER_POINT: f32 = 0.5;
 
 /// Shows the numbers of the node at hand.
-pub fn show(ui: &mut Ui, editor: &Editor, angles: &mut ShownAngles, commands: &mut Vec<Command>) {
+pub fn show(ui: &mut Ui, editor: &Editor, angles: &mut ShownAngles, keymap: &Keymap, commands: &mut Vec<Command>) {
+    let words = Words::of(ui);
     let tokens = Tokens::of(ui);
     let scene = editor.scene();
     let rbt = editor.node_at_hand();
@@ -21,7 +25,7 @@ pub fn show(ui: &mut Ui, editor: &Editor, angles: &mut ShownAngles, commands: &m
     ui.horizontal(|ui| {
         ui.label(RichText::new(&node.name).strong().size(14.0));
         let what = match (editor.session().chosen, node.path.rsplit_once('/')) {
-            (None, _) => "the eye; nothing is chosen",
+            (None, _) => words.say("the eye; nothing is chosen"),
             (Some(_), Some((above, _))) => above,
             (Some(_), None) => "",
         };
@@ -31,27 +35,30 @@ pub fn show(ui: &mut Ui, editor: &Editor, angles: &mut ShownAngles, commands: &m
     ui.add_enabled_ui(!editor.is_playing(), |ui| {
         let parent_from_node = editor.displayed_pose().get(rbt);
 
-        label(ui, "Translation");
+        label(ui, words.say("Translation"));
         let mut translation = parent_from_node.translation.to_array();
         let names = ["x", "y", "z"];
-        if let Some(changed) = numbers(ui, "Translation", &names, &mut translation, UNITS_PER_POINT, 3, commands) {
+        if let Some(changed) =
+            numbers(ui, words.say("Translation"), &names, &mut translation, UNITS_PER_POINT, 3, commands)
+        {
             finish(&changed, Command::Edit(Edit::SetTranslation(rbt, Vec3::from(translation))), commands);
         }
 
-        label(ui, "Rotation, degrees");
+        label(ui, words.say("Rotation, degrees"));
         let mut degrees = angles.of(rbt, parent_from_node.rotation);
-        let names = ["yaw", "pitch", "roll"];
-        if let Some(changed) = numbers(ui, "Rotation", &names, &mut degrees, DEGREES_PER_POINT, 1, commands) {
+        let names = [words.say("yaw"), words.say("pitch"), words.say("roll")];
+        if let Some(changed) = numbers(ui, words.say("Rotation"), &names, &mut degrees, DEGREES_PER_POINT, 1, commands)
+        {
             angles.set(rbt, degrees);
             let rotation = rotation_from_degrees(degrees);
             finish(&changed, Command::Edit(Edit::SetRotation(rbt, rotation)), commands);
         }
 
-        label(ui, "Quaternion");
+        label(ui, words.say("Quaternion"));
         let before = parent_from_node.rotation.to_array();
         let mut parts = before;
         let names = ["x", "y", "z", "w"];
-        if let Some(changed) = numbers(ui, "Quaternion", &names, &mut parts, UNITS_PER_POINT, 3, commands) {
+        if let Some(changed) = numbers(ui, words.say("Quaternion"), &names, &mut parts, UNITS_PER_POINT, 3, commands) {
             let component = (0..4).find(|&place| parts[place].to_bits() != before[place].to_bits());
             let rotation = component.map_or(parent_from_node.rotation, |place| {
                 with_component(parent_from_node.rotation, place, parts[place])
@@ -60,11 +67,13 @@ pub fn show(ui: &mut Ui, editor: &Editor, angles: &mut ShownAngles, commands: &m
         }
     });
     let hint = if editor.is_playing() {
-        "Stop (y) or pause (Shift+P) to change these."
+        let key = |command| key_of(keymap, &Command::Playback(command));
+        let (stop, pause) = (key(PlaybackCommand::PlayOrStop), key(PlaybackCommand::PauseOrResume));
+        words.fill("Stop ({}) or pause ({}) to change these.", &[&stop, &pause])
     } else if editor.session().chosen.is_none() {
-        "Ctrl+click a part to choose it."
+        words.say("Ctrl+click a part to choose it.").to_owned()
     } else {
-        "Drag the numbers, or click and type."
+        words.say("Drag the numbers, or click and type.").to_owned()
     };
     ui.add_space(GRID);
     ui.label(RichText::new(hint).small().color(tokens.dim));
@@ -129,7 +138,7 @@ fn number(ui: &mut Ui, name: &str, value: &mut f32, per_point: f32, decimals: us
         .update_while_editing(false);
     let response = ui.add_sized(vec2(width, ROW), number);
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::SpinButton, ui.is_enabled(), name));
-    response.on_hover_text(format!("{name}: drag, or click and type"))
+    response.on_hover_text(Words::of(ui).fill("{}: drag, or click and type", &[name]))
 }
 
 fn finish(changed: &Changed, command: Command, commands: &mut Vec<Command>) {

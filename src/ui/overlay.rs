@@ -2,33 +2,57 @@
 
 use egui::{Align2, Painter, Pos2, Rect, Ui, vec2};
 
+use super::key_of;
+use super::log::Log;
 use super::theme::{CORNER, GRID, Tokens, small_font};
-use crate::editor::{Editor, Severity};
+use super::words::Words;
+use crate::editor::keymap::Keymap;
+use crate::editor::{Command, Editor, PlaybackCommand, Severity, SkyMode, ViewCommand};
 
 /// Draws the texts into the corners of the 3D view.
-pub fn show(ui: &Ui, viewport: Rect, editor: &Editor) {
+pub fn show(ui: &Ui, viewport: Rect, editor: &Editor, keymap: &Keymap, log: &Log) {
     let tokens = Tokens::of(ui);
+    let words = Words::of(ui);
     let painter = ui.painter();
     let margin = vec2(2.0 * GRID, -2.0 * GRID);
     let left = viewport.left_bottom() + margin;
-    let mut after = tag(painter, left, Align2::LEFT_BOTTOM, &editor.view_sentence(), tokens.text, tokens);
+    let mut after = tag(painter, left, Align2::LEFT_BOTTOM, &view_sentence(editor, words), tokens.text, tokens);
+    let mut add = |text: &str, colour| after = tag(painter, next_to(after), Align2::LEFT_BOTTOM, text, colour, tokens);
     if editor.session().is_picking {
-        after =
-            tag(painter, next_to(after), Align2::LEFT_BOTTOM, "click what to move · Esc leaves", tokens.accent, tokens);
+        add(words.say("click what to move · Esc leaves"), tokens.accent);
     }
     if editor.is_playing() {
-        after = tag(painter, next_to(after), Align2::LEFT_BOTTOM, "playing · y stops", tokens.accent, tokens);
+        let key = key_of(keymap, &Command::Playback(PlaybackCommand::PlayOrStop));
+        add(&words.fill("playing · {} stops", &[&key]), tokens.accent);
     } else if editor.is_paused() {
-        after = tag(painter, next_to(after), Align2::LEFT_BOTTOM, "paused · Shift+P goes on", tokens.accent, tokens);
+        let key = key_of(keymap, &Command::Playback(PlaybackCommand::PauseOrResume));
+        add(&words.fill("paused · {} goes on", &[&key]), tokens.accent);
     }
     let message = editor.message();
-    if !editor.session().shows_panels && !message.text.is_empty() {
+    if !editor.session().shows_panels && !message.text.is_empty() && !log.shows(message) {
         // There is no status line to say it.
         let colour = if message.severity == Severity::Error { tokens.error } else { tokens.text };
-        tag(painter, next_to(after), Align2::LEFT_BOTTOM, &message.text, colour, tokens);
+        add(&words.message(&message.text), colour);
     }
-    let right = viewport.right_bottom() + vec2(-margin.x, margin.y);
-    tag(painter, right, Align2::RIGHT_BOTTOM, "[h] help", tokens.text, tokens);
+    let key = key_of(keymap, &Command::View(ViewCommand::ToggleHelp));
+    if !key.is_empty() {
+        let right = viewport.right_bottom() + vec2(-margin.x, margin.y);
+        tag(painter, right, Align2::RIGHT_BOTTOM, &words.fill("[{}] help", &[&key]), tokens.text, tokens);
+    }
+}
+
+/// What the eye is and how a drag moves, as [`Editor::view_sentence`] says it in English.
+fn view_sentence(editor: &Editor, words: Words) -> String {
+    let scene = editor.scene();
+    let eye = scene.node(scene.rbt_node(editor.eye())).name.as_str();
+    let session = editor.session();
+    let handled = match (session.chosen, session.eye, session.sky_mode) {
+        (Some(chosen), ..) => words.fill("moves {}", &[scene.rbt_path(chosen)]),
+        (None, 0, SkyMode::WorldCentre) => words.say("world-sky").to_owned(),
+        (None, 0, SkyMode::Eye) => words.say("sky-sky").to_owned(),
+        (None, ..) => words.say("moves itself").to_owned(),
+    };
+    words.fill("{} view · {}", &[eye, &handled])
 }
 
 fn next_to(rect: Rect) -> Pos2 {

@@ -7,8 +7,11 @@ use egui::{
 };
 
 use super::icons::{diamond, was_pressed};
+use super::key_of;
 use super::theme::{GRID, Tokens, number_font};
-use crate::editor::{Command, Edit, Editor};
+use super::words::Words;
+use crate::editor::keymap::Keymap;
+use crate::editor::{Command, Edit, Editor, PlaybackCommand};
 use crate::keyframe::{KeyframeIndex, PlayRange};
 
 /// Points from one keyframe to the next.
@@ -38,14 +41,15 @@ struct Mark {
 
 impl Strip {
     /// Shows the strip.
-    pub fn show(&mut self, ui: &mut Ui, editor: &Editor, commands: &mut Vec<Command>) {
+    pub fn show(&mut self, ui: &mut Ui, editor: &Editor, keymap: &Keymap, commands: &mut Vec<Command>) {
+        let words = Words::of(ui);
         let count = editor.document().keyframes.len();
         if count == 0 {
-            empty(ui);
+            empty(ui, keymap);
             return;
         }
         let room = ui.available_size();
-        let hint = missing(count);
+        let hint = missing(count, words, &key_of(keymap, &Command::Edit(Edit::CreateKeyframe)));
         let width = (points(count - 1) * STEP + 2.0 * MARGIN + if hint.is_some() { 420.0 } else { 0.0 }).max(room.x);
         let target = self.target(editor);
         ScrollArea::horizontal().auto_shrink(false).scroll_source(ScrollSource::ALL).show_viewport(ui, |ui, seen| {
@@ -78,17 +82,25 @@ impl Strip {
     }
 }
 
-fn empty(ui: &mut Ui) {
+fn empty(ui: &mut Ui, keymap: &Keymap) {
     let tokens = Tokens::of(ui);
-    let text = "No keyframes yet: pose the robots, press n to keep a pose. Four make an animation; y plays it.";
+    let new = key_of(keymap, &Command::Edit(Edit::CreateKeyframe));
+    let play = key_of(keymap, &Command::Playback(PlaybackCommand::PlayOrStop));
+    let text = Words::of(ui).fill(
+        "No keyframes yet: pose the robots, press {} to keep a pose. Four make an animation; {} plays it.",
+        &[&new, &play],
+    );
     ui.centered_and_justified(|ui| ui.label(RichText::new(text).color(tokens.dim)));
 }
 
 /// What to say while there are too few to play.
-fn missing(count: usize) -> Option<String> {
+fn missing(count: usize, words: Words, key: &str) -> Option<String> {
     match count {
-        1 | 2 => Some(format!("{} more keyframes make an animation: pose, then press n.", 4 - count)),
-        3 => Some("1 more keyframe makes an animation: pose, then press n.".to_owned()),
+        1 | 2 => {
+            let left = (4 - count).to_string();
+            Some(words.fill("{} more keyframes make an animation: pose, then press {}.", &[&left, key]))
+        }
+        3 => Some(words.fill("1 more keyframe makes an animation: pose, then press {}.", &[key])),
         _ => None,
     }
 }
@@ -128,7 +140,8 @@ fn keyframe(ui: &Ui, mark: Mark, top: Pos2) -> bool {
     let tokens = Tokens::of(ui);
     let area = Rect::from_min_max(top + vec2(-STEP * 0.4, 4.0), top + vec2(STEP * 0.4, DIAMONDS + 16.0));
     let response = ui.interact(area, ui.scope_id().with(("keyframe", mark.place)), Sense::click());
-    let name = format!("Keyframe {}", mark.place);
+    let words = Words::of(ui);
+    let name = words.fill("Keyframe {}", &[&mark.place.to_string()]);
     response.widget_info(|| WidgetInfo::selected(Role::ListBoxOption, true, mark.is_current, &name));
     let centre = top + vec2(0.0, DIAMONDS);
     let is_hot = response.hovered() || response.has_focus();
@@ -144,9 +157,9 @@ fn keyframe(ui: &Ui, mark: Mark, top: Pos2) -> bool {
     let text = if mark.is_current { tokens.accent } else { colour };
     ui.painter().text(number, Align2::CENTER_CENTER, mark.place, number_font(), text);
     let tip = match (mark.steers, mark.is_current) {
-        (true, _) => format!("{name} only steers the spline: it is not played"),
-        (false, true) => format!("{name}, the current one"),
-        (false, false) => format!("Go to keyframe {}  ·  < and > step", mark.place),
+        (true, _) => words.fill("{} only steers the spline: it is not played", &[&name]),
+        (false, true) => words.fill("{}, the current one", &[&name]),
+        (false, false) => words.fill("Go to keyframe {}", &[&mark.place.to_string()]),
     };
     was_pressed(&response.on_hover_text(tip))
 }

@@ -131,9 +131,14 @@ pub fn text_font() -> FontId {
     FontId::new(TEXT, FontFamily::Proportional)
 }
 
-/// Puts both themes in force; which of them shows follows the system.
+/// Puts the fonts and both themes in force; which of them shows follows the system, or the settings.
 pub fn install(context: &Context) {
-    context.options_mut(|options| options.fallback_theme = Theme::Dark);
+    super::fonts::install(context);
+    context.options_mut(|options| {
+        options.fallback_theme = Theme::Dark;
+        // The table has keys of its own for it.
+        options.zoom_with_keyboard = false;
+    });
     for theme in [Theme::Dark, Theme::Light] {
         context.style_mut_of(theme, |style| dress(style, theme));
     }

@@ -6,6 +6,9 @@ use egui::{Align2, Color32, Pos2, Rect, Response, RichText, Role, Sense, Shape, 
 
 use super::icons::{Icon, paint, was_pressed};
 use super::theme::{CORNER, ROW, Tokens, text_font};
+use super::words::Words;
+use super::{key_of, tip};
+use crate::editor::keymap::Keymap;
 use crate::editor::{Command, Editor, ViewCommand};
 use crate::pose::RbtIndex;
 use crate::scene::{NodeId, NodeKind, SceneGraph};
@@ -27,15 +30,16 @@ struct Row<'a> {
 
 impl Tree {
     /// Shows the tree.
-    pub fn show(&mut self, ui: &mut Ui, editor: &Editor, commands: &mut Vec<Command>) {
+    pub fn show(&mut self, ui: &mut Ui, editor: &Editor, keymap: &Keymap, commands: &mut Vec<Command>) {
         let tokens = Tokens::of(ui);
         ui.horizontal(|ui| {
             ui.add_space(8.0);
-            ui.label(RichText::new("Scene").small().color(tokens.dim));
+            ui.label(RichText::new(Words::of(ui).say("Scene")).small().color(tokens.dim));
         });
         ui.spacing_mut().item_spacing.y = 0.0;
         let scene = editor.scene();
         let mut folded_until = 0;
+        let eye_key = key_of(keymap, &Command::View(ViewCommand::NextEye));
         for rbt in scene.rbt_indices() {
             let id = scene.rbt_node(rbt);
             if id.get() < folded_until {
@@ -52,7 +56,7 @@ impl Tree {
                 has_children: below.skip(1).any(|place| matches!(scene.nodes()[place].kind, NodeKind::Rbt(_))),
                 eye: scene.eyes().iter().position(|&eye| eye == rbt),
             };
-            self.row(ui, editor, &row, commands);
+            self.row(ui, editor, &row, &eye_key, commands);
         }
         // What is left of the panel chooses nothing.
         let rest = ui.available_rect_before_wrap();
@@ -61,8 +65,9 @@ impl Tree {
         }
     }
 
-    fn row(&mut self, ui: &mut Ui, editor: &Editor, row: &Row<'_>, commands: &mut Vec<Command>) {
+    fn row(&mut self, ui: &mut Ui, editor: &Editor, row: &Row<'_>, eye_key: &str, commands: &mut Vec<Command>) {
         let tokens = Tokens::of(ui);
+        let words = Words::of(ui);
         let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::click());
         let is_chosen = editor.session().chosen == Some(row.rbt);
         response.widget_info(|| {
@@ -84,12 +89,12 @@ impl Tree {
         let text = pos2(left + 34.0, middle);
         ui.painter().text(text, Align2::LEFT_CENTER, row.name, text_font(), tokens.text);
         if let Some(eye) = row.eye {
-            self.eye(ui, editor, eye, row.name, rect, commands);
+            self.eye(ui, editor, (eye, row.name, eye_key), rect, commands);
         }
         if was_pressed(&response.on_hover_text(if is_chosen {
-            "A click chooses nothing"
+            words.say("A click chooses nothing")
         } else {
-            "Choose it: drags move it"
+            words.say("Choose it: drags move it")
         })) {
             commands.push(Command::View(ViewCommand::Choose((!is_chosen).then_some(row.rbt))));
         }
@@ -100,14 +105,17 @@ impl Tree {
         let is_folded = self.folded.contains(&rbt);
         let area = Rect::from_center_size(centre, vec2(16.0, ROW));
         let response = ui.interact(area, ui.scope_id().with(("fold", rbt)), Sense::click());
-        response.widget_info(|| WidgetInfo::labeled(Role::Button, true, if is_folded { "Unfold" } else { "Fold" }));
+        let words = Words::of(ui);
+        let says = if is_folded { words.say("Unfold") } else { words.say("Fold") };
+        response.widget_info(|| WidgetInfo::labeled(Role::Button, true, says));
+        ring(ui, area, &response);
         let at = |x: f32, y: f32| centre + vec2(x, y);
         let corners = if is_folded {
             vec![at(-2.0, -4.0), at(3.0, 0.0), at(-2.0, 4.0)]
         } else {
             vec![at(-4.0, -2.0), at(4.0, -2.0), at(0.0, 3.0)]
         };
-        let colour = if response.hovered() { tokens.text } else { tokens.dim };
+        let colour = if response.hovered() || response.has_focus() { tokens.text } else { tokens.dim };
         ui.painter().add(Shape::convex_polygon(corners, colour, Stroke::NONE));
         if was_pressed(&response) && !self.folded.remove(&rbt) {
             self.folded.insert(rbt);
@@ -115,12 +123,20 @@ impl Tree {
     }
 
     #[expect(clippy::unused_self, reason = "it is a part of the tree")]
-    fn eye(&self, ui: &Ui, editor: &Editor, eye: usize, name: &str, row: Rect, commands: &mut Vec<Command>) {
+    fn eye(
+        &self,
+        ui: &Ui,
+        editor: &Editor,
+        (eye, name, key): (usize, &str, &str),
+        row: Rect,
+        commands: &mut Vec<Command>,
+    ) {
         let tokens = Tokens::of(ui);
         let centre = pos2(row.right() - 14.0, row.center().y);
         let area = Rect::from_center_size(centre, vec2(24.0, ROW));
         let response = ui.interact(area, ui.scope_id().with(("eye", eye)), Sense::click());
-        let says = format!("Look from {name}");
+        let words = Words::of(ui);
+        let says = words.fill("Look from {}", &[name]);
         response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &says));
         let is_eye = editor.session().eye == eye;
         let colour = match (is_eye, response.hovered()) {
@@ -129,8 +145,9 @@ impl Tree {
             (false, false) => tokens.strong_line,
         };
         paint(ui.painter(), Icon::Eye, centre, colour);
-        let tip = if is_eye { format!("{name} is the eye  ·  v") } else { format!("{says}  ·  v") };
-        if was_pressed(&response.on_hover_text(tip)) {
+        ring(ui, area, &response);
+        let text = if is_eye { words.fill("{} is the eye", &[name]) } else { says };
+        if was_pressed(&response.on_hover_text(tip(&text, key))) {
             commands.push(Command::View(ViewCommand::SetEye(eye)));
         }
     }
@@ -146,8 +163,14 @@ fn highlight(ui: &Ui, rect: Rect, response: &Response, is_chosen: bool) {
     if fill != Color32::TRANSPARENT {
         ui.painter().rect_filled(rect, CORNER, fill);
     }
+    ring(ui, rect, response);
+}
+
+/// Shows that the keyboard is here.
+fn ring(ui: &Ui, rect: Rect, response: &Response) {
     if response.has_focus() {
-        ui.painter().rect_stroke(rect, CORNER, Stroke::new(1.0, tokens.accent), egui::StrokeKind::Inside);
+        let stroke = Stroke::new(1.0, Tokens::of(ui).accent);
+        ui.painter().rect_stroke(rect, CORNER, stroke, egui::StrokeKind::Inside);
     }
 }
 

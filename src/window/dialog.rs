@@ -9,21 +9,22 @@ use winit::event_loop::EventLoopProxy;
 
 use super::{Happening, now};
 use crate::ui::PathPurpose;
+use crate::ui::words::Words;
 
 /// An answer of "nothing" within this time is no user's: the system has no dialog.
 pub const TOO_FAST_FOR_A_USER: Duration = Duration::from_millis(150);
 
 /// Asks the system for a path; the answer comes as [`Happening::PathChosen`].
-pub fn ask(purpose: PathPurpose, current: &Path, proxy: EventLoopProxy<Happening>) {
+pub fn ask(purpose: PathPurpose, current: &Path, words: Words, proxy: EventLoopProxy<Happening>) {
     let folder = current.parent().filter(|folder| folder.is_dir()).map(Path::to_owned);
     let name = current.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
     thread::spawn(move || {
         let start = now();
-        let mut dialog = FileDialog::new().add_filter("Keyframe files", &["json"]);
+        let mut dialog = FileDialog::new().add_filter(words.say("Keyframe files"), &["json"]);
         if purpose == PathPurpose::Open {
-            dialog = dialog.add_filter("Keyframes as text", &["txt", "csv"]);
+            dialog = dialog.add_filter(words.say("Keyframes as text"), &["txt", "csv"]);
         }
-        dialog = dialog.add_filter("All files", &["*"]);
+        dialog = dialog.add_filter(words.say("All files"), &["*"]);
         if let Some(folder) = folder {
             dialog = dialog.set_directory(folder);
         }

@@ -4,9 +4,10 @@ use std::path::{Path, PathBuf};
 
 use super::dialog;
 use super::shell::Shell;
-use crate::editor::{Command, Edit, Effect, FileCommand, Severity};
+use crate::editor::{Command, Edit, Effect, FileCommand, Severity, WindowCommand};
 use crate::keyframe::LARGEST_FILE_BYTES;
 use crate::storage;
+use crate::ui::words::Words;
 use crate::ui::{PathPurpose, QuitAnswer};
 
 impl Shell {
@@ -23,11 +24,15 @@ impl Shell {
         match effect {
             Effect::ReadKeyframes { path } => {
                 let bytes = storage::read(&path, LARGEST_FILE_BYTES).map_err(|error| error.to_string());
-                let _ = self.editor.keyframes_read(&path, bytes);
+                if self.editor.keyframes_read(&path, bytes).is_ok() {
+                    self.used(&path);
+                }
             }
             Effect::WriteKeyframes { path, text, is_known } => {
                 let outcome = write(&path, &text, is_known);
-                let _ = self.editor.keyframes_written(&path, outcome);
+                if self.editor.keyframes_written(&path, outcome).is_ok() {
+                    self.used(&path);
+                }
             }
             Effect::Screenshot { path } => {
                 let path = path.unwrap_or_else(|| storage::next_screenshot_path(self.editor.path()));
@@ -37,6 +42,37 @@ impl Shell {
             Effect::ChooseOpen => self.choose_path(PathPurpose::Open),
             Effect::ChooseSaveAs => self.choose_path(PathPurpose::SaveAs),
             Effect::Quit => self.quit_or_ask(),
+            Effect::Window(command) => self.window_command(&command),
+        }
+    }
+
+    fn window_command(&mut self, command: &WindowCommand) {
+        let before = self.kept.settings.clone();
+        match self.ui.perform(command, &mut self.kept.settings) {
+            Ok(said) if said.is_empty() => {}
+            Ok(said) => self.editor.say_of(Severity::Outcome, said),
+            Err(error) => self.editor.say_of(Severity::Error, error.to_string()),
+        }
+        if self.kept.settings != before {
+            self.keep_settings();
+        }
+    }
+
+    /// Writes the settings, and puts them in force.
+    pub(super) fn keep_settings(&mut self) {
+        self.ui.adopt(&self.kept.settings);
+        match self.kept.write() {
+            Ok(None) => {}
+            Ok(Some(sentence)) => self.editor.say_of(Severity::Outcome, sentence),
+            Err(sentence) => self.editor.say_of(Severity::Error, sentence),
+        }
+    }
+
+    fn used(&mut self, path: &Path) {
+        let before = self.kept.settings.recent.clone();
+        self.kept.settings.used(&storage::absolute(path));
+        if self.kept.settings.recent != before {
+            self.keep_settings();
         }
     }
 
@@ -49,7 +85,8 @@ impl Shell {
 
     fn choose_path(&mut self, purpose: PathPurpose) {
         if !std::mem::replace(&mut self.is_choosing_path, true) {
-            dialog::ask(purpose, self.editor.path(), self.proxy.clone());
+            let words = Words::new(self.kept.settings.language);
+            dialog::ask(purpose, self.editor.path(), words, self.proxy.clone());
         }
     }
 
@@ -80,7 +117,7 @@ impl Shell {
         if answer != QuitAnswer::Discard {
             self.apply(Command::File(FileCommand::Write));
         }
-        self.is_quitting = answer == QuitAnswer::Discard || self.editor.message().severity == Severity::Information;
+        self.is_quitting = answer == QuitAnswer::Discard || self.editor.message().severity != Severity::Error;
     }
 }
 

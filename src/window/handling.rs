@@ -63,7 +63,7 @@ impl Shell {
         if press.typed == Some(Key::Escape) && self.ui.takes_escape(&stage.context) {
             return;
         }
-        if let Some(command) = binding_for(&self.bindings, press).map(|binding| binding.command.clone()) {
+        if let Some(command) = binding_for(self.ui.keymap().bindings(), press).map(|binding| binding.command.clone()) {
             self.apply(command);
             self.request_redraw();
         }

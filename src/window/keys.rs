@@ -68,15 +68,40 @@ fn typed(logical: &LogicalKey) -> Option<Key> {
             let first = characters.next()?;
             characters.next().is_none().then(|| Key::typing(first))
         }
-        LogicalKey::Named(NamedKey::Space) => Some(Key::Space),
-        LogicalKey::Named(NamedKey::Escape) => Some(Key::Escape),
-        LogicalKey::Named(NamedKey::F11) => Some(Key::F11),
-        LogicalKey::Named(NamedKey::Home) => Some(Key::Home),
-        LogicalKey::Named(NamedKey::Delete) => Some(Key::Delete),
-        LogicalKey::Named(NamedKey::ArrowLeft) => Some(Key::Left),
-        LogicalKey::Named(NamedKey::ArrowRight) => Some(Key::Right),
+        LogicalKey::Named(named) => without_character(*named),
         _ => None,
     }
+}
+
+const fn without_character(named: NamedKey) -> Option<Key> {
+    Some(match named {
+        NamedKey::Space => Key::Space,
+        NamedKey::Escape => Key::Escape,
+        NamedKey::F1 => Key::F1,
+        NamedKey::F2 => Key::F2,
+        NamedKey::F3 => Key::F3,
+        NamedKey::F4 => Key::F4,
+        NamedKey::F5 => Key::F5,
+        NamedKey::F6 => Key::F6,
+        NamedKey::F7 => Key::F7,
+        NamedKey::F8 => Key::F8,
+        NamedKey::F9 => Key::F9,
+        NamedKey::F10 => Key::F10,
+        NamedKey::F11 => Key::F11,
+        NamedKey::F12 => Key::F12,
+        NamedKey::Home => Key::Home,
+        NamedKey::End => Key::End,
+        NamedKey::PageUp => Key::PageUp,
+        NamedKey::PageDown => Key::PageDown,
+        NamedKey::Insert => Key::Insert,
+        NamedKey::Delete => Key::Delete,
+        NamedKey::Enter => Key::Enter,
+        NamedKey::ArrowLeft => Key::Left,
+        NamedKey::ArrowRight => Key::Right,
+        NamedKey::ArrowUp => Key::Up,
+        NamedKey::ArrowDown => Key::Down,
+        _ => return None,
+    })
 }
 
 /// What a US board has in a place.
@@ -109,6 +134,17 @@ fn placed(place: KeyCode, shift: bool) -> Option<Key> {
         KeyCode::KeyX => 'x',
         KeyCode::KeyY => 'y',
         KeyCode::KeyZ => 'z',
+        KeyCode::Digit0 if !shift => '0',
+        KeyCode::Digit1 if !shift => '1',
+        KeyCode::Digit2 if !shift => '2',
+        KeyCode::Digit3 if !shift => '3',
+        KeyCode::Digit4 if !shift => '4',
+        KeyCode::Digit5 if !shift => '5',
+        KeyCode::Digit6 if !shift => '6',
+        KeyCode::Digit7 if !shift => '7',
+        KeyCode::Digit8 if !shift => '8',
+        KeyCode::Digit9 if !shift => '9',
+        KeyCode::Numpad0 => '0',
         KeyCode::Comma => with_shift(',', '<'),
         KeyCode::Period => with_shift('.', '>'),
         KeyCode::Equal => with_shift('=', '+'),
@@ -213,6 +249,11 @@ mod tests {
         check("z", KeyCode::KeyZ, CTRL, Some("Undo"));
         check("Z", KeyCode::KeyZ, CTRL_SHIFT, Some("Redo"));
         check("y", KeyCode::KeyY, CTRL, Some("Redo"));
+        check("+", KeyCode::Equal, CTRL_SHIFT, Some("Larger"));
+        check("=", KeyCode::Equal, CTRL, Some("Larger"));
+        check("-", KeyCode::Minus, CTRL, Some("Smaller"));
+        check("0", KeyCode::Digit0, CTRL, Some("Usual size"));
+        check("P", KeyCode::KeyP, CTRL_SHIFT, Some("Commands…"));
         check("x", KeyCode::KeyX, PLAIN, None);
         check("_", KeyCode::Minus, SHIFT, None);
     }
@@ -250,6 +291,7 @@ mod tests {
         assert_eq!(name(&named(NamedKey::Escape, KeyCode::Escape)), Some("Cancel"));
         assert_eq!(name(&named(NamedKey::F11, KeyCode::F11)), Some("Panels"));
         assert_eq!(name(&named(NamedKey::Space, KeyCode::Space)), Some("Display keyframe"));
+        assert_eq!(name(&named(NamedKey::Home, KeyCode::Home)), Some("Restart timed keys"));
         assert_eq!(name(&named(NamedKey::Tab, KeyCode::Tab)), None);
         assert!(named(NamedKey::Space, KeyCode::Space).is_space());
     }

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
+use egui_winit::accesskit_winit;
 use glam::Vec2;
 use winit::application::ApplicationHandler;
 use winit::dpi::LogicalSize;
@@ -11,13 +12,13 @@ use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoopProxy};
 use winit::keyboard::ModifiersState;
 use winit::window::{Window, WindowId};
 
+use super::kept::Kept;
 use super::keys::{KeyInput, SpaceBar};
 use super::pointer::Pointer;
 use super::stage::Stage;
 use super::{Happening, WindowError, now};
 use crate::clock::AnimationClock;
-use crate::editor::keymap::{Binding, bindings};
-use crate::editor::{Command, Editor, FileCommand};
+use crate::editor::{Command, Editor, FileCommand, Severity};
 use crate::ui::Ui;
 
 /// A window that stood still for longer goes on from there: it does not catch up.
@@ -36,7 +37,7 @@ pub struct Shell {
     pub(super) is_choosing_path: bool,
     pub(super) is_quitting: bool,
     at_start: Vec<Command>,
-    pub(super) bindings: Vec<Binding>,
+    pub(super) kept: Kept,
     pub(super) modifiers: ModifiersState,
     pub(super) space: SpaceBar,
     pub(super) pointer: Pointer,
@@ -53,16 +54,22 @@ pub struct Shell {
 
 impl Shell {
     /// A shell without a window yet.
-    pub fn new(editor: Editor, at_start: Vec<Command>, proxy: EventLoopProxy<Happening>) -> Self {
+    pub fn new(mut editor: Editor, at_start: Vec<Command>, proxy: EventLoopProxy<Happening>) -> Self {
+        let (kept, problem) = Kept::read();
+        let mut ui = Ui::new();
+        let errors = ui.adopt(&kept.settings).into_iter().map(|error| error.to_string());
+        for sentence in problem.into_iter().chain(errors) {
+            editor.say_of(Severity::Error, sentence);
+        }
         Self {
             editor,
-            ui: Ui::new(),
+            ui,
             stage: None,
             proxy,
             is_choosing_path: false,
             is_quitting: false,
             at_start,
-            bindings: bindings(),
+            kept,
             modifiers: ModifiersState::empty(),
             space: SpaceBar::default(),
             pointer: Pointer::default(),
@@ -82,8 +89,11 @@ impl Shell {
 
     fn open(&mut self, event_loop: &ActiveEventLoop) {
         self.title = title(&self.editor);
-        let attributes =
-            Window::default_attributes().with_title(&self.title).with_inner_size(SIZE).with_min_inner_size(SMALLEST);
+        let attributes = Window::default_attributes()
+            .with_title(&self.title)
+            .with_inner_size(SIZE)
+            .with_min_inner_size(SMALLEST)
+            .with_visible(false);
         let stage = match event_loop.create_window(attributes) {
             Ok(window) => Stage::new(event_loop, Arc::new(window), &self.proxy),
             Err(error) => Err(WindowError::NoDisplay { reason: error.to_string() }),
@@ -126,10 +136,16 @@ impl Shell {
         let Some(mut laid_out) = stage.lay_out(&mut self.ui, &self.editor, cursor) else { return };
         let commands = std::mem::take(&mut laid_out.output.commands);
         let answer = laid_out.output.quit_answer.take();
+        let panels = std::mem::take(&mut laid_out.output.panels);
         let again = !commands.is_empty() || answer.is_some() || laid_out.again_after.is_zero();
         self.show_again = now().checked_add(laid_out.again_after).filter(|_| !laid_out.again_after.is_zero());
         for command in commands {
             self.apply(command);
+        }
+        for (panel, size) in panels {
+            if self.kept.settings.resized(panel, size) {
+                self.keep_settings();
+            }
         }
         if let Some(answer) = answer {
             self.quit_answered(answer);
@@ -139,6 +155,15 @@ impl Shell {
             if again {
                 stage.window.request_redraw();
             }
+        }
+    }
+
+    fn accessibility(&mut self, event: accesskit_winit::WindowEvent) {
+        let Some(stage) = &mut self.stage else { return };
+        match event {
+            accesskit_winit::WindowEvent::InitialTreeRequested => stage.context.enable_accesskit(),
+            accesskit_winit::WindowEvent::ActionRequested(request) => stage.input.on_accesskit_action_request(request),
+            accesskit_winit::WindowEvent::AccessibilityDeactivated => stage.context.disable_accesskit(),
         }
     }
 
@@ -194,6 +219,7 @@ impl ApplicationHandler<Happening> for Shell {
         match happening {
             Happening::PathChosen { purpose, path, took } => self.path_chosen(purpose, path, took),
             Happening::DeviceLost => self.reopen(event_loop),
+            Happening::Accessibility(event) => self.accessibility(event),
         }
         self.request_redraw();
     }

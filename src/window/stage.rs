@@ -115,7 +115,11 @@ impl Stage {
         let scale = window.scale_factor() as f32;
         let most = usize::try_from(gpu.largest_side_px()).ok();
         let viewport = egui::ViewportId::ROOT;
-        let input = egui_winit::State::new(context.clone(), viewport, event_loop, Some(scale), window.theme(), most);
+        let mut input =
+            egui_winit::State::new(context.clone(), viewport, event_loop, Some(scale), window.theme(), most);
+        // Before the window shows: a screen reader asks for it from its first moment.
+        input.init_accesskit(event_loop, &window, proxy.clone());
+        window.set_visible(true);
         Ok(Self {
             window,
             context,
@@ -147,13 +151,14 @@ impl Stage {
             self.is_configured = false;
         }
         let raw_input = self.input.take_egui_input(&self.window);
-        let mut output = UiOutput { commands: Vec::new(), viewport: egui::Rect::NOTHING, quit_answer: None };
+        let mut output = UiOutput::default();
         // The panels may be laid out twice in one go.
         let mut shown = self.context.run_ui(raw_input, |root| {
             let now = ui.show(root, editor);
             output.commands.extend(now.commands);
             output.viewport = now.viewport;
             output.quit_answer = output.quit_answer.or(now.quit_answer);
+            output.panels.extend(now.panels);
         });
         if let Some(cursor) = cursor {
             shown.platform_output.cursor_icon = cursor;

@@ -108,6 +108,8 @@ impl Runner {
                     said = Some("Without a window there is no dialog: use --keyframes FILE.".to_owned());
                 }
                 Effect::Quit => flow = Flow::Quit,
+                // There is no window to change.
+                Effect::Window(_) => {}
             }
         }
         Ok((said.unwrap_or_else(|| self.editor.message().text.clone()), flow))

@@ -1,7 +1,7 @@
 //! The bindings themselves.
 
 use super::{Binding, Chord, Group, Key, Modifiers};
-use crate::editor::{Command, Edit, FileCommand, PlaybackCommand, TimelineEdit, ViewCommand};
+use crate::editor::{Command, Edit, FileCommand, PlaybackCommand, TimelineEdit, ViewCommand, WindowCommand};
 
 /// The table of bindings. The order is the help's.
 #[must_use]
@@ -280,6 +280,42 @@ pub fn bindings() -> Vec<Binding> {
             Command::File(FileCommand::Quit),
             "Quit",
             "Quit; asks where something is unsaved",
+        ),
+        row(
+            Group::Window,
+            vec![held(ctrl_shift, 'p')],
+            Command::Window(WindowCommand::ShowCommands),
+            "Commands…",
+            "List all commands, and run one by typing a part of its name",
+        ),
+        row(Group::Window, vec![], Command::Window(WindowCommand::ShowKeys), "Keys…", "Show the keys, and change them"),
+        row(
+            Group::Window,
+            vec![],
+            Command::Window(WindowCommand::ToggleMessages),
+            "Messages",
+            "Show or hide all that was said since the start",
+        ),
+        repeating(
+            Group::Window,
+            vec![held(ctrl, '+'), held(ctrl, '=')],
+            Command::Window(WindowCommand::Larger),
+            "Larger",
+            "Show the panels larger",
+        ),
+        repeating(
+            Group::Window,
+            vec![held(ctrl, '-')],
+            Command::Window(WindowCommand::Smaller),
+            "Smaller",
+            "Show the panels smaller",
+        ),
+        row(
+            Group::Window,
+            vec![held(ctrl, '0')],
+            Command::Window(WindowCommand::SetScale(100)),
+            "Usual size",
+            "Show the panels in the system's size",
         ),
     ]
 }

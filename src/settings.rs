@@ -1,0 +1,330 @@
+//! What a user set once and keeps: keys, colours, language, scale, recent files, sizes of panels. Plain data, and the text of its file.
+//!
+//! Nothing here knows where the file is, or what a key's name means.
+
+use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
+
+/// What the file says that it is.
+const FORMAT: &str = "inbetween.settings";
+/// The version that is written, and the newest that is read.
+const VERSION: u32 = 1;
+/// A file of more bytes is not ours.
+pub const LARGEST_SETTINGS_BYTES: u64 = 1 << 20;
+/// How many recent files are kept.
+pub const MOST_RECENT_FILES: usize = 10;
+/// The scales that the menu offers, in percent.
+pub const SCALES: [u16; 7] = [75, 90, 100, 125, 150, 175, 200];
+/// Sizes of panels that can be meant, in points.
+const PANEL_SIZES: RangeInclusive<f32> = 40.0..=4000.0;
+
+/// Which colours show.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum ThemeChoice {
+    /// Those of the system; dark, where it does not say.
+    #[default]
+    System,
+    /// Light.
+    Light,
+    /// Dark.
+    Dark,
+}
+
+impl ThemeChoice {
+    /// All of them, in the order of menus.
+    pub const ALL: [Self; 3] = [Self::System, Self::Light, Self::Dark];
+}
+
+/// The language of the window's words.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+pub enum Language {
+    /// English.
+    #[default]
+    #[serde(rename = "en")]
+    English,
+    /// Korean.
+    #[serde(rename = "ko")]
+    Korean,
+}
+
+impl Language {
+    /// All of them, in the order of menus.
+    pub const ALL: [Self; 2] = [Self::English, Self::Korean];
+
+    /// Its name in itself.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::English => "English",
+            Self::Korean => "한국어",
+        }
+    }
+
+    /// The language for a system's locale, such as `ko_KR.UTF-8`; English where there is none of its own.
+    #[must_use]
+    pub fn of_locale(locale: &str) -> Self {
+        match locale.split(['_', '-', '.', '@']).next() {
+            Some("ko") => Self::Korean,
+            _ => Self::English,
+        }
+    }
+}
+
+/// The settings.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Settings {
+    /// The keys of bindings that have others than the table's: the binding's name, and its chords as people write them.
+    pub keys: BTreeMap<String, Vec<String>>,
+    /// Which colours show.
+    pub theme: ThemeChoice,
+    /// The language of the window's words.
+    pub language: Language,
+    /// How large the panels are, in percent of what the system asks for.
+    pub scale_percent: u16,
+    /// Keyframe files that were read or written, the last one first.
+    pub recent: Vec<PathBuf>,
+    /// Sizes of panels that were dragged, by the panel's name, in points.
+    pub panels: BTreeMap<String, f32>,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            keys: BTreeMap::new(),
+            theme: ThemeChoice::default(),
+            language: Language::default(),
+            scale_percent: 100,
+            recent: Vec::new(),
+            panels: BTreeMap::new(),
+        }
+    }
+}
+
+/// The file, as it is written.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct File {
+    format: String,
+    version: u32,
+    #[serde(default)]
+    theme: ThemeChoice,
+    #[serde(default)]
+    language: Language,
+    #[serde(default = "whole")]
+    scale_percent: u16,
+    #[serde(default)]
+    panels: BTreeMap<String, f32>,
+    #[serde(default)]
+    keys: BTreeMap<String, Vec<String>>,
+    #[serde(default)]
+    recent: Vec<PathBuf>,
+}
+
+const fn whole() -> u16 {
+    100
+}
+
+/// What says which file it is, whatever else it holds.
+#[derive(Deserialize)]
+struct Header {
+    format: String,
+    version: u32,
+}
+
+/// Why a file is not settings that can be read.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+pub enum SettingsError {
+    /// It is something else.
+    #[error("its format is \"{found}\", not \"{FORMAT}\"")]
+    Format {
+        /// What it says that it is.
+        found: String,
+    },
+    /// It is of a newer program.
+    #[error("its version is {found}, and this program knows {VERSION}")]
+    Version {
+        /// Which version it is.
+        found: u32,
+    },
+    /// It is no JSON, or holds what is not known.
+    #[error("{reason}")]
+    Json {
+        /// What is wrong, and the line and column.
+        reason: String,
+    },
+    /// A number is out of range.
+    #[error("{what} is {found}, and must be {least} to {most}")]
+    Range {
+        /// Which.
+        what: String,
+        /// What it is.
+        found: String,
+        /// The least that it may be.
+        least: u16,
+        /// The most that it may be.
+        most: u16,
+    },
+}
+
+impl From<serde_json::Error> for SettingsError {
+    fn from(error: serde_json::Error) -> Self {
+        Self::Json { reason: error.to_string() }
+    }
+}
+
+impl Settings {
+    /// The settings that a file holds.
+    ///
+    /// # Errors
+    /// [`SettingsError`]; nothing is taken from a file that is not understood as a whole.
+    pub fn from_json(bytes: &[u8]) -> Result<Self, SettingsError> {
+        let header: Header = serde_json::from_slice(bytes)?;
+        if header.format != FORMAT {
+            return Err(SettingsError::Format { found: header.format });
+        }
+        if header.version != VERSION {
+            return Err(SettingsError::Version { found: header.version });
+        }
+        let file: File = serde_json::from_slice(bytes)?;
+        let (least, most) = (SCALES[0], SCALES[SCALES.len() - 1]);
+        if !(least..=most).contains(&file.scale_percent) {
+            let found = file.scale_percent.to_string();
+            return Err(SettingsError::Range { what: "scale_percent".to_owned(), found, least, most });
+        }
+        if let Some((name, size)) = file.panels.iter().find(|(_, size)| !PANEL_SIZES.contains(size)) {
+            let (what, found) = (format!("the size of the panel \"{name}\""), size.to_string());
+            return Err(SettingsError::Range { what, found, least: 40, most: 4000 });
+        }
+        let mut recent = file.recent;
+        recent.truncate(MOST_RECENT_FILES);
+        Ok(Self {
+            keys: file.keys,
+            theme: file.theme,
+            language: file.language,
+            scale_percent: file.scale_percent,
+            recent,
+            panels: file.panels,
+        })
+    }
+
+    /// The file's text.
+    #[must_use]
+    pub fn to_json(&self) -> String {
+        // A path that is no text cannot be written; it is forgotten, which costs one entry of a menu.
+        let recent = self.recent.iter().filter(|path| path.to_str().is_some()).cloned().collect();
+        let file = File {
+            format: FORMAT.to_owned(),
+            version: VERSION,
+            theme: self.theme,
+            language: self.language,
+            scale_percent: self.scale_percent,
+            panels: self.panels.clone(),
+            keys: self.keys.clone(),
+            recent,
+        };
+        let mut text = serde_json::to_string_pretty(&file).expect("settings are plain text and numbers");
+        text.push('\n');
+        text
+    }
+
+    /// A keyframe file was read or written: it is the first of the recent ones.
+    pub fn used(&mut self, path: &Path) {
+        self.recent.retain(|recent| recent != path);
+        self.recent.insert(0, path.to_owned());
+        self.recent.truncate(MOST_RECENT_FILES);
+    }
+
+    /// The next scale of the menu, larger or smaller, or the last one there is.
+    #[must_use]
+    pub fn next_scale(&self, is_larger: bool) -> u16 {
+        let at = self.scale_percent;
+        let next = if is_larger {
+            SCALES.into_iter().find(|&scale| scale > at)
+        } else {
+            SCALES.into_iter().rev().find(|&scale| scale < at)
+        };
+        next.unwrap_or(at)
+    }
+
+    /// A panel has this size now, in points. Says whether that is news.
+    pub fn resized(&mut self, panel: &str, size: f32) -> bool {
+        let size = size.clamp(*PANEL_SIZES.start(), *PANEL_SIZES.end()).round();
+        self.panels.insert(panel.to_owned(), size) != Some(size)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_written_is_read() {
+        let mut settings = Settings { theme: ThemeChoice::Light, language: Language::Korean, ..Settings::default() };
+        settings.keys.insert("New keyframe".to_owned(), vec!["Ctrl+K".to_owned(), "n".to_owned()]);
+        settings.scale_percent = 125;
+        settings.used(Path::new("folder/걷기.json"));
+        assert!(settings.resized("side", 300.2));
+        assert!(!settings.resized("side", 300.4));
+        assert_eq!(Settings::from_json(settings.to_json().as_bytes()), Ok(settings));
+    }
+
+    #[test]
+    fn what_is_missing_is_the_default() {
+        let text = r#"{"format": "inbetween.settings", "version": 1}"#;
+        assert_eq!(Settings::from_json(text.as_bytes()), Ok(Settings::default()));
+    }
+
+    #[track_caller]
+    fn check_refused(text: &str, expected: &str) {
+        let error = Settings::from_json(text.as_bytes()).unwrap_err().to_string();
+        assert!(error.contains(expected), "{error}");
+    }
+
+    #[test]
+    fn what_is_not_understood_is_refused() {
+        check_refused("", "line 1 column 0");
+        check_refused(r#"{"format": "inbetween.keyframes", "version": 1}"#, "\"inbetween.keyframes\"");
+        check_refused(r#"{"format": "inbetween.settings", "version": 2, "more": 1}"#, "version is 2");
+        check_refused(r#"{"format": "inbetween.settings", "version": 1, "more": 1}"#, "`more`");
+        check_refused(r#"{"format": "inbetween.settings", "version": 1, "theme": "pink"}"#, "`pink`");
+        check_refused(r#"{"format": "inbetween.settings", "version": 1, "scale_percent": 9}"#, "is 9");
+        check_refused(r#"{"format": "inbetween.settings", "version": 1, "panels": {"side": 1e9}}"#, "\"side\"");
+    }
+
+    #[test]
+    fn recent_files_are_ten_and_the_last_one_is_first() {
+        let mut settings = Settings::default();
+        for count in 0..12 {
+            settings.used(Path::new(&format!("{count}.json")));
+        }
+        settings.used(Path::new("5.json"));
+        assert_eq!(settings.recent.len(), MOST_RECENT_FILES);
+        assert_eq!(settings.recent[0], Path::new("5.json"));
+        assert_eq!(settings.recent.iter().filter(|path| path.ends_with("5.json")).count(), 1);
+    }
+
+    #[test]
+    fn scales_step_and_stop() {
+        let at = |scale_percent| Settings { scale_percent, ..Settings::default() };
+        assert_eq!((at(100).next_scale(true), at(100).next_scale(false)), (125, 90));
+        assert_eq!((at(200).next_scale(true), at(75).next_scale(false)), (200, 75));
+        assert_eq!(at(110).next_scale(false), 100);
+    }
+
+    #[test]
+    fn a_locale_has_a_language() {
+        for (locale, language) in [
+            ("ko_KR.UTF-8", Language::Korean),
+            ("ko", Language::Korean),
+            ("C", Language::English),
+            ("", Language::English),
+        ] {
+            assert_eq!(Language::of_locale(locale), language, "{locale}");
+        }
+    }
+}

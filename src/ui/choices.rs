@@ -1,0 +1,87 @@
+//! What can be chosen among: recent files, eyes, interpolations, colours, languages, sizes. Menus and the list of commands show the same.
+
+use super::words::Words;
+use crate::editor::{Command, Edit, Editor, FileCommand, ViewCommand, WindowCommand};
+use crate::interpolation::Interpolation;
+use crate::settings::{Language, SCALES, Settings, ThemeChoice};
+
+/// What a choice is of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Topic {
+    /// A keyframe file that was used lately.
+    Recent,
+    /// Where to look from.
+    Eye,
+    /// How keyframes are joined.
+    Interpolation,
+    /// Which colours show.
+    Theme,
+    /// Which words show.
+    Language,
+    /// How large the panels are.
+    Scale,
+}
+
+impl Topic {
+    /// Its name.
+    pub fn name(self, words: Words) -> &'static str {
+        match self {
+            Self::Recent => words.say("Open recent"),
+            Self::Eye => words.say("Look from"),
+            Self::Interpolation => words.say("Interpolation"),
+            Self::Theme => words.say("Theme"),
+            Self::Language => words.say("Language"),
+            Self::Scale => words.say("Scale"),
+        }
+    }
+}
+
+/// One of them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Choice {
+    /// What it is of.
+    pub topic: Topic,
+    /// Its words.
+    pub label: String,
+    /// What choosing it asks for.
+    pub command: Command,
+    /// Whether it is chosen.
+    pub is_on: bool,
+}
+
+/// All of them.
+pub fn choices(editor: &Editor, settings: &Settings, words: Words) -> Vec<Choice> {
+    let mut all = Vec::new();
+    let mut add = |topic, label: String, command, is_on| all.push(Choice { topic, label, command, is_on });
+    for path in &settings.recent {
+        let command = Command::File(FileCommand::Open(path.clone()));
+        add(Topic::Recent, path.display().to_string(), command, false);
+    }
+    for (place, &rbt) in editor.scene().eyes().iter().enumerate() {
+        let is_on = place == editor.session().eye;
+        add(Topic::Eye, editor.scene().rbt_path(rbt).to_owned(), Command::View(ViewCommand::SetEye(place)), is_on);
+    }
+    for interpolation in Interpolation::ALL {
+        let is_on = editor.document().interpolation == interpolation;
+        let command = Command::Edit(Edit::SetInterpolation(interpolation));
+        add(Topic::Interpolation, words.say(interpolation.label()).to_owned(), command, is_on);
+    }
+    for theme in ThemeChoice::ALL {
+        let label = match theme {
+            ThemeChoice::System => words.say("As the system"),
+            ThemeChoice::Light => words.say("Light"),
+            ThemeChoice::Dark => words.say("Dark"),
+        };
+        let command = Command::Window(WindowCommand::SetTheme(theme));
+        add(Topic::Theme, label.to_owned(), command, settings.theme == theme);
+    }
+    for language in Language::ALL {
+        let command = Command::Window(WindowCommand::SetLanguage(language));
+        add(Topic::Language, language.name().to_owned(), command, settings.language == language);
+    }
+    for scale in SCALES {
+        let command = Command::Window(WindowCommand::SetScale(scale));
+        add(Topic::Scale, format!("{scale} %"), command, settings.scale_percent == scale);
+    }
+    all
+}

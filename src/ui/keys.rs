@@ -1,0 +1,244 @@
+//! The keys of every command, which are changed by pressing others.
+
+use egui::{Align, Button, Event, Layout, RichText, ScrollArea, Ui, vec2};
+
+use super::Shown;
+use super::icons::was_pressed;
+use super::theme::{GRID, ROW, Tokens};
+use super::words::Words;
+use crate::editor::keymap::{Binding, Chord, Group, Key, Modifiers, NAMED_KEYS, can_change, chords_of_table};
+use crate::editor::{Command, WindowCommand};
+
+/// Width of the dialog, in points.
+const WIDTH: f32 = 560.0;
+
+/// What is going on in the dialog.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct KeysDialog {
+    /// Which key of which binding waits for a press.
+    waiting: Option<(&'static str, usize)>,
+    /// Why the last press was refused.
+    refused: Option<String>,
+}
+
+/// What came of showing it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// It stays.
+    Stays,
+    /// It stays, and Escape was for what waits in it.
+    TookEscape,
+    /// It is over.
+    IsOver,
+}
+
+impl KeysDialog {
+    /// Shows it.
+    pub fn show(&mut self, ui: &mut Ui, shown: Shown<'_>, commands: &mut Vec<Command>) -> Outcome {
+        let words = Words::of(ui);
+        ui.set_width(WIDTH);
+        let mut outcome = Outcome::Stays;
+        if let Some((name, place)) = self.waiting {
+            match press(ui) {
+                Some(Pressed::Nothing) => {
+                    self.waiting = None;
+                    outcome = Outcome::TookEscape;
+                }
+                Some(Pressed::Removes) => self.change(shown, name, place, None, words, commands),
+                Some(Pressed::Chord(chord)) => self.change(shown, name, place, Some(chord), words, commands),
+                None => {}
+            }
+        }
+        ui.heading(words.say("Keys"));
+        ui.add_space(2.0);
+        let hint = words.say("Click a key, then press another. Esc keeps it, Backspace removes it.");
+        ui.label(RichText::new(hint).small().color(Tokens::of(ui).dim));
+        ui.add_space(2.0 * GRID);
+        let room = (ui.ctx().content_rect().height() - 260.0).clamp(120.0, 420.0);
+        ScrollArea::vertical().max_height(room).auto_shrink(false).show(ui, |ui| {
+            for group in Group::ALL {
+                ui.add_space(GRID);
+                ui.label(RichText::new(words.say(group.heading())).strong().color(Tokens::of(ui).accent));
+                for binding in shown.keymap.bindings().iter().filter(|binding| binding.group == group) {
+                    self.row(ui, binding, words, commands);
+                }
+            }
+        });
+        ui.add_space(2.0 * GRID);
+        // There is always room for the sentence, so that nothing jumps.
+        let refused = self.refused.clone().unwrap_or_default();
+        ui.add_sized(
+            vec2(WIDTH, ROW),
+            egui::Label::new(RichText::new(refused).color(Tokens::of(ui).error)).halign(Align::Min).truncate(),
+        );
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            if ui.button(words.say("Close")).clicked() {
+                outcome = Outcome::IsOver;
+            }
+            let is_changed = !shown.keymap.changes().is_empty();
+            if ui.add_enabled(is_changed, Button::new(words.say("Reset all"))).clicked() {
+                self.begin(None);
+                commands.push(Command::Window(WindowCommand::ResetAllKeys));
+            }
+        });
+        outcome
+    }
+
+    fn row(&mut self, ui: &mut Ui, binding: &Binding, words: Words, commands: &mut Vec<Command>) {
+        let name = words.say(binding.name);
+        ui.horizontal(|ui| {
+            ui.set_height(ROW + 2.0);
+            ui.add_sized(vec2(220.0, ROW), egui::Label::new(name).halign(Align::Min).truncate())
+                .on_hover_text(words.say(binding.help));
+            let is_fixed = !can_change(binding);
+            for (place, chord) in binding.chords.iter().enumerate() {
+                self.cap(ui, binding, place, &chord.label(), is_fixed, words);
+            }
+            let next = binding.chords.len();
+            if !is_fixed {
+                self.cap(ui, binding, next, "+", false, words);
+            }
+            if !is_fixed && binding.chords != chords_of_table(binding.name) {
+                let reset = ui.button(RichText::new(words.say("Reset")).small());
+                let says = words.fill("Reset the keys of {}", &[name]);
+                reset.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, &says));
+                if was_pressed(&reset) {
+                    self.begin(None);
+                    commands.push(Command::Window(WindowCommand::ResetKeys(binding.name)));
+                }
+            }
+        });
+    }
+
+    /// The cap of a key, or of one more.
+    fn cap(&mut self, ui: &mut Ui, binding: &Binding, place: usize, label: &str, is_fixed: bool, words: Words) {
+        let tokens = Tokens::of(ui);
+        let is_waiting = self.waiting == Some((binding.name, place));
+        let text = if is_waiting {
+            RichText::new(words.say("Press a key…")).color(tokens.accent)
+        } else {
+            RichText::new(label).monospace()
+        };
+        let mut button = Button::new(text).min_size(vec2(ROW, ROW));
+        if is_waiting {
+            button = button.stroke(egui::Stroke::new(1.0, tokens.accent));
+        }
+        let response = ui.add_enabled(!is_fixed, button);
+        let name = words.say(binding.name);
+        let says = if place < binding.chords.len() {
+            words.fill("{}: change the key {}", &[name, label])
+        } else {
+            words.fill("{}: one more key", &[name])
+        };
+        response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, !is_fixed, &says));
+        if response.clicked() {
+            // The next press is not for the button.
+            response.surrender_focus();
+            self.begin(Some((binding.name, place)));
+        }
+    }
+
+    fn begin(&mut self, waiting: Option<(&'static str, usize)>) {
+        self.waiting = waiting;
+        self.refused = None;
+    }
+
+    fn change(
+        &mut self,
+        shown: Shown<'_>,
+        name: &'static str,
+        place: usize,
+        chord: Option<Chord>,
+        words: Words,
+        commands: &mut Vec<Command>,
+    ) {
+        self.begin(None);
+        let mut chords = shown.keymap.get(name).map(|binding| binding.chords.clone()).unwrap_or_default();
+        if place < chords.len() {
+            chords.remove(place);
+        }
+        if let Some(chord) = chord.filter(|chord| !chords.contains(chord)) {
+            chords.insert(place.min(chords.len()), chord);
+        }
+        match shown.keymap.clash(name, &chords) {
+            Some(error) => self.refused = Some(words.message(&error.to_string())),
+            None => commands.push(Command::Window(WindowCommand::SetKeys(name, chords))),
+        }
+    }
+}
+
+/// What a press means to a key that waits.
+enum Pressed {
+    /// Leave it as it is.
+    Nothing,
+    /// Take it away.
+    Removes,
+    /// Make it this.
+    Chord(Chord),
+}
+
+/// Takes the keyboard's events and says what they mean.
+fn press(ui: &Ui) -> Option<Pressed> {
+    let events = ui.input_mut(|input| {
+        let (keyboard, others): (Vec<Event>, Vec<Event>) = std::mem::take(&mut input.events)
+            .into_iter()
+            .partition(|event| matches!(event, Event::Key { .. } | Event::Text(_)));
+        input.events = others;
+        keyboard
+    });
+    // A sign is what the layout types, wherever it stands on the board.
+    let typed = events.iter().find_map(|event| match event {
+        Event::Text(text) => text.chars().next().filter(|sign| !sign.is_alphanumeric() && !sign.is_whitespace()),
+        _ => None,
+    });
+    events.iter().find_map(|event| match event {
+        Event::Key { key: egui::Key::Escape, pressed: true, .. } => Some(Pressed::Nothing),
+        Event::Key { key: egui::Key::Backspace, pressed: true, .. } => Some(Pressed::Removes),
+        Event::Key { key, pressed: true, modifiers, .. } => {
+            let modifiers =
+                Modifiers { shift: modifiers.shift, ctrl: modifiers.ctrl || modifiers.command, alt: modifiers.alt };
+            chord(*key, typed, modifiers).map(Pressed::Chord)
+        }
+        _ => None,
+    })
+}
+
+fn chord(key: egui::Key, typed: Option<char>, modifiers: Modifiers) -> Option<Chord> {
+    if let Some(sign) = typed.filter(|_| !modifiers.ctrl && !modifiers.alt) {
+        return Some(Chord { key: Key::Character(sign), modifiers: Modifiers { shift: false, ..modifiers } });
+    }
+    let named = NAMED_KEYS.iter().find(|(_, name)| name.eq_ignore_ascii_case(key.name())).map(|(key, _)| *key);
+    let one = |name: &str| {
+        let mut characters = name.chars();
+        characters.next().filter(|_| characters.next().is_none()).map(Key::typing)
+    };
+    // Its sign is the one for people.
+    let minus = (key == egui::Key::Minus).then_some(Key::Character('-'));
+    let key = named.or(minus).or_else(|| one(key.name())).or_else(|| one(key.symbol_or_name()))?;
+    Some(Chord { key, modifiers })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn check(key: egui::Key, typed: Option<char>, held: &str, expected: Option<&str>) {
+        let modifiers = Chord::parse(&format!("{held}x")).unwrap().modifiers;
+        assert_eq!(chord(key, typed, modifiers).map(|chord| chord.label()).as_deref(), expected, "{key:?}");
+    }
+
+    #[test]
+    fn presses_are_chords() {
+        check(egui::Key::N, None, "", Some("n"));
+        check(egui::Key::N, None, "Ctrl+Shift+", Some("Ctrl+Shift+N"));
+        check(egui::Key::Comma, Some('<'), "Shift+", Some("<"));
+        check(egui::Key::Plus, None, "Ctrl+", Some("Ctrl++"));
+        check(egui::Key::Minus, None, "Ctrl+", Some("Ctrl+-"));
+        check(egui::Key::Num0, None, "Alt+", Some("Alt+0"));
+        check(egui::Key::F5, None, "", Some("F5"));
+        check(egui::Key::ArrowLeft, None, "Alt+", Some("Alt+Left"));
+        check(egui::Key::PageUp, None, "", Some("PageUp"));
+        check(egui::Key::Tab, None, "", None);
+    }
+}

@@ -1,0 +1,197 @@
+//! The list of commands: it narrows as one types, arrows move in it, Enter runs.
+
+use egui::{Align2, Key, Modifiers, Response, Role, ScrollArea, Sense, TextEdit, Ui, WidgetInfo, vec2};
+
+use super::Shown;
+use super::choices::choices;
+use super::theme::{CORNER, GRID, Tokens, number_font, small_font, text_font};
+use super::words::Words;
+use crate::editor::Command;
+
+/// Width of the list, in points.
+const WIDTH: f32 = 520.0;
+/// Height of a row, in points.
+const LINE: f32 = 26.0;
+/// How many rows show at once.
+const ROWS: f32 = 12.0;
+
+/// What is typed, and where in the list we are.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Palette {
+    typed: String,
+    at: usize,
+    has_begun: bool,
+}
+
+/// One row.
+struct Entry {
+    name: String,
+    /// The English name, which is found too.
+    english: String,
+    keys: String,
+    group: String,
+    command: Command,
+    is_enabled: bool,
+}
+
+impl Palette {
+    /// Shows the field and the list. Says whether it is over.
+    pub fn show(&mut self, ui: &mut Ui, shown: Shown<'_>, commands: &mut Vec<Command>) -> bool {
+        ui.set_width(WIDTH);
+        let words = Words::of(ui);
+        let entries = entries(shown, words);
+        // The arrows and Enter are the list's, wherever the keyboard is.
+        let (up, down, enter) = ui.input_mut(|input| {
+            let mut pressed = |key| input.consume_key(Modifiers::NONE, key);
+            (pressed(Key::ArrowUp), pressed(Key::ArrowDown), pressed(Key::Enter))
+        });
+        let hint = words.say("Type a part of a command's name");
+        let field = ui.add(TextEdit::singleline(&mut self.typed).desired_width(f32::INFINITY).hint_text(hint));
+        field.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, words.say("Commands")));
+        if !std::mem::replace(&mut self.has_begun, true) {
+            field.request_focus();
+        }
+        let has_moved = up || down || field.changed();
+        if field.changed() {
+            self.at = 0;
+        }
+        let found = found(&entries, &self.typed);
+        let last = found.len().saturating_sub(1);
+        self.at = match (up, down) {
+            (true, false) => self.at.checked_sub(1).unwrap_or(last),
+            (false, true) if self.at >= last => 0,
+            (false, true) => self.at + 1,
+            _ => self.at.min(last),
+        };
+        ui.add_space(GRID);
+        let mut chosen = if enter { found.get(self.at).copied() } else { None };
+        if found.is_empty() {
+            let text = words.fill("No command has \"{}\" in its name.", &[&self.typed]);
+            ui.label(egui::RichText::new(text).color(Tokens::of(ui).dim));
+        }
+        ScrollArea::vertical().max_height(ROWS * LINE).auto_shrink([false, true]).show(ui, |ui| {
+            ui.spacing_mut().item_spacing.y = 0.0;
+            for (place, entry) in found.iter().enumerate() {
+                let response = row(ui, entry, place == self.at);
+                if has_moved && place == self.at {
+                    response.scroll_to_me_animation(None, egui::style::ScrollAnimation::none());
+                }
+                if response.clicked() {
+                    chosen = Some(entry);
+                }
+            }
+        });
+        let Some(chosen) = chosen.filter(|entry| entry.is_enabled) else { return false };
+        commands.push(chosen.command.clone());
+        true
+    }
+}
+
+fn row(ui: &mut Ui, entry: &Entry, is_at: bool) -> Response {
+    let tokens = Tokens::of(ui);
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), LINE), Sense::click());
+    response.widget_info(|| WidgetInfo::selected(Role::ListBoxOption, entry.is_enabled, is_at, &entry.name));
+    if !ui.is_rect_visible(rect) {
+        return response;
+    }
+    if is_at {
+        ui.painter().rect_filled(rect, CORNER, tokens.accent_fill);
+    } else if response.hovered() {
+        ui.painter().rect_filled(rect, CORNER, tokens.raised);
+    }
+    if response.has_focus() {
+        ui.painter().rect_stroke(rect, CORNER, egui::Stroke::new(1.0, tokens.accent), egui::StrokeKind::Inside);
+    }
+    let fade = if entry.is_enabled { 1.0 } else { 0.5 };
+    let name = rect.left_center() + vec2(8.0, 0.0);
+    let drawn =
+        ui.painter().text(name, Align2::LEFT_CENTER, &entry.name, text_font(), tokens.text.gamma_multiply(fade));
+    let keys = rect.right_center() - vec2(8.0, 0.0);
+    let keys =
+        ui.painter().text(keys, Align2::RIGHT_CENTER, &entry.keys, number_font(), tokens.text.gamma_multiply(fade));
+    let group = keys.left_center() - vec2(if entry.keys.is_empty() { 0.0 } else { 12.0 }, 0.0);
+    let room = group.x - drawn.right() - 16.0;
+    let galley = ui.painter().layout_no_wrap(entry.group.clone(), small_font(), tokens.dim.gamma_multiply(fade));
+    if galley.size().x < room {
+        ui.painter().galley(group - vec2(galley.size().x, galley.size().y / 2.0), galley, tokens.dim);
+    }
+    response
+}
+
+fn entries(shown: Shown<'_>, words: Words) -> Vec<Entry> {
+    let Shown { editor, keymap, settings } = shown;
+    let rows = keymap.bindings().iter().map(|binding| Entry {
+        name: words.say(binding.name).to_owned(),
+        english: binding.name.to_owned(),
+        keys: binding.menu_key(),
+        group: words.say(binding.group.heading()).to_owned(),
+        command: binding.command.clone(),
+        is_enabled: editor.can(&binding.command),
+    });
+    let english = choices(editor, settings, Words::default());
+    let chosen = choices(editor, settings, words).into_iter().zip(english).map(|(choice, english)| Entry {
+        name: format!("{}: {}", choice.topic.name(words), choice.label),
+        english: format!("{}: {}", english.topic.name(Words::default()), english.label),
+        keys: String::new(),
+        group: String::new(),
+        is_enabled: editor.can(&choice.command),
+        command: choice.command,
+    });
+    rows.chain(chosen).collect()
+}
+
+/// The entries that fit what is typed, the best first; equally good ones in the table's order.
+fn found<'a>(entries: &'a [Entry], typed: &str) -> Vec<&'a Entry> {
+    let mut found: Vec<(u32, &Entry)> = entries
+        .iter()
+        .filter_map(|entry| {
+            let fits = [&entry.name, &entry.english].into_iter().filter_map(|name| misfit(name, typed)).min();
+            Some((fits?, entry))
+        })
+        .collect();
+    found.sort_by_key(|(misfit, _)| *misfit);
+    found.into_iter().map(|(_, entry)| entry).collect()
+}
+
+/// How badly a name fits what is typed, 0 for best; `None` where it does not: its letters must come in this order, spaces aside.
+fn misfit(name: &str, typed: &str) -> Option<u32> {
+    let (name, typed) = (name.to_lowercase(), typed.trim().to_lowercase());
+    if typed.is_empty() {
+        return Some(0);
+    }
+    if let Some(at) = name.find(&typed) {
+        let begins_word = name[..at].chars().next_back().is_none_or(|before| !before.is_alphanumeric());
+        return Some(if at == 0 { 0 } else { 2 - u32::from(begins_word) });
+    }
+    let mut letters = name.chars();
+    let mut gaps = 0;
+    for wanted in typed.chars().filter(|letter| !letter.is_whitespace()) {
+        let skipped = letters.by_ref().position(|letter| letter == wanted)?;
+        gaps += u32::from(skipped > 0);
+    }
+    Some(3 + gaps)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::misfit;
+
+    #[test]
+    fn the_beginning_fits_best() {
+        let fits = |name| misfit(name, "key");
+        assert_eq!(fits("Keys…"), Some(0));
+        assert_eq!(fits("New keyframe"), Some(1));
+        assert_eq!(fits("Monkey"), Some(2));
+        assert!(fits("Kite every year") > Some(2));
+        assert_eq!(fits("Save"), None);
+    }
+
+    #[test]
+    fn letters_in_order_fit() {
+        assert!(misfit("New keyframe", "nkf").is_some());
+        assert!(misfit("New keyframe", "fkn").is_none());
+        assert!(misfit("새 키프레임", "키프").is_some());
+        assert!(misfit("Save As…", "save a").is_some());
+        assert_eq!(misfit("Quit", "  "), Some(0));
+    }
+}

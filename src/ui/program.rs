@@ -1,0 +1,109 @@
+//! What is asked of the window itself: the lists and dialogs that it shows, and its settings.
+
+use super::dialogs::Dialog;
+use super::keys::KeysDialog;
+use super::palette::Palette;
+use super::words::Words;
+use super::{PanelSize, Ui};
+use crate::editor::WindowCommand;
+use crate::editor::keymap::{Binding, Chord, Keymap, KeymapError, chords_of_table};
+use crate::settings::{Settings, ThemeChoice};
+
+impl Ui {
+    /// Puts settings in force. What is wrong with the keys in them comes back.
+    pub fn adopt(&mut self, settings: &Settings) -> Vec<KeymapError> {
+        let mut errors = Vec::new();
+        if self.settings.keys != settings.keys {
+            (self.keymap, errors) = Keymap::with_changes(&settings.keys);
+        }
+        self.settings = settings.clone();
+        errors
+    }
+
+    /// The keys in force.
+    #[must_use]
+    pub const fn keymap(&self) -> &Keymap {
+        &self.keymap
+    }
+
+    /// Does what is asked of the window: shows what is wanted, and changes the settings, which are put in force.
+    /// Says in a sentence what was done, where that cannot be seen.
+    ///
+    /// # Errors
+    /// Why keys were not changed.
+    pub fn perform(&mut self, command: &WindowCommand, settings: &mut Settings) -> Result<String, KeymapError> {
+        let mut said = String::new();
+        match command {
+            WindowCommand::ShowCommands => self.dialog = Some(Dialog::Commands(Palette::default())),
+            WindowCommand::ShowKeys => self.dialog = Some(Dialog::Keys(KeysDialog::default())),
+            WindowCommand::ToggleMessages => self.log.toggle(),
+            WindowCommand::Larger => settings.scale_percent = settings.next_scale(true),
+            WindowCommand::Smaller => settings.scale_percent = settings.next_scale(false),
+            WindowCommand::SetScale(percent) => settings.scale_percent = *percent,
+            WindowCommand::SetTheme(theme) => settings.theme = *theme,
+            WindowCommand::SetLanguage(language) => settings.language = *language,
+            WindowCommand::SetKeys(name, chords) => said = self.set_keys(name, chords.clone(), settings)?,
+            WindowCommand::ResetKeys(name) => said = self.set_keys(name, chords_of_table(name), settings)?,
+            WindowCommand::ResetAllKeys => {
+                settings.keys.clear();
+                "All keys are as they were at first.".clone_into(&mut said);
+            }
+            WindowCommand::ForgetRecent => settings.recent.clear(),
+        }
+        self.adopt(settings);
+        Ok(said)
+    }
+
+    fn set_keys(&self, name: &str, chords: Vec<Chord>, settings: &mut Settings) -> Result<String, KeymapError> {
+        let mut keymap = self.keymap.clone();
+        keymap.set(name, chords)?;
+        match keymap.changes().remove(name) {
+            Some(chords) => settings.keys.insert(name.to_owned(), chords),
+            None => settings.keys.remove(name),
+        };
+        let keys = keymap.get(name).map(Binding::keys).unwrap_or_default();
+        Ok(if keys.is_empty() { format!("{name} has no key now.") } else { format!("{name}: {keys}.") })
+    }
+
+    /// Puts the settings in force that the panels' memory has to know of.
+    pub(super) fn dress(&self, context: &egui::Context) {
+        let words = Words::new(self.settings.language);
+        let theme = match self.settings.theme {
+            ThemeChoice::System => egui::ThemePreference::System,
+            ThemeChoice::Light => egui::ThemePreference::Light,
+            ThemeChoice::Dark => egui::ThemePreference::Dark,
+        };
+        if Words::of_context(context) != words {
+            words.install(context);
+        }
+        if context.options(|options| options.theme_preference) != theme {
+            context.set_theme(theme);
+            context.request_repaint();
+        }
+        context.set_zoom_factor(f32::from(self.settings.scale_percent) / 100.0);
+    }
+
+    /// The size of a panel that it is shown in at first.
+    pub(super) fn panel_size(&self, name: &str, usual: f32) -> f32 {
+        self.settings.panels.get(name).copied().unwrap_or(usual)
+    }
+
+    /// Notes the size of a panel, which is news when a drag of its edge is over.
+    pub(super) fn watch_panel(&mut self, ui: &egui::Ui, name: &'static str, size: f32) {
+        let is_held = ui.input(|input| input.pointer.any_down());
+        let watched = self.watched.entry(name).or_insert(PanelSize { size, is_dragged: false });
+        watched.is_dragged |= is_held && (watched.size - size).abs() >= 1.0;
+        watched.size = size;
+    }
+
+    /// The sizes of panels whose edges were dragged, once each.
+    pub(super) fn dragged_panels(&mut self, ui: &egui::Ui) -> Vec<(&'static str, f32)> {
+        if ui.input(|input| input.pointer.any_down()) {
+            return Vec::new();
+        }
+        self.watched
+            .iter_mut()
+            .filter_map(|(name, watched)| std::mem::take(&mut watched.is_dragged).then_some((*name, watched.size)))
+            .collect()
+    }
+}

@@ -1,0 +1,104 @@
+//! The settings between one start and the next: read once, written when they change.
+
+use std::path::PathBuf;
+
+use crate::settings::{LARGEST_SETTINGS_BYTES, Language, Settings};
+use crate::storage;
+
+/// The settings and their file.
+#[derive(Debug)]
+pub struct Kept {
+    /// The settings.
+    pub settings: Settings,
+    /// Where they are kept; `None` where the system has no place for them.
+    path: Option<PathBuf>,
+    /// Whether the file holds what was not understood, and must not be lost.
+    is_foreign: bool,
+}
+
+impl Kept {
+    /// What was kept, and a sentence where that could not be read; the usual settings are in force then.
+    pub fn read() -> (Self, Option<String>) {
+        let usual = Settings { language: system_language(), ..Settings::default() };
+        Self::read_from(storage::settings_path(), usual)
+    }
+
+    fn read_from(path: Option<PathBuf>, usual: Settings) -> (Self, Option<String>) {
+        let kept = |settings, path, is_foreign| Self { settings, path, is_foreign };
+        let Some(path) = path else { return (kept(usual, None, false), None) };
+        if !storage::exists(&path) {
+            return (kept(usual, Some(path), false), None);
+        }
+        let settings = storage::read(&path, LARGEST_SETTINGS_BYTES)
+            .map_err(|error| error.to_string())
+            .and_then(|bytes| Settings::from_json(&bytes).map_err(|error| error.to_string()));
+        match settings {
+            Ok(settings) => (kept(settings, Some(path), false), None),
+            Err(reason) => {
+                let sentence = format!(
+                    "The settings in {} were not understood ({reason}): the usual ones are in force. The file is kept.",
+                    path.display()
+                );
+                (kept(usual, Some(path), true), Some(sentence))
+            }
+        }
+    }
+
+    /// Writes the settings. Says where the file is that stood there, if it was not understood.
+    pub fn write(&mut self) -> Result<Option<String>, String> {
+        let Some(path) = &self.path else { return Ok(None) };
+        let failed = |error: storage::StorageError| format!("The settings were not kept: {}: {error}.", path.display());
+        let mut sentence = None;
+        if self.is_foreign {
+            let copy = storage::keep_copy(path).map_err(failed)?;
+            sentence = copy.map(|copy| format!("The settings that were not understood are in {}.", copy.display()));
+        }
+        if let Some(folder) = path.parent() {
+            storage::create_folder(folder).map_err(failed)?;
+        }
+        storage::write(path, self.settings.to_json().as_bytes()).map_err(failed)?;
+        self.is_foreign = false;
+        Ok(sentence)
+    }
+}
+
+/// The language that the system's locale asks for.
+fn system_language() -> Language {
+    let locale = ["LC_ALL", "LC_MESSAGES", "LANG"]
+        .iter()
+        .find_map(|name| std::env::var(name).ok().filter(|locale| !locale.is_empty()));
+    locale.map_or_else(Language::default, |locale| Language::of_locale(&locale))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn settings_are_kept() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("inbetween").join("settings.json");
+        let (mut kept, problem) = Kept::read_from(Some(path.clone()), Settings::default());
+        assert_eq!(problem, None);
+        kept.settings.scale_percent = 150;
+        assert_eq!(kept.write(), Ok(None));
+        let (again, problem) = Kept::read_from(Some(path), Settings::default());
+        assert_eq!((again.settings, problem), (kept.settings, None));
+    }
+
+    #[test]
+    fn what_is_not_understood_is_never_lost() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("settings.json");
+        storage::write(&path, b"{ \"version\": 9").unwrap();
+        let (mut kept, problem) = Kept::read_from(Some(path.clone()), Settings::default());
+        assert_eq!(kept.settings, Settings::default());
+        assert!(problem.unwrap().contains("line 1 column"));
+        let sentence = kept.write().unwrap().unwrap();
+        let copy = folder.path().join("settings.json.bak");
+        assert!(sentence.contains(&copy.display().to_string()), "{sentence}");
+        assert_eq!(storage::read(&copy, 100).unwrap(), b"{ \"version\": 9");
+        assert_eq!(kept.write(), Ok(None));
+        assert!(Settings::from_json(&storage::read(&path, 1000).unwrap()).is_ok());
+    }
+}
