@@ -6,12 +6,14 @@
 mod animation;
 mod arguments;
 mod check;
+mod diagnose;
 mod error;
 mod nodes;
 mod output;
 mod picture;
 mod progress;
 mod quiet;
+mod reading;
 mod render;
 mod sample;
 mod scene;
@@ -57,6 +59,7 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>) -> Result<(), CliErro
         Some(Subcommand::Nodes) => nodes::run(&scene::load(scene)?),
         Some(Subcommand::Sample(arguments)) => sample::run(&arguments, &scene::load(scene)?),
         Some(Subcommand::Render(arguments)) => render::run(&arguments, scene),
+        Some(Subcommand::Diagnose(arguments)) => diagnose::run(&arguments, &scene::load(scene)?),
         Some(Subcommand::Script(arguments)) => script::run(&arguments, scene::load(scene)?),
     }
 }

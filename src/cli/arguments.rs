@@ -44,7 +44,18 @@ pub enum Subcommand {
     /// Run a script of hotkeys and gestures with no window.
     #[command(long_about = SCRIPT_HELP)]
     Script(ScriptArguments),
+    /// Name the mistake that explains what a program showed, from samples of its playback.
+    #[command(long_about = DIAGNOSE_HELP)]
+    Diagnose(DiagnoseArguments),
 }
+
+const DIAGNOSE_HELP: &str = "\
+Name the mistake that explains what a program showed, from samples of its playback. The samples are CSV with the header \
+key_time,rbt_ind,tx,ty,tz,rw,rx,ry,rz and perhaps a column ms: a row for each node at each key time; nan, -nan(ind) and 1.#QNAN \
+are read as samples.
+
+They are compared with the right result, linear and Catmull-Rom, and with what each known mistake would show. The residual is the \
+root mean square over the rows of the distance of translations and of quaternions as printed. Residuals within 1e-9 are equal.";
 
 const SCRIPT_HELP: &str = "\
 Run a script of hotkeys and gestures with no window. One command a line; # starts a comment:
@@ -163,6 +174,19 @@ pub struct ScriptArguments {
     /// Width and height of screenshots in pixels.
     #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "640x480", value_parser = size)]
     pub size: Size,
+}
+
+/// Arguments of `diagnose`.
+#[derive(Debug, Args)]
+pub struct DiagnoseArguments {
+    /// The keyframes that the program played, of at most 1 GiB.
+    pub keyframes: PathBuf,
+    /// What it showed, as CSV of at most 64 MiB.
+    #[arg(value_name = "SAMPLES.csv")]
+    pub samples: PathBuf,
+    /// Print JSON: best, also, residual, candidates.
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// Width and height of a picture in pixels.
