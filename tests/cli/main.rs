@@ -1,9 +1,12 @@
 //! The command line, by running the binary: bytes in; bytes, files and exit statuses out.
 
 mod check;
+mod diagnose;
 mod playback;
 mod render;
 mod sample;
 mod sandbox;
 mod script;
 mod usage;
+#[path = "../student/mod.rs"]
+mod student;
