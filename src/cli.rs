@@ -7,6 +7,7 @@ mod animation;
 mod arguments;
 mod check;
 mod diagnose;
+mod diff;
 mod error;
 mod nodes;
 mod output;
@@ -42,6 +43,8 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
             let _ = error.print();
             ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2))
         }
+        // What is beyond was printed where it belongs.
+        Err(CliError::Beyond) => ExitCode::from(CliError::Beyond.exit_status()),
         Err(error) => {
             output::complain(&error.to_string());
             ExitCode::from(error.exit_status())
@@ -60,6 +63,7 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>) -> Result<(), CliErro
         Some(Subcommand::Sample(arguments)) => sample::run(&arguments, &scene::load(scene)?),
         Some(Subcommand::Render(arguments)) => render::run(&arguments, scene),
         Some(Subcommand::Diagnose(arguments)) => diagnose::run(&arguments, &scene::load(scene)?),
+        Some(Subcommand::Diff(arguments)) => diff::run(&arguments, scene::load(scene)),
         Some(Subcommand::Script(arguments)) => script::run(&arguments, scene::load(scene)?),
     }
 }

@@ -29,7 +29,7 @@
 //! | 0 | [`rbt`], [`interpolation`], [`json`] | glam |
 //! | 1 | [`timed`], [`pose`], [`scene`], [`camera`] | serde, in file formats |
 //! | 2 | [`keyframe`], [`clock`] | serde, in file formats; `Duration`, never `Instant` |
-//! | 3 | [`editor`], [`diagnosis`] | no wgpu, egui, winit, file system |
+//! | 3 | [`editor`], [`diagnosis`], [`difference`] | no wgpu, egui, winit, file system |
 //! | 4 | [`frame`] | |
 //! | 5 | [`render`], [`ui`] | wgpu; egui |
 //! | 6 | [`storage`] | the file system |
@@ -64,6 +64,7 @@ pub mod camera;
 pub mod cli;
 pub mod clock;
 pub mod diagnosis;
+pub mod difference;
 pub mod editor;
 pub mod frame;
 pub mod interpolation;

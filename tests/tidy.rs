@@ -105,7 +105,7 @@ fn no_shared_mutable_state() {
 }
 
 /// Rooms in the order of the architecture: each may name only rooms of a lower number, and itself.
-const ROOMS: [(&str, u8, &[&str]); 19] = [
+const ROOMS: [(&str, u8, &[&str]); 20] = [
     ("rbt", 0, &[]),
     ("timed", 1, &[]),
     ("interpolation", 0, &["rbt"]),
@@ -117,6 +117,7 @@ const ROOMS: [(&str, u8, &[&str]); 19] = [
     ("clock", 2, &[]),
     ("editor", 3, &[]),
     ("diagnosis", 3, &[]),
+    ("difference", 3, &[]),
     ("frame", 4, &[]),
     ("render", 5, &[]),
     ("ui", 5, &[]),

@@ -47,6 +47,8 @@ pub enum Subcommand {
     /// Name the mistake that explains what a program showed, from samples of its playback.
     #[command(long_about = DIAGNOSE_HELP)]
     Diagnose(DiagnoseArguments),
+    /// Tell how far two animations are apart, node by node, as they play. Exit status: 0 within tolerance, 1 beyond, 2 trouble.
+    Diff(DiffArguments),
 }
 
 const DIAGNOSE_HELP: &str = "\
@@ -187,6 +189,35 @@ pub struct DiagnoseArguments {
     /// Print JSON: best, also, residual, candidates.
     #[arg(long)]
     pub json: bool,
+}
+
+/// Arguments of `diff`.
+#[derive(Debug, Args)]
+pub struct DiffArguments {
+    /// Keyframes, of at most 1 GiB.
+    pub a: PathBuf,
+    /// Keyframes to compare them with.
+    pub b: PathBuf,
+    /// How far translations may be apart, in scene units.
+    #[arg(long, value_name = "UNITS", default_value_t = 1e-3, value_parser = tolerance)]
+    pub tolerance_translation: f64,
+    /// How far rotations may be apart, in degrees.
+    #[arg(long, value_name = "DEGREES", default_value_t = 0.1, value_parser = tolerance)]
+    pub tolerance_rotation: f64,
+    /// Compare at so many frames a second, 1 to 1000, and at the end.
+    #[arg(long, value_name = "N", default_value_t = 60, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub fps: u32,
+    /// Print JSON.
+    #[arg(long)]
+    pub json: bool,
+    /// Interpolate both so, whatever the files say.
+    #[arg(long, value_name = "NAME", value_parser = interpolation())]
+    pub interpolation: Option<Interpolation>,
+}
+
+fn tolerance(text: &str) -> Result<f64, String> {
+    let tolerance = text.trim().parse().ok().filter(|tolerance: &f64| tolerance.is_finite() && *tolerance >= 0.0);
+    tolerance.ok_or_else(|| format!("{text:?} is not a finite number of at least 0"))
 }
 
 /// Width and height of a picture in pixels.

@@ -43,6 +43,12 @@ pub enum CliError {
     /// A picture could not be made a PNG.
     #[error("the picture cannot be encoded: {0}")]
     Png(#[from] png::EncodingError),
+    /// A comparison found more than passes: the report on standard output says what.
+    #[error("the difference is beyond the tolerance")]
+    Beyond,
+    /// A comparison could not be made.
+    #[error(transparent)]
+    Trouble(Box<CliError>),
     /// Standard output does not take what is written to it.
     #[error("standard output: {0}")]
     StandardOutput(#[source] io::Error),
@@ -62,13 +68,14 @@ impl CliError {
     /// The exit status of the process.
     pub fn exit_status(&self) -> u8 {
         match self {
-            Self::Usage(_) | Self::Gpu(GpuError::Size { .. }) => 2,
+            Self::Usage(_) | Self::Gpu(GpuError::Size { .. }) | Self::Trouble(_) => 2,
             Self::Gpu(_) | Self::Window(WindowError::NoDisplay { .. } | WindowError::Gpu(_)) => 3,
             Self::BadInput { .. }
             | Self::Unwritten { .. }
             | Self::ScriptEnded(_)
             | Self::Window(WindowError::Ended { .. })
             | Self::Png(_)
+            | Self::Beyond
             | Self::StandardOutput(_) => 1,
         }
     }

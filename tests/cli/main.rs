@@ -2,6 +2,7 @@
 
 mod check;
 mod diagnose;
+mod diff;
 mod playback;
 mod render;
 mod sample;
