@@ -13,22 +13,28 @@ mod history;
 pub mod keymap;
 mod manipulate;
 mod playback;
+mod playing;
+mod timeline;
+mod view;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-pub use command::{Command, Edit, Effect, FileCommand, GestureCommand, PlaybackCommand, ViewCommand};
+pub use command::{Command, Edit, Effect, FileCommand, GestureCommand, PlaybackCommand, TimelineEdit, ViewCommand};
 pub use document::Document;
 pub use error::CommandError;
 pub use history::MOST_STEPS;
 pub use manipulate::{DragKind, Manipulation};
+pub use playback::PlayMode;
+pub use playing::SPEED_PERCENT_RANGE;
 
 use crate::clock::TICKS_PER_SECOND;
-use crate::keyframe::PlayRange;
+use crate::keyframe::KeyframeIndex;
 use crate::pose::{Pose, RbtIndex};
 use crate::scene::{Ray, SceneGraph};
 use history::History;
 use playback::Playback;
+use timeline::Clipboard;
 
 /// How a message is meant.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -76,6 +82,18 @@ pub struct Session {
     pub shows_path: bool,
     /// Whether other interpolations are shown beside the one in force while playing.
     pub compares: bool,
+    /// The keyframes that are selected in the timeline, in order.
+    pub selected: Vec<KeyframeIndex>,
+    /// What happens at the end of what plays.
+    pub play_mode: PlayMode,
+    /// The first and the last keyframe of the list that play; `None`: all but the first and the last of the list.
+    pub play_range: Option<(usize, usize)>,
+    /// Speed of playing on top of the ms between keyframes, in percent.
+    pub speed_percent: u32,
+    /// Whether the end of each drag updates the current keyframe.
+    pub auto_keys: bool,
+    /// How many neighbouring keyframes on each side are shown as ghosts: 0 to 3.
+    pub ghosts: u8,
     /// Whether the help is shown.
     pub shows_help: bool,
     /// Whether the panels are shown.
@@ -107,6 +125,7 @@ pub struct Editor {
     seconds_clock: SecondsClock,
     /// The document before the drag that is going on.
     gesture: Option<Document>,
+    clipboard: Clipboard,
     message: Message,
     path: PathBuf,
     /// The document as the file has it, where it was read or written; before that, the empty one.
@@ -131,12 +150,19 @@ impl Editor {
                 shows_arcball: true,
                 shows_path: true,
                 compares: false,
+                selected: Vec::new(),
+                play_mode: PlayMode::default(),
+                play_range: None,
+                speed_percent: 100,
+                auto_keys: false,
+                ghosts: 0,
                 shows_help: false,
                 shows_panels: true,
             },
             playback: Playback::default(),
             seconds_clock: SecondsClock::default(),
             gesture: None,
+            clipboard: Clipboard::default(),
             message: Message::default(),
             path,
             is_file_known: false,
@@ -206,25 +232,10 @@ impl Editor {
         self.gesture.is_some()
     }
 
-    /// The key time that plays or is paused at.
-    #[must_use]
-    pub fn key_time(&self) -> Option<f64> {
-        match &self.playback {
-            Playback::Stopped => None,
-            Playback::Playing(position) | Playback::Paused(position) => Some(position.key_time()),
-        }
-    }
-
-    /// What is on screen: a sample while playing, otherwise the live pose.
+    /// What is on screen: a sample while playing or scrubbed, otherwise the live pose.
     #[must_use]
     pub fn displayed_pose(&self) -> Pose {
-        if let Playback::Playing(position) = &self.playback
-            && let Ok(range) = PlayRange::new(&self.document.keyframes)
-            && let Ok(pose) = range.pose_at(clamp_to_range(position.key_time(), &range), self.document.interpolation)
-        {
-            return pose;
-        }
-        self.document.live_pose.clone()
+        self.sampled_pose().unwrap_or_else(|| self.document.live_pose.clone())
     }
 
     /// The RBT node that is looked from.
@@ -281,23 +292,4 @@ impl Editor {
         }
         self.tick_playback(ticks) || moved_by_itself
     }
-
-    fn tick_playback(&mut self, ticks: u64) -> bool {
-        let Playback::Playing(position) = &mut self.playback else { return false };
-        position.advance(ticks);
-        let has_ended = match PlayRange::new(&self.document.keyframes) {
-            Ok(range) => position.has_reached(range.last_key_time()),
-            Err(_) => true,
-        };
-        if has_ended {
-            self.end_playback();
-            self.message = Message { text: "Played to the end.".to_owned(), severity: Severity::Information };
-        }
-        ticks > 0
-    }
-}
-
-#[expect(clippy::cast_precision_loss, reason = "no list has 2^52 keyframes")]
-fn clamp_to_range(key_time: f64, range: &PlayRange<'_>) -> f64 {
-    key_time.min(range.last_key_time() as f64)
 }

@@ -102,27 +102,53 @@ pub struct ControlPoints<V> {
     pub before_end: V,
 }
 
-/// Control points for translations: `d = (c2 − c0)/6 + c1`, `e = −(c3 − c1)/6 + c2`.
-#[must_use]
-pub fn translation_control_points([c0, c1, c2, c3]: [Vec3; 4]) -> ControlPoints<Vec3> {
-    ControlPoints { after_start: (c2 - c0) / 6.0 + c1, before_end: c2 - (c3 - c1) / 6.0 }
+/// By what the difference of a control point's two neighbours is divided to make a tangent: 6 at both ends where all intervals are of
+/// one length.
+///
+/// For intervals of lengths p, q, r, the middle one being the curve's, the velocity at its start is `(c2 − c0)/(p + q)` and at its end
+/// `(c3 − c1)/(q + r)`; a cubic Bézier curve of length q leaves its start with `3 (d − c1)/q`. So `d = (c2 − c0) q/(3 (p + q)) + c1`,
+/// and the speed in seconds is the same on both sides of every keyframe.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TangentDivisors {
+    /// At the start of the curve.
+    pub start: f32,
+    /// At its end.
+    pub end: f32,
 }
 
-/// Control points for rotations: `d = (cn(c2 c0⁻¹))^(1/6) c1`, `e = (cn(c3 c1⁻¹))^(−1/6) c2`.
+impl TangentDivisors {
+    /// For intervals of one length.
+    pub const UNIFORM: Self = Self { start: 6.0, end: 6.0 };
+
+    /// For three intervals of these lengths, all above 0, the middle one being the curve's.
+    #[must_use]
+    #[expect(clippy::cast_possible_truncation, reason = "tangents need no more than f32")]
+    pub fn of([before, own, after]: [f64; 3]) -> Self {
+        Self { start: (3.0 * ((before + own) / own)) as f32, end: (3.0 * ((own + after) / own)) as f32 }
+    }
+}
+
+/// Control points for translations: `d = (c2 − c0)/6 + c1`, `e = −(c3 − c1)/6 + c2`, where all intervals are of one length.
 #[must_use]
-pub fn rotation_control_points([c0, c1, c2, c3]: [Quat; 4]) -> ControlPoints<Quat> {
-    let sixth = |to: Quat, from: Quat, sign: f32| power(conditionally_negated(to * from.conjugate()), sign / 6.0);
+pub fn translation_control_points([c0, c1, c2, c3]: [Vec3; 4], divisors: TangentDivisors) -> ControlPoints<Vec3> {
+    ControlPoints { after_start: (c2 - c0) / divisors.start + c1, before_end: c2 - (c3 - c1) / divisors.end }
+}
+
+/// Control points for rotations: `d = (cn(c2 c0⁻¹))^(1/6) c1`, `e = (cn(c3 c1⁻¹))^(−1/6) c2`, where all intervals are of one length.
+#[must_use]
+pub fn rotation_control_points([c0, c1, c2, c3]: [Quat; 4], divisors: TangentDivisors) -> ControlPoints<Quat> {
+    let part = |to: Quat, from: Quat, exponent: f32| power(conditionally_negated(to * from.conjugate()), exponent);
     ControlPoints {
-        after_start: (sixth(c2, c0, 1.0) * c1).normalize(),
-        before_end: (sixth(c3, c1, -1.0) * c2).normalize(),
+        after_start: (part(c2, c0, 1.0 / divisors.start) * c1).normalize(),
+        before_end: (part(c3, c1, -1.0 / divisors.end) * c2).normalize(),
     }
 }
 
 /// Control points for both parts of rigid body transforms.
 #[must_use]
-pub fn rbt_control_points(c: [Rbt; 4]) -> ControlPoints<Rbt> {
-    let translation = translation_control_points(c.map(|rbt| rbt.translation));
-    let rotation = rotation_control_points(c.map(|rbt| rbt.rotation));
+pub fn rbt_control_points(c: [Rbt; 4], divisors: TangentDivisors) -> ControlPoints<Rbt> {
+    let translation = translation_control_points(c.map(|rbt| rbt.translation), divisors);
+    let rotation = rotation_control_points(c.map(|rbt| rbt.rotation), divisors);
     ControlPoints {
         after_start: Rbt::new(translation.after_start, rotation.after_start),
         before_end: Rbt::new(translation.before_end, rotation.before_end),

@@ -1,14 +1,18 @@
 //! Keyframes: the list that hotkeys manage, the pose at a key time, and the file.
 
 mod compare;
+mod easing;
 mod file;
 mod list;
 mod sample;
+mod timing;
 
 pub use compare::Blend;
+pub use easing::{Curve, Easing, Ends};
 pub use file::{KeyframeFile, KeyframeFileError, LARGEST_FILE_BYTES, keyframes_from_json, keyframes_to_json};
-pub use list::{Keyframe, KeyframeIndex, KeyframeList};
+pub use list::{DURATION_RANGE, Keyframe, KeyframeIndex, KeyframeList};
 pub use sample::{PlayRange, SampleError};
+pub use timing::{Timing, to_f64, whole};
 
 /// Milliseconds between keyframes that can be chosen, both ends included.
 pub const MS_BETWEEN_KEYFRAMES_RANGE: std::ops::RangeInclusive<u32> = 100..=10_000;

@@ -2,8 +2,8 @@
 
 use glam::{Quat, Vec3};
 use inbetween::interpolation::{
-    ControlPoints, Interpolation, bezier_rotation, bezier_translation, nlerp, power, rotation_control_points, slerp,
-    translation_control_points,
+    ControlPoints, Interpolation, TangentDivisors, bezier_rotation, bezier_translation, nlerp, power,
+    rotation_control_points, slerp, translation_control_points,
 };
 use inbetween::keyframe::{Keyframe, KeyframeList, PlayRange};
 use inbetween::pose::{Pose, RbtIndex};
@@ -50,11 +50,20 @@ fn catmull_rom_meets_the_golden_values() {
     for case in cases {
         let alpha = case["alpha"].as_f64().unwrap() as f32;
         let rotations: [Quat; 4] = std::array::from_fn(|place| quat(&case["rotations"][place]));
-        let rotation = bezier_rotation(rotations[1], rotation_control_points(rotations), rotations[2], alpha);
+        let rotation = bezier_rotation(
+            rotations[1],
+            rotation_control_points(rotations, TangentDivisors::UNIFORM),
+            rotations[2],
+            alpha,
+        );
         assert!(distance(rotation, quat(&case["expect_rotation"])) < TOLERANCE, "{case}: {rotation}");
         let translations: [Vec3; 4] = std::array::from_fn(|place| Vec3::from(numbers(&case["translations"][place])));
-        let translation =
-            bezier_translation(translations[1], translation_control_points(translations), translations[2], alpha);
+        let translation = bezier_translation(
+            translations[1],
+            translation_control_points(translations, TangentDivisors::UNIFORM),
+            translations[2],
+            alpha,
+        );
         let expected = Vec3::from(numbers(&case["expect_translation"]));
         assert!(translation.distance(expected) < TOLERANCE, "{case}: {translation}");
     }
@@ -116,7 +125,7 @@ proptest! {
         prop_assume!(!pairs.iter().any(|&(a, b)| is_nearly_half_a_turn(a, b)));
         let turned: [Quat; 4] = std::array::from_fn(|place| if signs[place] { -c[place] } else { c[place] });
         prop_assert!(distance(slerp(c[1], c[2], alpha), slerp(turned[1], turned[2], alpha)) < 1e-5);
-        let (inner, inner_turned) = (rotation_control_points(c), rotation_control_points(turned));
+        let (inner, inner_turned) = (rotation_control_points(c, TangentDivisors::UNIFORM), rotation_control_points(turned, TangentDivisors::UNIFORM));
         prop_assert!(distance(inner.after_start, inner_turned.after_start) < 1e-5);
         prop_assert!(distance(inner.before_end, inner_turned.before_end) < 1e-5);
     }
@@ -125,11 +134,11 @@ proptest! {
     fn splines_are_unit_and_pass_through_their_keyframes(
         c in prop::array::uniform4(any_rotation()), p in prop::array::uniform4(any_point()), alpha in 0.0f32..=1.0,
     ) {
-        let inner = rotation_control_points(c);
+        let inner = rotation_control_points(c, TangentDivisors::UNIFORM);
         prop_assert!((bezier_rotation(c[1], inner, c[2], alpha).length() - 1.0).abs() < 1e-6);
         prop_assert!(distance(bezier_rotation(c[1], inner, c[2], 0.0), c[1]) < 1e-5);
         prop_assert!(distance(bezier_rotation(c[1], inner, c[2], 1.0), c[2]) < 1e-5);
-        let inner = translation_control_points(p);
+        let inner = translation_control_points(p, TangentDivisors::UNIFORM);
         prop_assert!(bezier_translation(p[1], inner, p[2], 0.0).distance(p[1]) < 1e-5);
         prop_assert!(bezier_translation(p[1], inner, p[2], 1.0).distance(p[2]) < 1e-5);
     }
@@ -141,12 +150,12 @@ proptest! {
         c in prop::array::uniform5(any_rotation()), p in prop::array::uniform5(any_point()),
     ) {
         prop_assume!(!is_nearly_half_a_turn(c[3], c[1]));
-        let before: ControlPoints<Quat> = rotation_control_points([c[0], c[1], c[2], c[3]]);
-        let after = rotation_control_points([c[1], c[2], c[3], c[4]]);
+        let before: ControlPoints<Quat> = rotation_control_points([c[0], c[1], c[2], c[3]], TangentDivisors::UNIFORM);
+        let after = rotation_control_points([c[1], c[2], c[3], c[4]], TangentDivisors::UNIFORM);
         let (arriving, leaving) = (c[2] * before.before_end.conjugate(), after.after_start * c[2].conjugate());
         prop_assert!(distance(arriving, leaving) < 1e-5, "{arriving} and {leaving}");
-        let before = translation_control_points([p[0], p[1], p[2], p[3]]);
-        let after = translation_control_points([p[1], p[2], p[3], p[4]]);
+        let before = translation_control_points([p[0], p[1], p[2], p[3]], TangentDivisors::UNIFORM);
+        let after = translation_control_points([p[1], p[2], p[3], p[4]], TangentDivisors::UNIFORM);
         prop_assert!((p[2] - before.before_end).distance(after.after_start - p[2]) < 1e-5);
     }
 
@@ -190,8 +199,18 @@ fn odd_inputs_give_unit_results() {
             for alpha in [0.0, 0.25, 0.5, 1.0] {
                 for found in [
                     slerp(from, to, alpha),
-                    bezier_rotation(from, rotation_control_points([from, from, to, to]), to, alpha),
-                    bezier_rotation(from, rotation_control_points([to, from, to, from]), to, alpha),
+                    bezier_rotation(
+                        from,
+                        rotation_control_points([from, from, to, to], TangentDivisors::UNIFORM),
+                        to,
+                        alpha,
+                    ),
+                    bezier_rotation(
+                        from,
+                        rotation_control_points([to, from, to, from], TangentDivisors::UNIFORM),
+                        to,
+                        alpha,
+                    ),
                 ] {
                     assert!((found.length() - 1.0).abs() < 1e-6, "{from} to {to} at {alpha}: {found}");
                 }

@@ -48,7 +48,7 @@ pub fn run(arguments: &RenderArguments, scene: Option<&Path>) -> Result<(), CliE
     };
     let folder = &arguments.output;
     storage::create_folder(folder).map_err(|reason| CliError::unwritten(folder, reason))?;
-    let times = frame_times(fps, animation.ms_between_keyframes, range.last_key_time());
+    let times = frame_times(fps, animation.ms_between_keyframes, range.timing());
     let mut progress = Progress::new("frame", times.len());
     for (number, time) in times.enumerate() {
         let path = folder.join(format!("frame-{number:05}.png"));

@@ -31,7 +31,7 @@ pub fn run(arguments: &SampleArguments, scene: &SceneGraph) -> Result<(), CliErr
     let pose_at = |time: FrameTime| range.pose_at(time.key_time, animation.interpolation).map(|pose| (time, pose));
     let ms_between_keyframes = animation.ms_between_keyframes;
     if let Some(fps) = arguments.fps {
-        return print(arguments, scene, frame_times(fps, ms_between_keyframes, range.last_key_time()).map(pose_at));
+        return print(arguments, scene, frame_times(fps, ms_between_keyframes, range.timing()).map(pose_at));
     }
     let key_times = arguments.at.as_ref().map_or(&[0.0][..], |key_times| &key_times.0);
     let problems: Vec<String> = key_times
@@ -42,7 +42,8 @@ pub fn run(arguments: &SampleArguments, scene: &SceneGraph) -> Result<(), CliErr
     if !problems.is_empty() {
         return Err(CliError::BadInput { sentences: problems });
     }
-    let times = key_times.iter().map(|&key_time| FrameTime::at_key_time(key_time, ms_between_keyframes));
+    let times =
+        key_times.iter().map(|&key_time| FrameTime::at_key_time(key_time, ms_between_keyframes, range.timing()));
     print(arguments, scene, times.map(pose_at))
 }
 

@@ -1,6 +1,6 @@
 //! Whether a command would do anything: what menus and buttons show as disabled.
 
-use super::{Command, Edit, Editor, FileCommand, GestureCommand, PlaybackCommand, SkyMode, ViewCommand};
+use super::{Command, Edit, Editor, FileCommand, GestureCommand, PlaybackCommand, SkyMode, TimelineEdit, ViewCommand};
 use crate::keyframe::PlayRange;
 
 impl Editor {
@@ -13,10 +13,22 @@ impl Editor {
             Command::Playback(PlaybackCommand::PlayOrStop) => {
                 self.is_playing() || PlayRange::new(&self.document.keyframes).is_ok()
             }
+            Command::Playback(PlaybackCommand::Scrub(_) | PlaybackCommand::PlayFromPlayhead) => {
+                PlayRange::new(&self.document.keyframes).is_ok()
+            }
+            Command::Playback(PlaybackCommand::Step(_)) => is_still && PlayRange::new(&self.document.keyframes).is_ok(),
+            Command::Playback(
+                PlaybackCommand::SetMode(_)
+                | PlaybackCommand::NextMode
+                | PlaybackCommand::SetRange(_)
+                | PlaybackCommand::SetSpeedPercent(_),
+            ) => true,
             Command::Playback(PlaybackCommand::PauseOrResume) => self.is_playing() || self.is_paused(),
             Command::View(ViewCommand::ToggleSkyMode) => self.session.eye == 0 && self.session.chosen.is_none(),
             Command::File(FileCommand::Import | FileCommand::Open(_) | FileCommand::ChooseOpen)
             | Command::Gesture(GestureCommand::Begin) => is_still,
+            Command::View(ViewCommand::CopyPose) => self.session.chosen.is_some(),
+            Command::View(ViewCommand::CopyKeyframes) => !self.document.keyframes.is_empty(),
             Command::View(_) | Command::File(_) => true,
             Command::Gesture(_) => self.gesture.is_some(),
             Command::Undo => is_still && self.gesture.is_none() && self.undo_label().is_some(),
@@ -39,6 +51,11 @@ impl Editor {
             Edit::GoToPrevious => is_still && keyframes.current().is_some_and(|current| current.get() > 0),
             Edit::GoTo(index) => is_still && keyframes.get(*index).is_some(),
             Edit::RotateChosen { .. } | Edit::TranslateChosen(_) => is_still && self.session.chosen.is_some(),
+            Edit::Timeline(TimelineEdit::PasteKeyframes) => is_still && self.has_copied_keyframes(),
+            Edit::Timeline(TimelineEdit::PastePose) => {
+                is_still && self.has_copied_pose() && self.session.chosen.is_some()
+            }
+            Edit::Timeline(_) => is_still && !keyframes.is_empty(),
             Edit::UpdateCurrent
             | Edit::CreateKeyframe
             | Edit::ResetPose

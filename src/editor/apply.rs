@@ -3,19 +3,16 @@
 use glam::Quat;
 
 use super::history::Run;
-use super::playback::{Playback, Position};
-use super::{
-    Command, CommandError, Document, Edit, Editor, Effect, GestureCommand, Message, PlaybackCommand, Severity, SkyMode,
-    ViewCommand,
-};
-use crate::keyframe::{Blend, Keyframe, KeyframeIndex, KeyframeList, MS_BETWEEN_KEYFRAMES_RANGE, PlayRange};
+use super::playback::Playback;
+use super::{Command, CommandError, Document, Edit, Editor, Effect, GestureCommand, Message, Severity, TimelineEdit};
+use crate::keyframe::{Keyframe, KeyframeIndex, KeyframeList, MS_BETWEEN_KEYFRAMES_RANGE};
 use crate::pose::RbtIndex;
 use crate::rbt::Rbt;
 
 /// How much `+` and `-` change the ms between keyframes.
 const MS_STEP: u32 = 100;
 
-type Outcome = Result<String, CommandError>;
+pub(super) type Outcome = Result<String, CommandError>;
 
 impl Editor {
     /// Does a command. What it says is the message afterwards, in either outcome.
@@ -24,6 +21,7 @@ impl Editor {
     /// Why the command was refused; nothing has changed then.
     pub fn apply(&mut self, command: Command) -> Result<Vec<Effect>, CommandError> {
         let outcome = self.dispatch(command);
+        self.fit_session_to_list();
         match &outcome {
             Ok((text, _)) => self.say(text.clone()),
             Err(error) => self.say_error(error),
@@ -61,10 +59,11 @@ impl Editor {
         if let Some(what) = what_playing_refuses(&edit) {
             self.refuse_while_playing(what)?;
         }
-        if !is_pose_edit(&edit) {
+        if !is_continuous(&edit) {
             self.commit_gesture();
         }
         match edit {
+            Edit::Timeline(edit) => self.edit_timeline(edit),
             Edit::DisplayCurrent => self.display_current(),
             Edit::UpdateCurrent => Ok(self.update_current()),
             Edit::CreateKeyframe => Ok(self.create_keyframe()),
@@ -73,6 +72,7 @@ impl Editor {
             Edit::GoTo(index) => self.go_to(index),
             Edit::DeleteCurrent => self.delete_current(),
             Edit::ResetPose => {
+                self.end_scrub();
                 let rest = self.scene.rest_pose().clone();
                 self.record("return to the rest pose", None, |document| document.live_pose = rest);
                 Ok("The scene is back in its rest pose.".to_owned())
@@ -108,7 +108,7 @@ impl Editor {
     }
 
     /// Changes the document as one step of undo. During a drag the drag is the step.
-    fn record(&mut self, label: &'static str, run: Option<Run>, change: impl FnOnce(&mut Document)) {
+    pub(super) fn record(&mut self, label: &'static str, run: Option<Run>, change: impl FnOnce(&mut Document)) {
         let before = self.document.clone();
         change(&mut self.document);
         if self.gesture.is_none() {
@@ -117,7 +117,8 @@ impl Editor {
     }
 
     /// Copies a keyframe's pose to the scene, which is a step of undo only where it discards unsaved posing.
-    fn show_keyframe(&mut self, label: &'static str, index: KeyframeIndex) {
+    pub(super) fn show_keyframe(&mut self, label: &'static str, index: KeyframeIndex) {
+        self.end_scrub();
         let discards = self.document.has_unsaved_posing(self.scene.rest_pose());
         let before = self.document.clone();
         if !self.document.keyframes.set_current(index) {
@@ -148,17 +149,28 @@ impl Editor {
     }
 
     fn update_current(&mut self) -> String {
-        let Some(current) = self.document.keyframes.current() else { return self.create_keyframe() };
+        let Some(current) = self.document.keyframes.current_keyframe().cloned() else { return self.create_keyframe() };
+        let scrubbed = self.end_scrub();
         self.record("update of a keyframe", None, |document| {
-            let pose = document.live_pose.clone();
-            document.keyframes.replace(current, Keyframe::new(pose));
+            if let Some(pose) = scrubbed {
+                document.live_pose = pose;
+            }
+            if let Some(index) = document.keyframes.current() {
+                document.keyframes.replace(index, current.with_pose(document.live_pose.clone()));
+            }
         });
         format!("{}: updated from the scene.", self.where_we_are())
     }
 
     fn create_keyframe(&mut self) -> String {
-        let after = self.document.keyframes.current();
+        let left = self.playhead().filter(|_| self.is_scrubbed()).map(|key_time| key_time as usize + 1);
+        let after = left.map(KeyframeIndex::new).or(self.document.keyframes.current());
+        let scrubbed = self.end_scrub();
         self.record("new keyframe", None, |document| {
+            if let (Some(pose), Some(after)) = (scrubbed, after) {
+                document.live_pose = pose;
+                document.keyframes.set_current(after);
+            }
             let pose = document.live_pose.clone();
             document.keyframes.insert_after_current(Keyframe::new(pose));
         });
@@ -190,6 +202,7 @@ impl Editor {
     }
 
     fn delete_current(&mut self) -> Outcome {
+        self.end_scrub();
         let deleted = self.document.keyframes.current().ok_or(CommandError::NothingToDelete)?;
         self.record("deletion of a keyframe", None, |document| {
             document.keyframes.delete_current();
@@ -209,9 +222,7 @@ impl Editor {
         let ms = ms.clamp(*MS_BETWEEN_KEYFRAMES_RANGE.start(), *MS_BETWEEN_KEYFRAMES_RANGE.end());
         let was = self.document.ms_between_keyframes;
         self.record("change of pace", Some(Run::MsBetweenKeyframes), |document| document.ms_between_keyframes = ms);
-        if let Playback::Playing(position) = &mut self.playback {
-            position.set_ms_between_keyframes(ms);
-        }
+        self.refit_pace();
         match ms {
             100 if was == ms => "100 ms between keyframes: as fast as it goes.".to_owned(),
             10_000 if was == ms => "10000 ms between keyframes: as slow as it goes.".to_owned(),
@@ -229,140 +240,18 @@ impl Editor {
         if rbt.get() >= self.scene.rbt_count() {
             return Err(CommandError::NotInScene { what: "node" });
         }
-        let placed = change(self.document.live_pose.get(rbt));
+        let placed = change(self.pose_at_hand().get(rbt));
         if !placed.is_finite() {
             return Err(CommandError::NotAValue { what: "position" });
         }
-        self.record(label, run, |document| document.live_pose.set(rbt, placed));
+        let scrubbed = self.end_scrub();
+        self.record(label, run, |document| {
+            if let Some(pose) = scrubbed {
+                document.live_pose = pose;
+            }
+            document.live_pose.set(rbt, placed);
+        });
         Ok(String::new())
-    }
-
-    fn play(&mut self, command: PlaybackCommand) -> Outcome {
-        self.commit_gesture();
-        match (command, std::mem::take(&mut self.playback)) {
-            (PlaybackCommand::PlayOrStop, Playback::Playing(position)) => {
-                self.playback = Playback::Playing(position);
-                self.end_playback();
-                Ok(format!("Stopped. {}.", self.where_we_are()))
-            }
-            (PlaybackCommand::PlayOrStop, was) => {
-                if PlayRange::new(&self.document.keyframes).is_err() {
-                    self.playback = was;
-                    return Err(CommandError::TooFewToPlay);
-                }
-                self.playback = Playback::Playing(Position::start(self.document.ms_between_keyframes));
-                Ok(format!("Playing {} keyframes.", self.document.keyframes.len() - 2))
-            }
-            (PlaybackCommand::PauseOrResume, Playback::Playing(position)) => {
-                self.playback = Playback::Playing(position.clone());
-                let pose = self.displayed_pose();
-                self.playback = Playback::Paused(position);
-                let discards = self.document.has_unsaved_posing(self.scene.rest_pose());
-                let before = self.document.clone();
-                self.document.live_pose = pose;
-                if discards {
-                    self.history.record(before, &self.document, "pause", None);
-                }
-                Ok("Paused: n or u captures this pose, Shift+P goes on.".to_owned())
-            }
-            (PlaybackCommand::PauseOrResume, Playback::Paused(mut position)) => {
-                if PlayRange::new(&self.document.keyframes).is_err() {
-                    return Err(CommandError::TooFewToPlay);
-                }
-                position.set_ms_between_keyframes(self.document.ms_between_keyframes);
-                self.playback = Playback::Playing(position);
-                Ok("Playing on.".to_owned())
-            }
-            (PlaybackCommand::PauseOrResume, Playback::Stopped) => Err(CommandError::NothingPlaying),
-        }
-    }
-
-    /// Ends the playback at the last played keyframe, which becomes current and is copied to the scene.
-    pub(super) fn end_playback(&mut self) {
-        self.playback = Playback::Stopped;
-        let last = PlayRange::new(&self.document.keyframes).ok().map(|range| range.last_keyframe());
-        if let Some(last) = last {
-            self.show_keyframe("playing", last);
-        }
-    }
-
-    fn view(&mut self, command: ViewCommand) -> Outcome {
-        match command {
-            ViewCommand::NextEye => self.set_eye((self.session.eye + 1) % self.scene.eyes().len()),
-            ViewCommand::SetEye(eye) => self.set_eye(eye),
-            ViewCommand::ToggleSkyMode => {
-                if self.session.eye != 0 || self.session.chosen.is_some() {
-                    return Err(CommandError::NoSkyMode);
-                }
-                self.commit_gesture();
-                let (mode, text) = match self.session.sky_mode {
-                    SkyMode::WorldCentre => (SkyMode::Eye, "The sky camera moves about itself."),
-                    SkyMode::Eye => (SkyMode::WorldCentre, "The sky camera moves about the world's centre."),
-                };
-                self.session.sky_mode = mode;
-                Ok(text.to_owned())
-            }
-            ViewCommand::StartPicking => {
-                self.session.is_picking = true;
-                Ok("Click a node to choose it, or the ground to choose none.".to_owned())
-            }
-            ViewCommand::Choose(rbt) => self.choose(rbt),
-            ViewCommand::RestartSeconds => {
-                self.seconds_clock.ticks = 0;
-                Ok("Keys at their own times start again.".to_owned())
-            }
-            ViewCommand::HoldSeconds => {
-                self.seconds_clock.is_held = !self.seconds_clock.is_held;
-                let state = if self.seconds_clock.is_held { "are held" } else { "go on" };
-                Ok(format!("Keys at their own times {state} at {:.2} s.", self.seconds()))
-            }
-            ViewCommand::TogglePath => {
-                self.session.shows_path = !self.session.shows_path;
-                let state = if self.session.shows_path { "shown" } else { "hidden" };
-                Ok(format!("The path of the chosen node is {state}."))
-            }
-            ViewCommand::ToggleComparison => {
-                self.session.compares = !self.session.compares;
-                if !self.session.compares {
-                    return Ok("The comparison is off.".to_owned());
-                }
-                let [other, nlerp, matrices] = Blend::others(self.document.interpolation).map(Blend::label);
-                Ok(format!("Comparing the chosen robot while playing: {other} is blue, {nlerp} green, {matrices} red."))
-            }
-            ViewCommand::ToggleArcball => {
-                self.session.shows_arcball = !self.session.shows_arcball;
-                Ok(String::new())
-            }
-            ViewCommand::ToggleHelp => {
-                self.session.shows_help = !self.session.shows_help;
-                Ok(String::new())
-            }
-            ViewCommand::TogglePanels => {
-                self.session.shows_panels = !self.session.shows_panels;
-                let hidden = !self.session.shows_panels;
-                Ok(if hidden { "Panels hidden: F11 shows them again.".to_owned() } else { String::new() })
-            }
-        }
-    }
-
-    fn set_eye(&mut self, eye: usize) -> Outcome {
-        let Some(&rbt) = self.scene.eyes().get(eye) else { return Err(CommandError::NotInScene { what: "eye" }) };
-        self.commit_gesture();
-        self.session.eye = eye;
-        Ok(format!("Looking from {}.", self.scene.rbt_path(rbt)))
-    }
-
-    fn choose(&mut self, rbt: Option<RbtIndex>) -> Outcome {
-        if rbt.is_some_and(|rbt| rbt.get() >= self.scene.rbt_count()) {
-            return Err(CommandError::NotInScene { what: "node" });
-        }
-        self.commit_gesture();
-        self.session.chosen = rbt;
-        self.session.is_picking = false;
-        Ok(match rbt {
-            Some(rbt) => format!("Chosen: {}.", self.scene.rbt_path(rbt)),
-            None => "Nothing chosen: a drag moves the eye.".to_owned(),
-        })
     }
 
     fn gesture(&mut self, command: GestureCommand) -> Outcome {
@@ -372,6 +261,9 @@ impl Editor {
                 self.commit_gesture();
                 self.history.end_run();
                 self.gesture = Some(self.document.clone());
+                if let Some(pose) = self.end_scrub() {
+                    self.document.live_pose = pose;
+                }
             }
             GestureCommand::Move(motion) => {
                 if self.gesture.is_none() {
@@ -380,7 +272,9 @@ impl Editor {
                 let moved = self.moved(motion);
                 self.place(self.node_at_hand(), |_| moved, "drag", None)?;
             }
-            GestureCommand::Commit => self.commit_gesture(),
+            GestureCommand::Commit => {
+                self.commit_gesture();
+            }
             GestureCommand::Abort => {
                 if let Some(before) = self.gesture.take() {
                     self.document = before;
@@ -393,9 +287,18 @@ impl Editor {
 
     /// Ends a drag, as one step of undo.
     pub(super) fn commit_gesture(&mut self) {
-        if let Some(before) = self.gesture.take() {
-            self.history.record(before, &self.document, "drag", None);
+        let Some(before) = self.gesture.take() else { return };
+        let has_moved = !before.live_pose.same_as(&self.document.live_pose);
+        if self.session.auto_keys
+            && has_moved
+            && let Some(index) = self.document.keyframes.current()
+            && let Some(keyframe) = self.document.keyframes.current_keyframe()
+        {
+            let updated = keyframe.with_pose(self.document.live_pose.clone());
+            self.document.keyframes.replace(index, updated);
+            self.say(format!("{}: updated by auto-key.", self.where_we_are()));
         }
+        self.history.record(before, &self.document, "drag", None);
     }
 
     fn undo(&mut self) -> Outcome {
@@ -403,6 +306,7 @@ impl Editor {
         if self.gesture.is_some() {
             return Err(CommandError::DuringDrag);
         }
+        self.end_scrub();
         let label = self.history.undo(&mut self.document).ok_or(CommandError::NothingToUndo)?;
         Ok(format!("Undone: {label}."))
     }
@@ -412,6 +316,7 @@ impl Editor {
         if self.gesture.is_some() {
             return Err(CommandError::DuringDrag);
         }
+        self.end_scrub();
         let label = self.history.redo(&mut self.document).ok_or(CommandError::NothingToRedo)?;
         Ok(format!("Redone: {label}."))
     }
@@ -448,8 +353,8 @@ fn unit(rotation: Quat) -> Option<Quat> {
     (rotation.is_finite() && length > 1e-6 && length.is_finite()).then(|| rotation / length)
 }
 
-/// Edits of the live pose: during a drag they are part of it.
-const fn is_pose_edit(edit: &Edit) -> bool {
+/// Edits that a drag makes again and again: during one they are part of it.
+const fn is_continuous(edit: &Edit) -> bool {
     matches!(
         edit,
         Edit::SetTranslation(..)
@@ -457,6 +362,12 @@ const fn is_pose_edit(edit: &Edit) -> bool {
             | Edit::RotateChosen { .. }
             | Edit::TranslateChosen(_)
             | Edit::Wheel(_)
+            | Edit::SetMsBetweenKeyframes(_)
+            | Edit::Timeline(
+                TimelineEdit::SetDuration { .. }
+                    | TimelineEdit::SetTranslationInKeyframe(..)
+                    | TimelineEdit::SetRotationInKeyframe(..)
+            )
     )
 }
 
@@ -471,6 +382,7 @@ const fn what_playing_refuses(edit: &Edit) -> Option<&'static str> {
         Edit::ResetPose => "return to the rest pose",
         Edit::SetTranslation(..) | Edit::TranslateChosen(_) | Edit::Wheel(_) => "move a node",
         Edit::SetRotation(..) | Edit::RotateChosen { .. } => "turn a node",
+        Edit::Timeline(_) => "edit the timeline",
         Edit::NextInterpolation
         | Edit::SetInterpolation(_)
         | Edit::Faster

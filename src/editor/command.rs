@@ -4,8 +4,9 @@ use std::path::PathBuf;
 
 use glam::{Quat, Vec3};
 
+use super::PlayMode;
 use crate::interpolation::Interpolation;
-use crate::keyframe::KeyframeIndex;
+use crate::keyframe::{Easing, KeyframeIndex};
 use crate::pose::RbtIndex;
 use crate::rbt::Rbt;
 
@@ -72,21 +73,73 @@ pub enum Edit {
     },
     /// Moves the chosen node, in its parent's space.
     TranslateChosen(Vec3),
+    /// Edits the list as a timeline.
+    Timeline(TimelineEdit),
     /// Moves the node at hand (the chosen one, or the eye) along the view, with respect to its auxiliary frame; a run of these is one step.
     Wheel(Rbt),
 }
 
+/// Edits of the list as a timeline; of the selected keyframes, or of the current one where none is selected.
+#[derive(Clone, Debug, PartialEq)]
+pub enum TimelineEdit {
+    /// Names a keyframe; blank takes the name away.
+    RenameKeyframe(KeyframeIndex, String),
+    /// Sets the length of the interval that begins at a keyframe.
+    SetDuration {
+        /// Where the interval begins.
+        keyframe: KeyframeIndex,
+        /// Its length in units of the ms between keyframes, kept within [`crate::keyframe::DURATION_RANGE`].
+        duration: f64,
+        /// Whether the next interval gives what this one takes, so that what follows stays in time.
+        ripple_free: bool,
+    },
+    /// Sets the easing of the intervals that begin at the keyframes at hand.
+    SetEasing(Easing),
+    /// Moves the keyframes at hand, to before the keyframe in this place; the list's length: to the end.
+    MoveKeyframes(usize),
+    /// Deletes the keyframes at hand.
+    DeleteKeyframes,
+    /// Copies the keyframes at hand, and deletes them.
+    CutKeyframes,
+    /// Inserts the copied keyframes after the last of those at hand.
+    PasteKeyframes,
+    /// Inserts copies of the keyframes at hand, after them.
+    DuplicateKeyframes,
+    /// Reverses the order of the selected keyframes, or of all where fewer than two are selected.
+    ReverseKeyframes,
+    /// Gives the chosen node and all below it the copied pose; another root keeps its own place.
+    PastePose,
+    /// Moves one node in one keyframe of the list, as dragging its dot on the motion path does: in the parent's space.
+    SetTranslationInKeyframe(KeyframeIndex, RbtIndex, Vec3),
+    /// Turns one node in one keyframe of the list.
+    SetRotationInKeyframe(KeyframeIndex, RbtIndex, Quat),
+}
+
 /// Playing.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PlaybackCommand {
     /// Plays from the first playable keyframe, or stops at the last.
     PlayOrStop,
+    /// Plays from the playhead, or stops.
+    PlayFromPlayhead,
     /// Freezes the pose on screen into the scene, or goes on from there.
     PauseOrResume,
+    /// Shows the sample at a key time, kept within what plays; while playing, goes on from there.
+    Scrub(f64),
+    /// Shows the sample so many ticks after the playhead, or before.
+    Step(i32),
+    /// What happens at the end.
+    SetMode(PlayMode),
+    /// The next of once, loop, ping-pong.
+    NextMode,
+    /// Which keyframes of the list play, the first and the last of them; `None`: all but the first and the last of the list.
+    SetRange(Option<(usize, usize)>),
+    /// Speed on top of the ms between keyframes, in percent, kept within 10 and 1000.
+    SetSpeedPercent(u32),
 }
 
 /// How the scene is looked at.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ViewCommand {
     /// Looks from the next eye.
     NextEye,
@@ -108,6 +161,16 @@ pub enum ViewCommand {
     TogglePath,
     /// Shows or hides, while playing, what the interpolations that are not in force would show.
     ToggleComparison,
+    /// Selects these keyframes in the timeline, and no others.
+    SelectKeyframes(Vec<KeyframeIndex>),
+    /// Copies the selected keyframes, or the current one.
+    CopyKeyframes,
+    /// Copies what is on screen of the chosen node and all below it.
+    CopyPose,
+    /// Switches whether the end of each drag updates the current keyframe.
+    ToggleAutoKeys,
+    /// Shows so many neighbouring keyframes on each side as ghosts, at most 3.
+    SetGhosts(u8),
     /// Sets the clock of keys at their own times to zero.
     RestartSeconds,
     /// Holds that clock, or lets it go on.

@@ -32,6 +32,30 @@ pub enum CommandError {
         /// What was asked, as in "delete a keyframe".
         what: &'static str,
     },
+    /// A range of keyframes that cannot play.
+    #[error(
+        "Keyframes {first} to {last} cannot play: a range runs from keyframe 1 or later to the last but one or earlier."
+    )]
+    NoSuchRange {
+        /// Its first keyframe.
+        first: usize,
+        /// Its last keyframe.
+        last: usize,
+    },
+    /// There is nothing to paste.
+    #[error("Nothing is copied yet: Ctrl+C copies the selected keyframes.")]
+    NothingCopied,
+    /// There is no copied pose.
+    #[error("No pose is copied yet: choose a node and copy its pose first.")]
+    NoPoseCopied,
+    /// The copied pose is of other nodes.
+    #[error("The copied pose has a node {path:?} that {chosen:?} has not.")]
+    OtherNodes {
+        /// The path below the node that was copied.
+        path: String,
+        /// The node that is chosen.
+        chosen: String,
+    },
     /// Pausing needs something that plays.
     #[error("Nothing is playing. Press y to play.")]
     NothingPlaying,
@@ -47,7 +71,7 @@ pub enum CommandError {
     /// A number is not finite, or a rotation has no direction.
     #[error("That is not a {what}: nothing was changed.")]
     NotAValue {
-        /// `position` or `rotation`.
+        /// `position`, `rotation`, `duration` or `key time`.
         what: &'static str,
     },
     /// Undo and redo wait for the end of a drag.

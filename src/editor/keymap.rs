@@ -21,6 +21,12 @@ pub enum Key {
     F11,
     /// Home.
     Home,
+    /// Delete.
+    Delete,
+    /// Left arrow.
+    Left,
+    /// Right arrow.
+    Right,
 }
 
 /// Which modifiers are held.
@@ -61,6 +67,8 @@ pub struct KeyPress {
 pub enum Group {
     /// The keyframe list.
     Keyframes,
+    /// The timeline.
+    Timeline,
     /// Playing.
     Playing,
     /// Looking and handling.
@@ -75,6 +83,7 @@ impl Group {
     pub const fn heading(self) -> &'static str {
         match self {
             Self::Keyframes => "Keyframes",
+            Self::Timeline => "Timeline",
             Self::Playing => "Playing",
             Self::View => "Looking and handling",
             Self::File => "Files and undo",
@@ -131,6 +140,9 @@ impl Chord {
             Key::Escape => label.push_str("Esc"),
             Key::F11 => label.push_str("F11"),
             Key::Home => label.push_str("Home"),
+            Key::Delete => label.push_str("Delete"),
+            Key::Left => label.push_str("Left"),
+            Key::Right => label.push_str("Right"),
         }
         label
     }
@@ -169,7 +181,7 @@ pub fn binding_for(table: &[Binding], press: KeyPress) -> Option<&Binding> {
         .filter(|binding| binding.repeats || !press.is_repeat)
 }
 
-/// The press that a script's word means: a character itself, or `space`, `escape`, `f11`, `home`, with `shift+`, `ctrl+`, `alt+` before it.
+/// The press that a script's word means: a character itself, or `space`, `escape`, `f11`, `home`, `delete`, `left`, `right`, with `shift+`, `ctrl+`, `alt+` before it.
 #[must_use]
 pub fn press_from_word(word: &str) -> Option<KeyPress> {
     let mut modifiers = Modifiers::default();
@@ -194,6 +206,9 @@ pub fn press_from_word(word: &str) -> Option<KeyPress> {
             "escape" | "esc" => Key::Escape,
             "f11" => Key::F11,
             "home" => Key::Home,
+            "delete" => Key::Delete,
+            "left" => Key::Left,
+            "right" => Key::Right,
             _ => return None,
         },
     };

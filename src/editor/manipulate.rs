@@ -141,7 +141,7 @@ impl Editor {
 
     /// The node at hand after a motion with respect to its auxiliary frame: a new `parent_from_node`.
     pub(super) fn moved(&self, motion: Rbt) -> Rbt {
-        let pose = &self.document.live_pose;
+        let pose = &self.pose_at_hand();
         let object = self.node_at_hand();
         let seconds = self.seconds();
         let world_from_parent = Rbt::from_affine(&self.scene.world_from_parent(pose, seconds, object));

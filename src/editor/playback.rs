@@ -1,41 +1,123 @@
-//! Where playback is: a key time in exact arithmetic, out of ticks. It never writes the document.
+//! Where playback is, in exact arithmetic, out of ticks. It never writes the document.
+//!
+//! Elapsed time counts units of the ms between keyframes from the first played keyframe ([`Timing`]); while every interval lasts one
+//! unit it is the key time.
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{ToPrimitive as _, Zero as _};
+use num_traits::Zero as _;
 
 use crate::clock::TICKS_PER_SECOND;
+use crate::keyframe::{KeyframeIndex, Timing};
 
-/// A key time reached by whole ticks.
+/// What happens at the end of the played range.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum PlayMode {
+    /// Playing ends.
+    #[default]
+    Once,
+    /// It begins again.
+    Loop,
+    /// It runs backwards, and forwards again.
+    PingPong,
+}
+
+impl PlayMode {
+    /// Every mode, in the order in which the button goes through them.
+    pub const ALL: [Self; 3] = [Self::Once, Self::Loop, Self::PingPong];
+
+    /// The one after this, around the end.
+    #[must_use]
+    pub const fn next(self) -> Self {
+        match self {
+            Self::Once => Self::Loop,
+            Self::Loop => Self::PingPong,
+            Self::PingPong => Self::Once,
+        }
+    }
+
+    /// Its name for people and scripts.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Once => "once",
+            Self::Loop => "loop",
+            Self::PingPong => "ping-pong",
+        }
+    }
+}
+
+/// How fast time passes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Pace {
+    /// Wall time from one keyframe to the next, for an interval of one unit.
+    pub ms_between_keyframes: u32,
+    /// Speed on top of that, in percent; above 0.
+    pub speed_percent: u32,
+}
+
+impl Pace {
+    /// The elapsed time that so many ticks take: k · (1000/60) / ms at 100 %.
+    #[must_use]
+    pub fn elapsed(self, ticks: impl Into<BigInt>) -> BigRational {
+        BigRational::new(
+            BigInt::from(1000) * ticks.into() * BigInt::from(self.speed_percent),
+            BigInt::from(TICKS_PER_SECOND) * BigInt::from(self.ms_between_keyframes) * BigInt::from(100),
+        )
+    }
+}
+
+/// The part of the list that plays.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Span {
+    /// The elapsed time where it begins.
+    pub start: BigRational,
+    /// The elapsed time where it ends; after the start.
+    pub end: BigRational,
+    /// The keyframe of the list where it ends.
+    pub last_keyframe: KeyframeIndex,
+    /// What happens there.
+    pub mode: PlayMode,
+}
+
+/// A place reached by whole ticks.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Position {
-    /// The key time when the milliseconds between keyframes last changed.
-    key_time_at_change: BigRational,
+    span: Span,
+    /// How far it had run from the start of the span when the pace last changed.
+    run_at_change: BigRational,
     ticks_since_change: u64,
-    ms_between_keyframes: u32,
+    pace: Pace,
 }
 
 impl Position {
-    /// Key time 0.
+    /// A place in a span, kept within it.
     #[must_use]
-    pub fn start(ms_between_keyframes: u32) -> Self {
-        Self { key_time_at_change: BigRational::zero(), ticks_since_change: 0, ms_between_keyframes }
+    pub fn new(span: Span, elapsed: &BigRational, pace: Pace) -> Self {
+        let run_at_change = elapsed.clamp(&span.start, &span.end) - &span.start;
+        Self { span, run_at_change, ticks_since_change: 0, pace }
     }
 
-    /// The key time, exactly: tick k from the start is at k · (1000/60) / ms.
-    #[must_use]
-    fn exact_key_time(&self) -> BigRational {
-        let ms = BigRational::new(
-            BigInt::from(1000) * BigInt::from(self.ticks_since_change),
-            BigInt::from(TICKS_PER_SECOND) * BigInt::from(self.ms_between_keyframes),
-        );
-        &self.key_time_at_change + ms
+    /// How far it has run from the start of the span, around its ends and all.
+    fn run(&self) -> BigRational {
+        &self.run_at_change + self.pace.elapsed(self.ticks_since_change)
     }
 
-    /// The key time, rounded to the nearest double.
+    /// The elapsed time that is shown.
     #[must_use]
-    pub fn key_time(&self) -> f64 {
-        self.exact_key_time().to_f64().unwrap_or(f64::MAX)
+    pub fn elapsed(&self) -> BigRational {
+        let length = &self.span.end - &self.span.start;
+        let run = self.run();
+        let within = match self.span.mode {
+            PlayMode::Once => run.min(length),
+            PlayMode::Loop => &run - (&run / &length).floor() * length,
+            PlayMode::PingPong => {
+                let there_and_back = &length + &length;
+                let run = &run - (&run / &there_and_back).floor() * &there_and_back;
+                if run > length { there_and_back - run } else { run }
+            }
+        };
+        &self.span.start + within
     }
 
     /// Goes on by whole ticks.
@@ -43,19 +125,32 @@ impl Position {
         self.ticks_since_change = self.ticks_since_change.saturating_add(ticks);
     }
 
-    /// Goes on at another pace from the key time reached.
-    pub fn set_ms_between_keyframes(&mut self, ms_between_keyframes: u32) {
-        if ms_between_keyframes != self.ms_between_keyframes {
-            self.key_time_at_change = self.exact_key_time();
+    /// Goes on at another pace from the place reached.
+    pub fn set_pace(&mut self, pace: Pace) {
+        if pace != self.pace {
+            self.run_at_change = self.run();
             self.ticks_since_change = 0;
-            self.ms_between_keyframes = ms_between_keyframes;
+            self.pace = pace;
         }
     }
 
-    /// Whether the key time is at or past `last_key_time`, exactly.
+    /// Goes on in another span, from the same elapsed time where it has that.
     #[must_use]
-    pub fn has_reached(&self, last_key_time: usize) -> bool {
-        self.exact_key_time() >= BigRational::from_integer(BigInt::from(last_key_time))
+    pub fn in_span(&self, span: Span) -> Self {
+        Self::new(span, &self.elapsed(), self.pace)
+    }
+
+    /// The keyframe of the list where playing ends, if that is reached: the first tick at or past the end, exactly.
+    #[must_use]
+    pub fn ended_at(&self) -> Option<KeyframeIndex> {
+        let has_ended = self.span.mode == PlayMode::Once && self.run() >= &self.span.end - &self.span.start;
+        has_ended.then_some(self.span.last_keyframe)
+    }
+
+    /// The keyframe of the list where the span ends.
+    #[must_use]
+    pub const fn last_keyframe(&self) -> KeyframeIndex {
+        self.span.last_keyframe
     }
 }
 
@@ -69,48 +164,115 @@ pub enum Playback {
     Playing(Position),
     /// The sample at a position was frozen into the scene; playing can go on from there.
     Paused(Position),
+    /// The sample at an elapsed time is shown, which someone scrubbed to.
+    Scrubbed(BigRational),
+}
+
+impl Playback {
+    /// The elapsed time that plays, is paused at, or was scrubbed to.
+    #[must_use]
+    pub fn elapsed(&self) -> Option<BigRational> {
+        match self {
+            Self::Stopped => None,
+            Self::Playing(position) | Self::Paused(position) => Some(position.elapsed()),
+            Self::Scrubbed(elapsed) => Some(elapsed.clone()),
+        }
+    }
+}
+
+/// The span of a whole timing, or of the part between two keyframes of the list, kept within what plays.
+#[must_use]
+pub fn span(timing: &Timing, keyframes: usize, range: Option<(usize, usize)>, mode: PlayMode) -> Span {
+    let end = keyframes - 2;
+    let (first, last) = range
+        .map(|(first, last)| (first.clamp(1, end), last.clamp(1, end)))
+        .filter(|(first, last)| first < last)
+        .unwrap_or((1, end));
+    Span {
+        start: timing.at_keyframe(first - 1),
+        end: timing.at_keyframe(last - 1),
+        last_keyframe: KeyframeIndex::new(last),
+        mode,
+    }
+}
+
+/// Elapsed time zero.
+#[must_use]
+pub fn beginning() -> BigRational {
+    BigRational::zero()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::keyframe::{to_f64, whole};
+
+    fn pace(ms_between_keyframes: u32) -> Pace {
+        Pace { ms_between_keyframes, speed_percent: 100 }
+    }
+
+    fn position(ms: u32, length: usize, mode: PlayMode) -> Position {
+        let span = Span { start: whole(0), end: whole(length), last_keyframe: KeyframeIndex::new(length + 1), mode };
+        Position::new(span, &whole(0), pace(ms))
+    }
 
     #[track_caller]
-    fn ticks_to_reach(ms: u32, last_key_time: usize) -> u64 {
-        let mut position = Position::start(ms);
+    fn check_end(ms: u32, length: usize, expected_ticks: u64) {
+        let mut position = position(ms, length, PlayMode::Once);
         let mut ticks = 0;
-        while !position.has_reached(last_key_time) {
+        while position.ended_at().is_none() {
             position.advance(1);
             ticks += 1;
         }
-        ticks
+        assert_eq!(ticks, expected_ticks);
     }
 
     #[test]
     fn the_end_is_the_first_tick_at_or_past_it() {
-        assert_eq!(ticks_to_reach(2000, 1), 120);
-        assert_eq!(ticks_to_reach(100, 3), 18);
-        assert_eq!(ticks_to_reach(700, 1), 42);
-        assert_eq!(ticks_to_reach(9900, 3), 1782);
-        assert_eq!(ticks_to_reach(110, 1), 7);
+        check_end(2000, 1, 120);
+        check_end(100, 3, 18);
+        check_end(700, 1, 42);
+        check_end(9900, 3, 1782);
+        check_end(110, 1, 7);
     }
 
     #[test]
     fn another_pace_goes_on_without_a_jump() {
-        let mut position = Position::start(2000);
+        let mut position = position(2000, 1, PlayMode::Once);
         position.advance(33);
-        let before = position.key_time();
-        position.set_ms_between_keyframes(300);
-        assert!((position.key_time() - before).abs() < 1e-15);
-        position.set_ms_between_keyframes(2000);
+        let before = position.elapsed();
+        position.set_pace(pace(300));
+        assert_eq!(position.elapsed(), before);
+        position.set_pace(pace(2000));
         position.advance(87);
-        assert!(position.has_reached(1), "33 and 87 ticks at 2000 ms are one interval, exactly");
+        assert!(position.ended_at().is_some(), "33 and 87 ticks at 2000 ms are one interval, exactly");
     }
 
     #[test]
-    fn key_times_are_the_nearest_doubles() {
-        let mut position = Position::start(2000);
+    fn elapsed_times_are_the_nearest_doubles() {
+        let mut position = position(2000, 1, PlayMode::Once);
         position.advance(1);
-        assert_eq!(position.key_time(), 50.0 / 6000.0);
+        assert_eq!(to_f64(&position.elapsed()), 50.0 / 6000.0);
+    }
+
+    #[test]
+    fn loops_begin_again_and_ping_pong_runs_back() {
+        let mut looping = position(1000, 2, PlayMode::Loop);
+        let mut ping_pong = position(1000, 2, PlayMode::PingPong);
+        for (seconds, in_loop, in_ping_pong) in
+            [(1, 1.0, 1.0), (2, 0.0, 2.0), (3, 1.0, 1.0), (4, 0.0, 0.0), (5, 1.0, 1.0)]
+        {
+            looping.advance(60);
+            ping_pong.advance(60);
+            assert_eq!(to_f64(&looping.elapsed()), in_loop, "loop after {seconds} s");
+            assert_eq!(to_f64(&ping_pong.elapsed()), in_ping_pong, "ping-pong after {seconds} s");
+            assert!(looping.ended_at().is_none() && ping_pong.ended_at().is_none());
+        }
+    }
+
+    #[test]
+    fn half_the_speed_takes_twice_the_ticks() {
+        let pace = Pace { ms_between_keyframes: 1000, speed_percent: 50 };
+        assert_eq!(pace.elapsed(120_u64), whole(1));
     }
 }

@@ -61,6 +61,7 @@ impl Frame {
         if session.shows_path {
             overlays::add_path(&mut frame, editor);
         }
+        overlays::add_ghosts(&mut frame, editor);
         if session.compares {
             overlays::add_comparison(&mut frame, editor);
         }

@@ -24,6 +24,8 @@ const CURRENT: &str = "#f2a33a";
 const OTHER_INTERPOLATION: &str = "#5aa9e6";
 const NLERP: &str = "#63c08a";
 const MATRICES: &str = "#e5645a";
+const EARLIER: &str = "#e08a4b";
+const LATER: &str = "#4ba3d9";
 
 fn linear(hex: &str) -> Vec3 {
     Colour::from_hex(hex).expect("the overlay colours are of the form #rrggbb").to_linear()
@@ -81,6 +83,34 @@ pub(super) fn add_path(frame: &mut Frame, editor: &Editor) {
             colour: colour.extend(if steers && !is_current { 0.5 } else { 1.0 }),
             diameter_px: if is_current { CURRENT_DOT_PX } else { DOT_PX },
         });
+    }
+}
+
+/// Adds the poses of the neighbouring keyframes as ghosts: earlier ones warm, later ones cool, farther ones fainter. Nodes that stand
+/// as they do on screen have none.
+pub(super) fn add_ghosts(frame: &mut Frame, editor: &Editor) {
+    let Some(current) = editor.document().keyframes.current().filter(|_| !editor.is_playing()) else { return };
+    let scene = editor.scene();
+    let shown = scene.world_from_nodes(&editor.displayed_pose(), editor.seconds());
+    for away in (1..=usize::from(editor.session().ghosts)).rev() {
+        let neighbours = [(current.get().checked_sub(away), EARLIER), (current.get().checked_add(away), LATER)];
+        for (place, tint) in neighbours {
+            let Some(keyframe) = place.and_then(|place| editor.document().keyframes.as_slice().get(place)) else {
+                continue;
+            };
+            let world_from_node = scene.world_from_nodes(&keyframe.pose, editor.seconds());
+            for (id, node) in scene.nodes_with_ids() {
+                let NodeKind::Shape(placed) = &node.kind else { continue };
+                if world_from_node[id.get()] == shown[id.get()] {
+                    continue;
+                }
+                let mut item = draw_item(placed, world_from_node[id.get()], editor.seconds(), id.get(), false);
+                item.colour = linear(tint);
+                #[expect(clippy::cast_precision_loss, reason = "there are at most 3")]
+                let opacity = GHOST_OPACITY / away as f32;
+                frame.ghosts.push(Ghost { item, opacity });
+            }
+        }
     }
 }
 

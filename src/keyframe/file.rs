@@ -11,7 +11,8 @@ use serde::de::{SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 use thiserror::Error;
 
-use super::list::{Keyframe, KeyframeList};
+use super::easing::Easing;
+use super::list::{DURATION_RANGE, Keyframe, KeyframeList};
 use super::{DEFAULT_MS_BETWEEN_KEYFRAMES, MS_BETWEEN_KEYFRAMES_RANGE};
 use crate::interpolation::Interpolation;
 use crate::json::push_rbt;
@@ -23,7 +24,8 @@ use crate::scene::SceneGraph;
 pub const LARGEST_FILE_BYTES: u64 = 1 << 30;
 
 const FORMAT: &str = "inbetween.keyframes";
-const VERSION: u64 = 1;
+/// What a file says whose keyframes are poses and nothing else, and what one says that has names, durations or easings.
+const VERSIONS: std::ops::RangeInclusive<u64> = 1..=2;
 /// Rotations this near to unit length are kept bit for bit.
 const UNIT_TOLERANCE: f64 = 1e-6;
 /// Rotations this near to unit length are normalised; beyond, they are errors.
@@ -70,7 +72,7 @@ pub enum KeyframeFileError {
         found: String,
     },
     /// `version` is not one that this program reads.
-    #[error("version is {found}, and this program reads version 1")]
+    #[error("version is {found}, and this program reads versions 1 and 2")]
     Version {
         /// What the file says.
         found: u64,
@@ -139,6 +141,32 @@ pub enum KeyframeFileError {
         /// The rotation's length.
         length: f32,
     },
+    /// A field of version 2 in a file of version 1.
+    #[error("keyframe {keyframe}: {field} needs version 2, and the file says version 1")]
+    NeedsVersion2 {
+        /// The keyframe, from 0.
+        keyframe: usize,
+        /// Which field.
+        field: &'static str,
+    },
+    /// A keyframe's interval is of no length that can play.
+    #[error("keyframe {keyframe}: duration is {found}, expected a number from 0.001 to 1000")]
+    Duration {
+        /// The keyframe, from 0.
+        keyframe: usize,
+        /// What the file says.
+        found: f64,
+    },
+    /// A keyframe's easing is unknown.
+    #[error(
+        "keyframe {keyframe}: easing is {found:?}, expected linear, hold, or sine, quad, cubic, back, bounce or elastic with -in, -out or -in-out"
+    )]
+    Easing {
+        /// The keyframe, from 0.
+        keyframe: usize,
+        /// What the file says.
+        found: String,
+    },
     /// More is wrong than is worth saying.
     #[error("and {more} more problems")]
     More {
@@ -170,6 +198,9 @@ struct HeaderText {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct KeyframeText {
+    name: Option<String>,
+    duration: Option<f64>,
+    easing: Option<String>,
     pose: PoseText,
 }
 
@@ -251,7 +282,9 @@ pub fn keyframes_from_json(bytes: &[u8], scene: &SceneGraph) -> Result<KeyframeF
         .keyframes
         .into_iter()
         .enumerate()
-        .filter_map(|(keyframe, KeyframeText { pose: PoseText(mut pose) })| {
+        .filter_map(|(keyframe, text_of_keyframe)| {
+            let extras = extras_of(&text_of_keyframe, keyframe, text.version, &mut problems);
+            let PoseText(mut pose) = text_of_keyframe.pose;
             if pose.len() != text.nodes.len() {
                 let (found, expected) = (pose.len(), text.nodes.len());
                 problems.push(KeyframeFileError::PoseLength { keyframe, found, expected });
@@ -262,7 +295,7 @@ pub fn keyframes_from_json(bytes: &[u8], scene: &SceneGraph) -> Result<KeyframeF
                     problems.push(problem);
                 }
             }
-            Some(Keyframe::new(in_scene_order(pose, place_in_file.as_deref()?)))
+            Some(Keyframe { pose: in_scene_order(pose, place_in_file.as_deref()?), ..extras })
         })
         .collect();
     problems.into_result(KeyframeFile { interpolation, ms_between_keyframes, keyframes })
@@ -292,10 +325,35 @@ impl Problems {
     }
 }
 
+/// A keyframe's name, duration and easing, with no pose yet; what is wrong with them goes to the problems.
+fn extras_of(text: &KeyframeText, keyframe: usize, version: u64, problems: &mut Problems) -> Keyframe {
+    let mut extras = Keyframe::new(Pose::new(Vec::new()));
+    let given =
+        [("name", text.name.is_some()), ("duration", text.duration.is_some()), ("easing", text.easing.is_some())];
+    if let Some((field, _)) = given.into_iter().find(|&(_, is_given)| is_given && version < 2) {
+        problems.push(KeyframeFileError::NeedsVersion2 { keyframe, field });
+    }
+    extras.name = text.name.as_deref().filter(|name| !name.is_empty()).map(Arc::from);
+    if let Some(found) = text.duration {
+        if DURATION_RANGE.contains(&found) {
+            extras.duration = found;
+        } else {
+            problems.push(KeyframeFileError::Duration { keyframe, found });
+        }
+    }
+    if let Some(found) = &text.easing {
+        match Easing::from_name(found) {
+            Some(easing) => extras.easing = easing,
+            None => problems.push(KeyframeFileError::Easing { keyframe, found: found.clone() }),
+        }
+    }
+    extras
+}
+
 fn header_problem(format: &str, version: u64) -> Option<KeyframeFileError> {
     if format != FORMAT {
         Some(KeyframeFileError::Format { found: format.to_owned() })
-    } else if version != VERSION {
+    } else if !VERSIONS.contains(&version) {
         Some(KeyframeFileError::Version { found: version })
     } else {
         None
@@ -365,10 +423,11 @@ pub fn keyframes_to_json(
     ms_between_keyframes: u32,
 ) -> String {
     let mut text = String::new();
+    let version = if keyframes.as_slice().iter().any(Keyframe::has_extras) { VERSIONS.end() } else { VERSIONS.start() };
     let quoted = |name: &str| serde_json::Value::from(name).to_string();
     let _ = write!(
         text,
-        "{{\n  \"format\": \"{FORMAT}\",\n  \"version\": {VERSION},\n  \"scene\": {},\n  \"interpolation\": \"{}\",\n  \
+        "{{\n  \"format\": \"{FORMAT}\",\n  \"version\": {version},\n  \"scene\": {},\n  \"interpolation\": \"{}\",\n  \
          \"ms_between_keyframes\": {ms_between_keyframes},\n  \"nodes\": [",
         quoted(scene.name()),
         interpolation.name(),
@@ -378,7 +437,9 @@ pub fn keyframes_to_json(
     }
     text.push_str("\n  ],\n  \"keyframes\": [");
     for (place, keyframe) in keyframes.as_slice().iter().enumerate() {
-        text.push_str(if place == 0 { "\n    { \"pose\": [" } else { ",\n    { \"pose\": [" });
+        text.push_str(if place == 0 { "\n    { " } else { ",\n    { " });
+        push_extras(&mut text, keyframe);
+        text.push_str("\"pose\": [");
         for (entry, rbt) in keyframe.pose.as_slice().iter().enumerate() {
             text.push_str(if entry == 0 { "\n      " } else { ",\n      " });
             push_rbt(&mut text, rbt);
@@ -387,4 +448,18 @@ pub fn keyframes_to_json(
     }
     text.push_str(if keyframes.is_empty() { "]\n}\n" } else { "\n  ]\n}\n" });
     text
+}
+
+/// Appends what a keyframe has beside its pose, nothing where it has nothing.
+fn push_extras(text: &mut String, keyframe: &Keyframe) {
+    if let Some(name) = &keyframe.name {
+        let _ = write!(text, "\"name\": {}, ", serde_json::Value::from(&**name));
+    }
+    if keyframe.duration != 1.0 {
+        let duration = format!("{:?}", keyframe.duration);
+        let _ = write!(text, "\"duration\": {}, ", duration.strip_suffix(".0").unwrap_or(&duration));
+    }
+    if keyframe.easing != Easing::Linear {
+        let _ = write!(text, "\"easing\": \"{}\", ", keyframe.easing.name());
+    }
 }

@@ -2,7 +2,9 @@
 
 use std::sync::{Arc, OnceLock};
 
-use crate::interpolation::{ControlPoints, rbt_control_points};
+use super::easing::Easing;
+use super::timing::Timing;
+use crate::interpolation::{ControlPoints, TangentDivisors, rbt_control_points};
 use crate::pose::Pose;
 use crate::rbt::Rbt;
 
@@ -24,18 +26,48 @@ impl KeyframeIndex {
     }
 }
 
-/// A stored pose. Immutable: changing a keyframe replaces it.
+/// A stored pose, and how the interval that begins at it runs. Immutable: changing a keyframe replaces it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Keyframe {
     /// What it records.
     pub pose: Pose,
+    /// What people call it, if anything; never empty.
+    pub name: Option<Arc<str>>,
+    /// The length of the interval that begins here, in units of the ms between keyframes: above 0, 1 unless said otherwise.
+    pub duration: f64,
+    /// How the interval that begins here runs.
+    pub easing: Easing,
 }
 
+/// The lengths that an interval can have, in units of the ms between keyframes.
+pub const DURATION_RANGE: std::ops::RangeInclusive<f64> = 0.001..=1000.0;
+
 impl Keyframe {
-    /// A keyframe of this pose.
+    /// A keyframe of this pose, with no name, an interval of one unit and no easing.
     #[must_use]
     pub const fn new(pose: Pose) -> Self {
-        Self { pose }
+        Self { pose, name: None, duration: 1.0, easing: Easing::Linear }
+    }
+
+    /// The same keyframe with another pose.
+    #[must_use]
+    pub fn with_pose(&self, pose: Pose) -> Self {
+        Self { pose, ..self.clone() }
+    }
+
+    /// Whether it has a name, a duration or an easing of its own.
+    #[must_use]
+    pub fn has_extras(&self) -> bool {
+        self.name.is_some() || self.duration != 1.0 || self.easing != Easing::Linear
+    }
+
+    /// Whether two keyframes are the same, fast where they share.
+    #[must_use]
+    pub fn same_as(&self, other: &Self) -> bool {
+        self.duration == other.duration
+            && self.easing == other.easing
+            && self.name == other.name
+            && self.pose.same_as(&other.pose)
     }
 }
 
@@ -47,6 +79,7 @@ pub(super) type IntervalControlPoints = Arc<[ControlPoints<Rbt>]>;
 struct Stored {
     keyframes: Vec<Keyframe>,
     control_points: Vec<OnceLock<IntervalControlPoints>>,
+    timing: OnceLock<Option<Timing>>,
 }
 
 /// Keyframes in order and the current one. Cloning is cheap: copies share until one changes.
@@ -64,10 +97,12 @@ impl KeyframeList {
     pub fn new(keyframes: Vec<Keyframe>) -> Self {
         let current = (!keyframes.is_empty()).then_some(KeyframeIndex(0));
         let control_points = (0..keyframes.len()).map(|_| OnceLock::new()).collect();
-        Self { stored: Arc::new(Stored { keyframes, control_points }), current }
+        Self { stored: Arc::new(Stored { keyframes, control_points, timing: OnceLock::new() }), current }
     }
 
-    fn with_current(keyframes: Vec<Keyframe>, current: Option<usize>) -> Self {
+    /// A list of these keyframes with a current one, which must be one of them, or none where there are none.
+    #[must_use]
+    pub fn with_current(keyframes: Vec<Keyframe>, current: Option<usize>) -> Self {
         debug_assert_eq!(current.is_none(), keyframes.is_empty(), "a list has a current keyframe unless it is empty");
         Self { current: current.map(KeyframeIndex), ..Self::new(keyframes) }
     }
@@ -153,6 +188,12 @@ impl KeyframeList {
         Some(removed)
     }
 
+    /// When each played keyframe is reached; `None` for a list that is too short to play. Made once for each state of the list.
+    #[must_use]
+    pub fn timing(&self) -> Option<&Timing> {
+        self.stored.timing.get_or_init(|| Timing::of(&self.stored.keyframes)).as_ref()
+    }
+
     /// The control points of the interval from keyframe `start` to the one after it, which both must have a neighbour outside.
     ///
     /// Made once for each state of the list.
@@ -160,7 +201,11 @@ impl KeyframeList {
         self.stored.control_points[start].get_or_init(|| {
             let pose = |place: usize| self.stored.keyframes[place].pose.as_slice();
             let (before, from, to, after) = (pose(start - 1), pose(start), pose(start + 1), pose(start + 2));
-            (0..from.len()).map(|rbt| rbt_control_points([before[rbt], from[rbt], to[rbt], after[rbt]])).collect()
+            let duration = |place: usize| self.stored.keyframes[place].duration;
+            let divisors = TangentDivisors::of([duration(start - 1), duration(start), duration(start + 1)]);
+            (0..from.len())
+                .map(|rbt| rbt_control_points([before[rbt], from[rbt], to[rbt], after[rbt]], divisors))
+                .collect()
         })
     }
 
@@ -168,8 +213,7 @@ impl KeyframeList {
     #[must_use]
     pub fn same_keyframes(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.stored, &other.stored)
-            || (self.len() == other.len()
-                && self.as_slice().iter().zip(other.as_slice()).all(|(a, b)| a.pose.same_as(&b.pose)))
+            || (self.len() == other.len() && self.as_slice().iter().zip(other.as_slice()).all(|(a, b)| a.same_as(b)))
     }
 }
 

@@ -6,12 +6,10 @@
 use thiserror::Error;
 
 use super::list::{KeyframeIndex, KeyframeList};
+use super::timing::Timing;
 use crate::interpolation::{Interpolation, bezier_rbt, linear_rbt};
 use crate::pose::{Pose, RbtIndex};
 use crate::rbt::Rbt;
-
-/// The fewest keyframes that can be played: two steer, two are reached.
-pub const FEWEST_PLAYABLE: usize = 4;
 
 /// Why there is no pose at a key time.
 #[derive(Clone, Debug, Error, PartialEq)]
@@ -40,6 +38,7 @@ fn counted(keyframes: usize) -> String {
 #[derive(Clone, Debug)]
 pub struct PlayRange<'a> {
     keyframes: &'a KeyframeList,
+    timing: &'a Timing,
 }
 
 impl<'a> PlayRange<'a> {
@@ -48,10 +47,16 @@ impl<'a> PlayRange<'a> {
     /// # Errors
     /// [`SampleError::TooFewKeyframes`] below 4 keyframes.
     pub fn new(keyframes: &'a KeyframeList) -> Result<Self, SampleError> {
-        if keyframes.len() < FEWEST_PLAYABLE {
-            return Err(SampleError::TooFewKeyframes { keyframes: keyframes.len() });
+        match keyframes.timing() {
+            Some(timing) => Ok(Self { keyframes, timing }),
+            None => Err(SampleError::TooFewKeyframes { keyframes: keyframes.len() }),
         }
-        Ok(Self { keyframes })
+    }
+
+    /// When each played keyframe is reached.
+    #[must_use]
+    pub const fn timing(&self) -> &'a Timing {
+        self.timing
     }
 
     /// The key time of the last played keyframe: n − 1, at least 1.
@@ -90,14 +95,15 @@ impl<'a> PlayRange<'a> {
         Ok(self.blend(start, alpha, interpolation))
     }
 
-    /// The keyframe of the list where the interval around a key time begins, and the fraction of the interval; kept within the range.
+    /// The keyframe of the list where the interval around a key time begins, and the eased fraction of the interval; kept within the
+    /// range.
     pub(super) fn interval_at(&self, key_time: f64) -> (usize, f32) {
         #[expect(clippy::cast_precision_loss, reason = "no list has 2^52 keyframes")]
         let key_time = key_time.clamp(0.0, self.last_key_time() as f64);
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it lies in the list")]
         let start = key_time.floor() as usize + 1;
         #[expect(clippy::cast_possible_truncation, reason = "the fraction of a key time needs no more than f32")]
-        let alpha = key_time.fract() as f32;
+        let alpha = self.keyframes.as_slice()[start].easing.value(key_time.fract()) as f32;
         (start, alpha)
     }
 

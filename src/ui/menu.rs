@@ -21,6 +21,7 @@ fn menu_of(binding: &Binding) -> &'static str {
         (Command::View(ViewCommand::ToggleHelp), _) => "Help",
         (_, Group::Playing) => "Animation",
         (_, Group::View) => "View",
+        (_, Group::Timeline) => "Edit",
         (_, Group::File) => "File",
     }
 }

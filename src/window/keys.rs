@@ -71,6 +71,10 @@ fn typed(logical: &LogicalKey) -> Option<Key> {
         LogicalKey::Named(NamedKey::Space) => Some(Key::Space),
         LogicalKey::Named(NamedKey::Escape) => Some(Key::Escape),
         LogicalKey::Named(NamedKey::F11) => Some(Key::F11),
+        LogicalKey::Named(NamedKey::Home) => Some(Key::Home),
+        LogicalKey::Named(NamedKey::Delete) => Some(Key::Delete),
+        LogicalKey::Named(NamedKey::ArrowLeft) => Some(Key::Left),
+        LogicalKey::Named(NamedKey::ArrowRight) => Some(Key::Right),
         _ => None,
     }
 }
@@ -114,6 +118,10 @@ fn placed(place: KeyCode, shift: bool) -> Option<Key> {
         KeyCode::Space => return Some(Key::Space),
         KeyCode::Escape => return Some(Key::Escape),
         KeyCode::F11 => return Some(Key::F11),
+        KeyCode::Home => return Some(Key::Home),
+        KeyCode::Delete => return Some(Key::Delete),
+        KeyCode::ArrowLeft => return Some(Key::Left),
+        KeyCode::ArrowRight => return Some(Key::Right),
         _ => return None,
     }))
 }

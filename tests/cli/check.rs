@@ -51,7 +51,7 @@ fn one_bad_file_sends_every_line_to_standard_error_in_order() {
 #[test]
 fn values_that_are_wrong() {
     check_value(|file| file["format"] = json!("x"), "a.json: format is \"x\", expected \"inbetween.keyframes\"");
-    check_value(|file| file["version"] = json!(2), "a.json: version is 2, and this program reads version 1");
+    check_value(|file| file["version"] = json!(3), "a.json: version is 3, and this program reads versions 1 and 2");
     for ms in [99.0, 10001.0, 500.5] {
         check_value(
             |file| file["ms_between_keyframes"] = json!(ms),

@@ -1,7 +1,7 @@
 //! The bindings themselves.
 
 use super::{Binding, Chord, Group, Key, Modifiers};
-use crate::editor::{Command, Edit, FileCommand, PlaybackCommand, ViewCommand};
+use crate::editor::{Command, Edit, FileCommand, PlaybackCommand, TimelineEdit, ViewCommand};
 
 /// The table of bindings. The order is the help's.
 #[must_use]
@@ -71,6 +71,62 @@ pub fn bindings() -> Vec<Binding> {
             "Return the scene to its rest pose",
         ),
         row(
+            Group::Timeline,
+            vec![held(ctrl, 'c')],
+            view(ViewCommand::CopyKeyframes),
+            "Copy keyframes",
+            "Copy the selected keyframes, or the current one",
+        ),
+        row(
+            Group::Timeline,
+            vec![held(ctrl, 'x')],
+            edit(Edit::Timeline(TimelineEdit::CutKeyframes)),
+            "Cut keyframes",
+            "Cut the selected keyframes, or the current one",
+        ),
+        row(
+            Group::Timeline,
+            vec![held(ctrl, 'v')],
+            edit(Edit::Timeline(TimelineEdit::PasteKeyframes)),
+            "Paste keyframes",
+            "Paste the copied keyframes after the selected ones",
+        ),
+        row(
+            Group::Timeline,
+            vec![held(ctrl, 'd')],
+            edit(Edit::Timeline(TimelineEdit::DuplicateKeyframes)),
+            "Duplicate keyframes",
+            "Duplicate the selected keyframes, or the current one",
+        ),
+        row(
+            Group::Timeline,
+            vec![key(Key::Delete)],
+            edit(Edit::Timeline(TimelineEdit::DeleteKeyframes)),
+            "Delete keyframes",
+            "Delete the selected keyframes, or the current one",
+        ),
+        row(
+            Group::Timeline,
+            vec![],
+            edit(Edit::Timeline(TimelineEdit::ReverseKeyframes)),
+            "Reverse keyframes",
+            "Reverse the order of the selected keyframes, or of all",
+        ),
+        row(
+            Group::Timeline,
+            vec![held(ctrl_shift, 'c')],
+            view(ViewCommand::CopyPose),
+            "Copy pose",
+            "Copy the pose of the chosen node and all below it",
+        ),
+        row(
+            Group::Timeline,
+            vec![held(ctrl_shift, 'v')],
+            edit(Edit::Timeline(TimelineEdit::PastePose)),
+            "Paste pose",
+            "Paste the copied pose to the chosen node: the other robot, say",
+        ),
+        row(
             Group::Playing,
             vec![typed('y')],
             Command::Playback(PlaybackCommand::PlayOrStop),
@@ -98,6 +154,41 @@ pub fn bindings() -> Vec<Binding> {
             edit(Edit::NextInterpolation),
             "Next interpolation",
             "Next interpolation: linear, Catmull-Rom",
+        ),
+        row(
+            Group::Playing,
+            vec![held(shift, 'y')],
+            Command::Playback(PlaybackCommand::PlayFromPlayhead),
+            "Play from playhead",
+            "Play from the playhead, or stop",
+        ),
+        repeating(
+            Group::Playing,
+            vec![key(Key::Right)],
+            Command::Playback(PlaybackCommand::Step(1)),
+            "Step forward",
+            "Move the playhead one tick forward",
+        ),
+        repeating(
+            Group::Playing,
+            vec![key(Key::Left)],
+            Command::Playback(PlaybackCommand::Step(-1)),
+            "Step back",
+            "Move the playhead one tick back",
+        ),
+        row(
+            Group::Playing,
+            vec![held(shift, 'l')],
+            Command::Playback(PlaybackCommand::NextMode),
+            "Loop",
+            "Play once, in a loop, or forwards and backwards",
+        ),
+        row(
+            Group::Playing,
+            vec![held(shift, 'a')],
+            view(ViewCommand::ToggleAutoKeys),
+            "Auto-key",
+            "The end of each drag updates the current keyframe",
         ),
         row(
             Group::Playing,

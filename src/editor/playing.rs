@@ -1,0 +1,225 @@
+//! Playing, pausing, scrubbing.
+
+use num_rational::BigRational;
+
+use super::apply::Outcome;
+use super::playback::{Pace, PlayMode, Playback, Position, Span, beginning, span};
+use super::{CommandError, Editor, PlaybackCommand};
+use crate::keyframe::{PlayRange, Timing, to_f64};
+use crate::pose::Pose;
+
+/// Speeds that can be chosen, in percent.
+pub const SPEED_PERCENT_RANGE: std::ops::RangeInclusive<u32> = 10..=1000;
+
+impl Editor {
+    pub(super) fn play(&mut self, command: PlaybackCommand) -> Outcome {
+        self.commit_gesture();
+        match command {
+            PlaybackCommand::PlayOrStop => self.play_or_stop(),
+            PlaybackCommand::PlayFromPlayhead => self.play_from_playhead(),
+            PlaybackCommand::PauseOrResume => self.pause_or_resume(),
+            PlaybackCommand::Scrub(key_time) => self.scrub(key_time),
+            PlaybackCommand::Step(ticks) => self.step_ticks(ticks),
+            PlaybackCommand::SetMode(mode) => {
+                self.session.play_mode = mode;
+                self.refit_playing();
+                Ok(match mode {
+                    PlayMode::Once => "Plays once.",
+                    PlayMode::Loop => "Plays in a loop.",
+                    PlayMode::PingPong => "Plays forwards and backwards.",
+                }
+                .to_owned())
+            }
+            PlaybackCommand::NextMode => self.play(PlaybackCommand::SetMode(self.session.play_mode.next())),
+            PlaybackCommand::SetRange(range) => self.set_range(range),
+            PlaybackCommand::SetSpeedPercent(percent) => {
+                self.session.speed_percent = percent.clamp(*SPEED_PERCENT_RANGE.start(), *SPEED_PERCENT_RANGE.end());
+                self.refit_pace();
+                Ok(format!("Speed: {} %.", self.session.speed_percent))
+            }
+        }
+    }
+
+    /// The key time of the playhead: what plays, is paused at or was scrubbed to; otherwise the current keyframe's, within the range.
+    #[must_use]
+    pub fn playhead(&self) -> Option<f64> {
+        let timing = self.document.keyframes.timing()?;
+        match self.playback.elapsed() {
+            Some(elapsed) => Some(timing.key_time_at(&elapsed)),
+            None => Some(timing.key_time_at(&self.elapsed_at_current(timing))),
+        }
+    }
+
+    /// Whether the sample at a scrubbed key time is shown.
+    #[must_use]
+    pub const fn is_scrubbed(&self) -> bool {
+        matches!(self.playback, Playback::Scrubbed(_))
+    }
+
+    fn elapsed_at_current(&self, timing: &Timing) -> BigRational {
+        let current = self.document.keyframes.current().map_or(0, |current| current.get());
+        timing.at_keyframe(current.saturating_sub(1))
+    }
+
+    pub(super) fn pace(&self) -> Pace {
+        Pace { ms_between_keyframes: self.document.ms_between_keyframes, speed_percent: self.session.speed_percent }
+    }
+
+    /// A running playback goes on at the pace in force.
+    pub(super) fn refit_pace(&mut self) {
+        let pace = self.pace();
+        if let Playback::Playing(position) = &mut self.playback {
+            position.set_pace(pace);
+        }
+    }
+
+    /// A running playback goes on in the range and the mode in force.
+    fn refit_playing(&mut self) {
+        if let (Playback::Playing(position), Ok(span)) = (&self.playback, self.span()) {
+            self.playback = Playback::Playing(position.in_span(span));
+        }
+    }
+
+    fn span(&self) -> Result<Span, CommandError> {
+        let timing = self.document.keyframes.timing().ok_or(CommandError::TooFewToPlay)?;
+        Ok(span(timing, self.document.keyframes.len(), self.session.play_range, self.session.play_mode))
+    }
+
+    fn play_or_stop(&mut self) -> Outcome {
+        if self.is_playing() {
+            self.end_playback();
+            return Ok(format!("Stopped. {}.", self.where_we_are()));
+        }
+        self.start_at(&beginning())?;
+        Ok(format!("Playing {} keyframes.", self.document.keyframes.len() - 2))
+    }
+
+    fn play_from_playhead(&mut self) -> Outcome {
+        if self.is_playing() {
+            return self.play_or_stop();
+        }
+        let timing = self.document.keyframes.timing().ok_or(CommandError::TooFewToPlay)?;
+        let elapsed = self.playback.elapsed().unwrap_or_else(|| self.elapsed_at_current(timing));
+        let span = self.span()?;
+        self.start_at(if elapsed < span.end { &elapsed } else { &span.start })?;
+        Ok("Playing from the playhead.".to_owned())
+    }
+
+    fn start_at(&mut self, elapsed: &BigRational) -> Result<(), CommandError> {
+        let position = Position::new(self.span()?, elapsed, self.pace());
+        self.playback = Playback::Playing(position);
+        Ok(())
+    }
+
+    fn pause_or_resume(&mut self) -> Outcome {
+        match &self.playback {
+            Playback::Playing(position) => {
+                let paused = Playback::Paused(position.clone());
+                let pose = self.displayed_pose();
+                self.playback = paused;
+                let discards = self.document.has_unsaved_posing(self.scene.rest_pose());
+                let before = self.document.clone();
+                self.document.live_pose = pose;
+                if discards {
+                    self.history.record(before, &self.document, "pause", None);
+                }
+                Ok("Paused: n or u captures this pose, Shift+P goes on.".to_owned())
+            }
+            Playback::Paused(position) => {
+                let mut position = position.in_span(self.span()?);
+                position.set_pace(self.pace());
+                self.playback = Playback::Playing(position);
+                Ok("Playing on.".to_owned())
+            }
+            Playback::Stopped | Playback::Scrubbed(_) => Err(CommandError::NothingPlaying),
+        }
+    }
+
+    fn scrub(&mut self, key_time: f64) -> Outcome {
+        let timing = self.document.keyframes.timing().ok_or(CommandError::TooFewToPlay)?;
+        if !key_time.is_finite() {
+            return Err(CommandError::NotAValue { what: "key time" });
+        }
+        let elapsed = timing.elapsed_at(key_time);
+        if self.is_playing() {
+            self.start_at(&elapsed)?;
+        } else {
+            self.playback = Playback::Scrubbed(elapsed);
+        }
+        Ok(String::new())
+    }
+
+    fn step_ticks(&mut self, ticks: i32) -> Outcome {
+        self.refuse_while_playing("step by ticks")?;
+        let timing = self.document.keyframes.timing().ok_or(CommandError::TooFewToPlay)?;
+        let from = self.playback.elapsed().unwrap_or_else(|| self.elapsed_at_current(timing));
+        let elapsed = (from + self.pace().elapsed(ticks)).clamp(beginning(), timing.total());
+        let key_time = timing.key_time_at(&elapsed);
+        self.playback = Playback::Scrubbed(elapsed);
+        Ok(format!("Key time {key_time:.3}."))
+    }
+
+    fn set_range(&mut self, range: Option<(usize, usize)>) -> Outcome {
+        let count = self.document.keyframes.len();
+        if let Some((first, last)) = range
+            && !(1 <= first && first < last && last + 1 < count)
+        {
+            return Err(CommandError::NoSuchRange { first, last });
+        }
+        self.session.play_range = range;
+        self.refit_playing();
+        Ok(match range {
+            Some((first, last)) => format!("Plays keyframes {first} to {last}."),
+            None => "Plays all keyframes but the first and the last.".to_owned(),
+        })
+    }
+
+    /// Ends the playback at the last keyframe that it plays, which becomes current and is copied to the scene.
+    pub(super) fn end_playback(&mut self) {
+        if let Playback::Playing(position) = std::mem::take(&mut self.playback) {
+            self.show_keyframe("playing", position.last_keyframe());
+        }
+    }
+
+    /// Leaves a scrubbed key time and says what pose was shown there.
+    pub(super) fn end_scrub(&mut self) -> Option<Pose> {
+        if !self.is_scrubbed() {
+            return None;
+        }
+        let pose = self.displayed_pose();
+        self.playback = Playback::Stopped;
+        Some(pose)
+    }
+
+    /// The sample at the playhead while playing or scrubbed.
+    pub(super) fn sampled_pose(&self) -> Option<Pose> {
+        if !matches!(self.playback, Playback::Playing(_) | Playback::Scrubbed(_)) {
+            return None;
+        }
+        let range = PlayRange::new(&self.document.keyframes).ok()?;
+        range.pose_at(self.playhead()?, self.document.interpolation).ok()
+    }
+
+    /// The pose that an edit of the scene starts from: what is on screen while nothing plays.
+    pub(super) fn pose_at_hand(&self) -> Pose {
+        if self.is_scrubbed() { self.displayed_pose() } else { self.document.live_pose.clone() }
+    }
+
+    /// Takes in ticks for what plays. Says whether the picture may have changed.
+    pub(super) fn tick_playback(&mut self, ticks: u64) -> bool {
+        let Playback::Playing(position) = &mut self.playback else { return false };
+        position.advance(ticks);
+        if position.ended_at().is_some() {
+            self.end_playback();
+            self.say("Played to the end.".to_owned());
+        }
+        ticks > 0
+    }
+
+    /// What is played at, in keyframes, rounded to a double.
+    #[must_use]
+    pub fn key_time(&self) -> Option<f64> {
+        let elapsed = self.playback.elapsed()?;
+        Some(self.document.keyframes.timing().map_or_else(|| to_f64(&elapsed), |timing| timing.key_time_at(&elapsed)))
+    }
+}

@@ -1,0 +1,334 @@
+//! Editing the list as a timeline: selections, names, lengths, easings, copies.
+
+use std::sync::Arc;
+
+use glam::Quat;
+
+use super::apply::Outcome;
+use super::{CommandError, Editor, TimelineEdit};
+use crate::keyframe::{DURATION_RANGE, Easing, Keyframe, KeyframeIndex, KeyframeList};
+use crate::pose::{Pose, RbtIndex};
+use crate::rbt::Rbt;
+
+/// The longest name of a keyframe, in characters.
+const LONGEST_NAME: usize = 100;
+
+/// What was copied.
+#[derive(Clone, Debug, Default)]
+pub struct Clipboard {
+    keyframes: Vec<Keyframe>,
+    /// The node whose pose was copied, and the pose of everything.
+    pose: Option<(RbtIndex, Pose)>,
+}
+
+impl Editor {
+    /// The keyframes that an edit of the timeline is for: the selected ones, or the current one; in order.
+    #[must_use]
+    pub fn keyframes_at_hand(&self) -> Vec<usize> {
+        if self.session.selected.is_empty() {
+            self.document.keyframes.current().map(KeyframeIndex::get).into_iter().collect()
+        } else {
+            self.session.selected.iter().map(|index| index.get()).collect()
+        }
+    }
+
+    /// Whether there are keyframes to paste.
+    #[must_use]
+    pub fn has_copied_keyframes(&self) -> bool {
+        !self.clipboard.keyframes.is_empty()
+    }
+
+    /// Whether there is a pose to paste.
+    #[must_use]
+    pub const fn has_copied_pose(&self) -> bool {
+        self.clipboard.pose.is_some()
+    }
+
+    pub(super) fn edit_timeline(&mut self, edit: TimelineEdit) -> Outcome {
+        let shows_something_else = !matches!(
+            edit,
+            TimelineEdit::RenameKeyframe(..)
+                | TimelineEdit::SetDuration { .. }
+                | TimelineEdit::SetEasing(_)
+                | TimelineEdit::SetTranslationInKeyframe(..)
+                | TimelineEdit::SetRotationInKeyframe(..)
+                | TimelineEdit::PastePose
+        );
+        if shows_something_else {
+            self.end_scrub();
+        }
+        match edit {
+            TimelineEdit::RenameKeyframe(index, name) => self.rename(index, &name),
+            TimelineEdit::SetDuration { keyframe, duration, ripple_free } => {
+                self.set_duration(keyframe, duration, ripple_free)
+            }
+            TimelineEdit::SetEasing(easing) => self.set_easing(easing),
+            TimelineEdit::MoveKeyframes(to) => self.move_keyframes(to),
+            TimelineEdit::DeleteKeyframes => self.delete_keyframes("deletion of keyframes"),
+            TimelineEdit::CutKeyframes => {
+                self.copy_keyframes()?;
+                self.delete_keyframes("cutting of keyframes")
+            }
+            TimelineEdit::PasteKeyframes => {
+                if self.clipboard.keyframes.is_empty() {
+                    return Err(CommandError::NothingCopied);
+                }
+                self.insert_after_hand("pasting of keyframes", self.clipboard.keyframes.clone(), "pasted")
+            }
+            TimelineEdit::DuplicateKeyframes => {
+                let copies = self.copies_at_hand()?;
+                self.insert_after_hand("duplication of keyframes", copies, "duplicated")
+            }
+            TimelineEdit::ReverseKeyframes => self.reverse_keyframes(),
+            TimelineEdit::PastePose => self.paste_pose(),
+            TimelineEdit::SetTranslationInKeyframe(keyframe, rbt, translation) => {
+                self.place_in_keyframe(keyframe, rbt, |from| Rbt { translation, ..from })
+            }
+            TimelineEdit::SetRotationInKeyframe(keyframe, rbt, rotation) => {
+                let length = rotation.length();
+                if !(length.is_finite() && length > 1e-6) {
+                    return Err(CommandError::NotAValue { what: "rotation" });
+                }
+                let rotation: Quat = rotation / length;
+                self.place_in_keyframe(keyframe, rbt, |from| Rbt { rotation, ..from })
+            }
+        }
+    }
+
+    fn known(&self, index: KeyframeIndex) -> Result<&Keyframe, CommandError> {
+        let count = self.document.keyframes.len();
+        self.document.keyframes.get(index).ok_or(CommandError::NoSuchKeyframe { index: index.get(), count })
+    }
+
+    fn copies_at_hand(&self) -> Result<Vec<Keyframe>, CommandError> {
+        let places = self.keyframes_at_hand();
+        if places.is_empty() {
+            return Err(CommandError::NoKeyframe);
+        }
+        Ok(places.iter().map(|&place| self.document.keyframes.as_slice()[place].clone()).collect())
+    }
+
+    pub(super) fn select(&mut self, mut selected: Vec<KeyframeIndex>) -> Outcome {
+        let count = self.document.keyframes.len();
+        if let Some(beyond) = selected.iter().find(|index| index.get() >= count) {
+            return Err(CommandError::NoSuchKeyframe { index: beyond.get(), count });
+        }
+        selected.sort_unstable();
+        selected.dedup();
+        self.session.selected = selected;
+        Ok(String::new())
+    }
+
+    /// Drops what the list no longer has from the selection and the range to play.
+    pub(super) fn fit_session_to_list(&mut self) {
+        let count = self.document.keyframes.len();
+        self.session.selected.retain(|index| index.get() < count);
+        if self.session.play_range.is_some_and(|(_, last)| last + 1 >= count) {
+            self.session.play_range = None;
+        }
+    }
+
+    pub(super) fn copy_keyframes(&mut self) -> Outcome {
+        self.clipboard.keyframes = self.copies_at_hand()?;
+        Ok(format!("Copied {}.", counted(self.clipboard.keyframes.len())))
+    }
+
+    pub(super) fn copy_pose(&mut self) -> Outcome {
+        let chosen = self.session.chosen.ok_or(CommandError::NothingChosen)?;
+        self.clipboard.pose = Some((chosen, self.displayed_pose()));
+        Ok(format!("Copied the pose of {}.", self.scene.rbt_path(chosen)))
+    }
+
+    fn rename(&mut self, index: KeyframeIndex, name: &str) -> Outcome {
+        let renamed = self.known(index)?.clone();
+        let name: String = name.chars().filter(|character| !character.is_control()).take(LONGEST_NAME).collect();
+        let name: Option<Arc<str>> = Some(name.trim()).filter(|name| !name.is_empty()).map(Arc::from);
+        let text = match &name {
+            Some(name) => format!("Keyframe {} is now “{name}”.", index.get()),
+            None => format!("Keyframe {} has no name now.", index.get()),
+        };
+        self.record("renaming of a keyframe", None, |document| {
+            document.keyframes.replace(index, Keyframe { name, ..renamed });
+        });
+        Ok(text)
+    }
+
+    fn set_duration(&mut self, index: KeyframeIndex, duration: f64, ripple_free: bool) -> Outcome {
+        if !duration.is_finite() {
+            return Err(CommandError::NotAValue { what: "duration" });
+        }
+        let (shortest, longest) = (*DURATION_RANGE.start(), *DURATION_RANGE.end());
+        let keyframe = self.known(index)?.clone();
+        let mut duration = duration.clamp(shortest, longest);
+        let next = KeyframeIndex::new(index.get() + 1);
+        let neighbour = self.document.keyframes.get(next).filter(|_| ripple_free).cloned();
+        if let Some(neighbour) = &neighbour {
+            duration = duration.min(keyframe.duration + neighbour.duration - shortest);
+        }
+        self.record("retiming of an interval", None, |document| {
+            if let Some(neighbour) = neighbour {
+                let given = (neighbour.duration + keyframe.duration - duration).clamp(shortest, longest);
+                document.keyframes.replace(next, Keyframe { duration: given, ..neighbour });
+            }
+            document.keyframes.replace(index, Keyframe { duration, ..keyframe });
+        });
+        Ok(format!("The interval after keyframe {} lasts {duration:.3} of a step.", index.get()))
+    }
+
+    fn set_easing(&mut self, easing: Easing) -> Outcome {
+        let places = self.keyframes_at_hand();
+        if places.is_empty() {
+            return Err(CommandError::NoKeyframe);
+        }
+        self.record("change of easing", None, |document| {
+            let mut keyframes = document.keyframes.as_slice().to_vec();
+            for &place in &places {
+                keyframes[place].easing = easing;
+            }
+            let current = document.keyframes.current().map(KeyframeIndex::get);
+            document.keyframes = KeyframeList::with_current(keyframes, current);
+        });
+        Ok(format!("Easing: {}.", easing.name()))
+    }
+
+    /// Puts another order of keyframes in place as one step, with `current` copied to the scene and `selected` selected.
+    fn rearrange(
+        &mut self,
+        label: &'static str,
+        keyframes: Vec<Keyframe>,
+        current: Option<usize>,
+        selected: std::ops::Range<usize>,
+    ) {
+        self.record(label, None, |document| {
+            document.keyframes = KeyframeList::with_current(keyframes, current);
+            if let Some(keyframe) = document.keyframes.current_keyframe() {
+                document.live_pose = keyframe.pose.clone();
+            }
+        });
+        self.session.selected = selected.map(KeyframeIndex::new).collect();
+    }
+
+    fn move_keyframes(&mut self, to: usize) -> Outcome {
+        let count = self.document.keyframes.len();
+        if to > count {
+            return Err(CommandError::NoSuchKeyframe { index: to, count });
+        }
+        let places = self.keyframes_at_hand();
+        let moved = self.copies_at_hand()?;
+        let mut keyframes = self.without(&places);
+        let at = to - places.iter().filter(|&&place| place < to).count();
+        let selected = at..at + moved.len();
+        keyframes.splice(at..at, moved);
+        self.rearrange("moving of keyframes", keyframes, Some(at), selected.clone());
+        Ok(format!("Moved {} to place {at}.", counted(selected.len())))
+    }
+
+    fn without(&self, places: &[usize]) -> Vec<Keyframe> {
+        let keyframes = self.document.keyframes.as_slice().iter().enumerate();
+        keyframes
+            .filter(|(place, _)| places.binary_search(place).is_err())
+            .map(|(_, keyframe)| keyframe.clone())
+            .collect()
+    }
+
+    fn delete_keyframes(&mut self, label: &'static str) -> Outcome {
+        let places = self.keyframes_at_hand();
+        let Some(&first) = places.first() else { return Err(CommandError::NothingToDelete) };
+        let keyframes = self.without(&places);
+        let current = (!keyframes.is_empty()).then(|| first.saturating_sub(1));
+        self.rearrange(label, keyframes, current, 0..0);
+        Ok(format!("Deleted {}. {}.", counted(places.len()), self.where_we_are()))
+    }
+
+    fn insert_after_hand(&mut self, label: &'static str, inserted: Vec<Keyframe>, done: &str) -> Outcome {
+        let at = self.keyframes_at_hand().last().map_or(0, |last| last + 1);
+        let mut keyframes = self.document.keyframes.as_slice().to_vec();
+        let selected = at..at + inserted.len();
+        keyframes.splice(at..at, inserted);
+        self.rearrange(label, keyframes, Some(at), selected.clone());
+        Ok(format!("{} {done}: now at {at}.", capitalised(&counted(selected.len()))))
+    }
+
+    fn reverse_keyframes(&mut self) -> Outcome {
+        let count = self.document.keyframes.len();
+        if count == 0 {
+            return Err(CommandError::NoKeyframe);
+        }
+        let all = self.session.selected.len() < 2;
+        let places: Vec<usize> = if all { (0..count).collect() } else { self.keyframes_at_hand() };
+        let mut keyframes = self.document.keyframes.as_slice().to_vec();
+        for (&place, &from) in places.iter().zip(places.iter().rev()) {
+            keyframes[place] = self.document.keyframes.as_slice()[from].clone();
+        }
+        let selected = self.session.selected.clone();
+        let current = self.document.keyframes.current().map(KeyframeIndex::get);
+        self.rearrange("reversing of keyframes", keyframes, current, 0..0);
+        self.session.selected = selected;
+        Ok(format!("Reversed {}.", counted(places.len())))
+    }
+
+    /// Pairs of the copied node and the chosen one, each with all below it, matched by their paths.
+    fn paste_pose(&mut self) -> Outcome {
+        let chosen = self.session.chosen.ok_or(CommandError::NothingChosen)?;
+        let (source, pose) = self.clipboard.pose.clone().ok_or(CommandError::NoPoseCopied)?;
+        let (source_path, chosen_path) =
+            (self.scene.rbt_path(source).to_owned(), self.scene.rbt_path(chosen).to_owned());
+        let mut pairs = Vec::new();
+        for rbt in self.scene.rbt_indices() {
+            let path = self.scene.rbt_path(rbt);
+            let Some(below) =
+                path.strip_prefix(source_path.as_str()).filter(|below| below.is_empty() || below.starts_with('/'))
+            else {
+                continue;
+            };
+            let target = self.scene.find_rbt(&format!("{chosen_path}{below}")).ok_or_else(|| {
+                CommandError::OtherNodes { path: below.trim_start_matches('/').to_owned(), chosen: chosen_path.clone() }
+            })?;
+            pairs.push((rbt, target));
+        }
+        let scrubbed = self.end_scrub();
+        self.record("pasting of a pose", None, |document| {
+            if let Some(pose) = scrubbed {
+                document.live_pose = pose;
+            }
+            for (from, to) in pairs {
+                let mut placed = pose.get(from);
+                if from == source && source != chosen {
+                    placed.translation = document.live_pose.get(to).translation;
+                }
+                document.live_pose.set(to, placed);
+            }
+        });
+        Ok(format!("Pasted the pose of {source_path} to {chosen_path}."))
+    }
+
+    fn place_in_keyframe(&mut self, index: KeyframeIndex, rbt: RbtIndex, change: impl FnOnce(Rbt) -> Rbt) -> Outcome {
+        let keyframe = self.known(index)?.clone();
+        if rbt.get() >= self.scene.rbt_count() {
+            return Err(CommandError::NotInScene { what: "node" });
+        }
+        let placed = change(keyframe.pose.get(rbt));
+        if !placed.is_finite() {
+            return Err(CommandError::NotAValue { what: "position" });
+        }
+        self.record("change of a node in a keyframe", None, |document| {
+            let shows_it = document.keyframes.current() == Some(index) && document.live_pose.same_as(&keyframe.pose);
+            let mut pose = keyframe.pose.clone();
+            pose.set(rbt, placed);
+            if shows_it {
+                document.live_pose = pose.clone();
+            }
+            document.keyframes.replace(index, keyframe.with_pose(pose));
+        });
+        Ok(String::new())
+    }
+}
+
+fn counted(keyframes: usize) -> String {
+    if keyframes == 1 { "1 keyframe".to_owned() } else { format!("{keyframes} keyframes") }
+}
+
+fn capitalised(text: &str) -> String {
+    let mut characters = text.chars();
+    characters.next().map(|first| first.to_uppercase().chain(characters).collect()).unwrap_or_default()
+}

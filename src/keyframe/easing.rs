@@ -1,0 +1,161 @@
+//! Easing: how an interval's fraction runs, from the keyframe where it begins to the one where it ends.
+
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+/// The shape of an easing curve, after Robert Penner's easing functions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Curve {
+    /// A quarter of a sine wave.
+    Sine,
+    /// The square.
+    Quad,
+    /// The cube.
+    Cubic,
+    /// A cube that overshoots by a tenth.
+    Back,
+    /// A ball that bounces.
+    Bounce,
+    /// A spring that swings.
+    Elastic,
+}
+
+/// At which end of the interval an easing curve is slow.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Ends {
+    /// At its beginning.
+    In,
+    /// At its end.
+    Out,
+    /// At both.
+    InOut,
+}
+
+/// How an interval's fraction runs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Easing {
+    /// Evenly.
+    #[default]
+    Linear,
+    /// Not at all: the interval shows the keyframe where it begins.
+    Hold,
+    /// Along a curve.
+    Curve(Curve, Ends),
+}
+
+const NAMES: [(Curve, [&str; 3]); 6] = [
+    (Curve::Sine, ["sine-in", "sine-out", "sine-in-out"]),
+    (Curve::Quad, ["quad-in", "quad-out", "quad-in-out"]),
+    (Curve::Cubic, ["cubic-in", "cubic-out", "cubic-in-out"]),
+    (Curve::Back, ["back-in", "back-out", "back-in-out"]),
+    (Curve::Bounce, ["bounce-in", "bounce-out", "bounce-in-out"]),
+    (Curve::Elastic, ["elastic-in", "elastic-out", "elastic-in-out"]),
+];
+
+impl Easing {
+    /// Every easing, in the order in which menus have them.
+    pub fn all() -> impl Iterator<Item = Self> {
+        let curves = NAMES
+            .iter()
+            .flat_map(|&(curve, _)| [Ends::In, Ends::Out, Ends::InOut].map(|ends| Self::Curve(curve, ends)));
+        [Self::Linear, Self::Hold].into_iter().chain(curves)
+    }
+
+    /// Its name in files: `linear`, `hold`, `sine-in-out`.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Linear => "linear",
+            Self::Hold => "hold",
+            Self::Curve(curve, ends) => {
+                let names = NAMES.iter().find(|(named, _)| *named == curve).map(|(_, names)| names);
+                names.expect("every curve has its names")[ends as usize]
+            }
+        }
+    }
+
+    /// The easing that a name in a file means.
+    #[must_use]
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::all().find(|easing| easing.name() == name)
+    }
+
+    /// The eased fraction: 0 at 0 and 1 at 1, exactly; `back` and `elastic` leave [0, 1] in between. `hold` is 0 below 1.
+    #[must_use]
+    pub fn value(self, fraction: f64) -> f64 {
+        match self {
+            _ if fraction <= 0.0 => 0.0,
+            _ if fraction >= 1.0 => 1.0,
+            Self::Linear => fraction,
+            Self::Hold => 0.0,
+            Self::Curve(curve, Ends::In) => curve.rise(fraction),
+            Self::Curve(curve, Ends::Out) => 1.0 - curve.rise(1.0 - fraction),
+            Self::Curve(curve, Ends::InOut) if fraction < 0.5 => 0.5 * curve.rise(2.0 * fraction),
+            Self::Curve(curve, Ends::InOut) => 1.0 - 0.5 * curve.rise(2.0 - 2.0 * fraction),
+        }
+    }
+}
+
+impl Curve {
+    /// The curve that is slow at its beginning, for a fraction between 0 and 1.
+    fn rise(self, x: f64) -> f64 {
+        /// So that the overshoot is a tenth.
+        const OVERSHOOT: f64 = 1.701_58;
+        match self {
+            Self::Sine => 1.0 - (x * FRAC_PI_2).cos(),
+            Self::Quad => x * x,
+            Self::Cubic => x * x * x,
+            Self::Back => x * x * ((OVERSHOOT + 1.0) * x - OVERSHOOT),
+            Self::Bounce => 1.0 - bounced(1.0 - x),
+            Self::Elastic => -(2.0_f64.powf(10.0 * x - 10.0)) * ((10.0 * x - 10.75) * TAU / 3.0).sin(),
+        }
+    }
+}
+
+/// The height that a dropped ball has fallen, with three bounces.
+fn bounced(x: f64) -> f64 {
+    const HEIGHT: f64 = 7.5625;
+    const WIDTH: f64 = 2.75;
+    let (middle, floor) = if x < 1.0 / WIDTH {
+        (0.0, 0.0)
+    } else if x < 2.0 / WIDTH {
+        (1.5, 0.75)
+    } else if x < 2.5 / WIDTH {
+        (2.25, 0.9375)
+    } else {
+        (2.625, 0.984_375)
+    };
+    let x = x - middle / WIDTH;
+    HEIGHT * x * x + floor
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_easing_meets_both_ends_and_reads_back() {
+        assert_eq!(Easing::all().count(), 20);
+        for easing in Easing::all() {
+            assert_eq!((easing.value(0.0), easing.value(1.0)), (0.0, 1.0), "{}", easing.name());
+            assert_eq!(Easing::from_name(easing.name()), Some(easing));
+            let mut before = easing.value(0.0);
+            for step in 1..1000 {
+                let value = easing.value(f64::from(step) / 1000.0);
+                assert!((-0.4..=1.4).contains(&value), "{} at {step}: {value}", easing.name());
+                assert!((value - before).abs() < 0.05 || easing == Easing::Hold, "{} jumps at {step}", easing.name());
+                before = value;
+            }
+        }
+    }
+
+    #[test]
+    fn known_values() {
+        let at = |name: &str, fraction| Easing::from_name(name).unwrap().value(fraction);
+        assert_eq!(at("quad-in", 0.5), 0.25);
+        assert_eq!(at("quad-out", 0.5), 0.75);
+        assert_eq!(at("cubic-in-out", 0.25), 0.0625);
+        assert_eq!(at("hold", 0.999), 0.0);
+        assert!((at("sine-in-out", 0.5) - 0.5).abs() < 1e-12);
+        assert!(at("back-in", 0.3) < 0.0 && at("back-out", 0.7) > 1.0);
+    }
+}
