@@ -3,9 +3,10 @@
 //! Both are sampled at the same moments of playing, each at its own pace; one that has ended holds its end. Pure functions.
 
 use glam::DQuat;
+use num_rational::BigRational;
 
 use crate::interpolation::Interpolation;
-use crate::keyframe::{PlayRange, SampleError};
+use crate::keyframe::{PlayRange, SampleError, whole};
 use crate::pose::Pose;
 use crate::rbt::Rbt;
 
@@ -23,21 +24,21 @@ pub struct Played<'a> {
 impl Played<'_> {
     /// The key time that is shown at a time in milliseconds from the start, at most the end's.
     #[must_use]
-    pub fn key_time_at(&self, ms: f64) -> f64 {
-        (ms / f64::from(self.ms_between_keyframes)).clamp(0.0, self.range.last_key_time() as f64)
+    pub fn key_time_at(&self, ms: &BigRational) -> f64 {
+        self.range.timing().key_time_at(&(ms / whole(self.ms_between_keyframes as usize)))
     }
 
     /// How long it plays, in milliseconds.
     #[must_use]
-    pub fn length_ms(&self) -> f64 {
-        self.range.last_key_time() as f64 * f64::from(self.ms_between_keyframes)
+    pub fn length_ms(&self) -> BigRational {
+        self.range.timing().total() * whole(self.ms_between_keyframes as usize)
     }
 
     /// What is shown at a time in milliseconds from the start.
     ///
     /// # Errors
-    /// [`SampleError`]: `ms` is no number.
-    pub fn pose_at(&self, ms: f64) -> Result<Pose, SampleError> {
+    /// [`SampleError`], as [`PlayRange::pose_at`].
+    pub fn pose_at(&self, ms: &BigRational) -> Result<Pose, SampleError> {
         self.range.pose_at(self.key_time_at(ms), self.interpolation)
     }
 }
@@ -107,11 +108,11 @@ pub fn distances(a: Rbt, b: Rbt) -> (f64, f64) {
 /// Compares two animations at times in milliseconds from the start, of which there is at least one.
 ///
 /// # Errors
-/// [`SampleError`]: a time is no number.
-pub fn compare(a: Played<'_>, b: Played<'_>, times_ms: &[f64], tolerances: Tolerances) -> Result<Difference, SampleError> {
+/// [`SampleError`], as [`PlayRange::pose_at`].
+pub fn compare(a: Played<'_>, b: Played<'_>, times_ms: &[BigRational], tolerances: Tolerances) -> Result<Difference, SampleError> {
     let mut nodes: Vec<NodeDifference> = Vec::new();
     let mut off_by_frame = Vec::with_capacity(times_ms.len());
-    for &ms in times_ms {
+    for ms in times_ms {
         let (pose_a, pose_b) = (a.pose_at(ms)?, b.pose_at(ms)?);
         nodes.resize(pose_a.len(), NodeDifference::default());
         let key_time = a.key_time_at(ms);

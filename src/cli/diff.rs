@@ -3,18 +3,20 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
+use num_rational::BigRational;
+use num_traits::ToPrimitive as _;
 use serde_json::{Value, json};
 
 use super::arguments::DiffArguments;
 use super::{CliError, output, reading};
 use crate::difference::{Deviation, Difference, Played, Tolerances, compare};
 use crate::interpolation::Interpolation;
-use crate::keyframe::{KeyframeList, LARGEST_FILE_BYTES, PlayRange};
+use crate::keyframe::{KeyframeList, LARGEST_FILE_BYTES, PlayRange, to_f64, whole};
 use crate::scene::SceneGraph;
 use crate::storage;
 
 /// The most frames that are compared.
-const MOST_FRAMES: usize = 10_000_000;
+const MOST_FRAMES: usize = 1_000_000;
 
 /// Prints the differences, as a table or as JSON.
 ///
@@ -68,7 +70,7 @@ fn report(arguments: &DiffArguments, scene: &SceneGraph) -> Result<Report, CliEr
     let tolerances =
         Tolerances { translation: arguments.tolerance_translation, rotation_degrees: arguments.tolerance_rotation };
     let length_ms = played_a.length_ms().max(played_b.length_ms());
-    let times = times_ms(length_ms, arguments.fps).ok_or_else(|| {
+    let times = times_ms(&length_ms, arguments.fps).ok_or_else(|| {
         CliError::bad_input(arguments.a.display(), format!("more than {MOST_FRAMES} frames to compare: choose a lower --fps"))
     })?;
     let difference = compare(played_a, played_b, &times, tolerances)
@@ -77,8 +79,8 @@ fn report(arguments: &DiffArguments, scene: &SceneGraph) -> Result<Report, CliEr
     if played_a.length_ms() != played_b.length_ms() {
         notes.push(format!(
             "they play for different times, {} ms and {} ms: the shorter one is compared by its end from there on",
-            played_a.length_ms(),
-            played_b.length_ms()
+            to_f64(&played_a.length_ms()),
+            to_f64(&played_b.length_ms())
         ));
     }
     if a.interpolation != b.interpolation {
@@ -90,15 +92,11 @@ fn report(arguments: &DiffArguments, scene: &SceneGraph) -> Result<Report, CliEr
 }
 
 /// Frame k at k · 1000/fps ms while that is short of the end, and the end; `None` where they are too many.
-pub fn times_ms(length_ms: f64, fps: u32) -> Option<Vec<f64>> {
-    let period = 1000.0 / f64::from(fps);
-    let before_end = (length_ms / period).ceil();
-    if before_end > MOST_FRAMES as f64 {
-        return None;
-    }
-    let mut times: Vec<f64> =
-        (0..before_end as usize).map(|frame| frame as f64 * period).filter(|&ms| ms < length_ms).collect();
-    times.push(length_ms);
+pub fn times_ms(length_ms: &BigRational, fps: u32) -> Option<Vec<BigRational>> {
+    let period = whole(1000) / whole(fps as usize);
+    let before_end = (length_ms / &period).ceil().to_integer().to_usize().filter(|&frames| frames <= MOST_FRAMES)?;
+    let mut times: Vec<BigRational> = (0..before_end).map(|frame| whole(frame) * &period).collect();
+    times.push(length_ms.clone());
     Some(times)
 }
 
