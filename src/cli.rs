@@ -9,6 +9,7 @@ mod check;
 mod diagnose;
 mod diff;
 mod error;
+mod grade;
 mod nodes;
 mod output;
 mod picture;
@@ -64,6 +65,7 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>) -> Result<(), CliErro
         Some(Subcommand::Render(arguments)) => render::run(&arguments, scene),
         Some(Subcommand::Diagnose(arguments)) => diagnose::run(&arguments, &scene::load(scene)?),
         Some(Subcommand::Diff(arguments)) => diff::run(&arguments, scene::load(scene)),
+        Some(Subcommand::Grade(arguments)) => grade::run(&arguments, scene),
         Some(Subcommand::Script(arguments)) => script::run(&arguments, scene::load(scene)?),
     }
 }

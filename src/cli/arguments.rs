@@ -49,7 +49,18 @@ pub enum Subcommand {
     Diagnose(DiagnoseArguments),
     /// Tell how far two animations are apart, node by node, as they play. Exit status: 0 within tolerance, 1 beyond, 2 trouble.
     Diff(DiffArguments),
+    /// Grade submissions by a rubric: grades.csv, grades.json and report.html.
+    #[command(long_about = GRADE_HELP)]
+    Grade(GradeArguments),
 }
+
+const GRADE_HELP: &str = "\
+Grade submissions by a rubric: grades.csv, grades.json and report.html, one page with pictures that needs nothing else.
+
+Each file, zip or folder entry is one submission: a keyframe file, perhaps samples as `diagnose` reads them (linear or catmull in the \
+name tells which playback they show), a hotkey script or a trace of it. Of each folder that is named, every entry is one submission; \
+links out of it are not followed. Bounds for a submission: 200 files, 16 MiB a file, 64 MiB in all, unpacked; 4 files of samples of \
+4 MiB; 2000 keyframes; a script of 2000 commands that waits for an hour. What is wrong with a submission is in its marks.";
 
 const DIAGNOSE_HELP: &str = "\
 Name the mistake that explains what a program showed, from samples of its playback. The samples are CSV with the header \
@@ -213,6 +224,22 @@ pub struct DiffArguments {
     /// Interpolate both so, whatever the files say.
     #[arg(long, value_name = "NAME", value_parser = interpolation())]
     pub interpolation: Option<Interpolation>,
+}
+
+/// Arguments of `grade`.
+#[derive(Debug, Args)]
+pub struct GradeArguments {
+    /// The rubric, as in assets/grading/rubric.json.
+    pub rubric: PathBuf,
+    /// Submissions, and folders of them.
+    #[arg(required = true, value_name = "SUBMISSION")]
+    pub submissions: Vec<PathBuf>,
+    /// The folder for the results.
+    #[arg(short, long, value_name = "DIR")]
+    pub output: PathBuf,
+    /// Draw no pictures: faster, and needs no GPU adapter.
+    #[arg(long)]
+    pub no_images: bool,
 }
 
 fn tolerance(text: &str) -> Result<f64, String> {

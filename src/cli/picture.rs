@@ -5,7 +5,7 @@ use glam::Vec2;
 use super::CliError;
 use super::arguments::Size;
 use crate::frame::Frame;
-use crate::render::{Gpu, Offscreen, Renderer, default_samples};
+use crate::render::{Gpu, Image, Offscreen, Renderer, default_samples};
 
 /// A renderer with its target.
 pub struct Painter {
@@ -38,7 +38,14 @@ impl Painter {
     /// # Errors
     /// [`CliError`]
     pub fn png(&mut self, frame: &Frame) -> Result<Vec<u8>, CliError> {
-        let image = self.offscreen.render(&self.gpu, &mut self.renderer, frame)?;
-        Ok(image.to_png()?)
+        Ok(self.image(frame)?.to_png()?)
+    }
+
+    /// Draws a frame.
+    ///
+    /// # Errors
+    /// [`CliError`]
+    pub fn image(&mut self, frame: &Frame) -> Result<Image, CliError> {
+        Ok(self.offscreen.render(&self.gpu, &mut self.renderer, frame)?)
     }
 }
