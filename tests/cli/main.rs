@@ -3,6 +3,7 @@
 mod check;
 mod diagnose;
 mod diff;
+mod grade;
 mod playback;
 mod render;
 mod sample;

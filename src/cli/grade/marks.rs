@@ -157,6 +157,8 @@ pub fn mark(name: &str, members: Result<Vec<Member>, String>, rubric: &Rubric, s
     let parts = sorted(&members, scene);
     let read = read_keyframes(&parts, scene);
     let read = read.map_err(|problem| notes.first().cloned().unwrap_or(problem));
+    // Where reading gives no points, no item says what is wrong.
+    notes.extend(read.as_ref().err().filter(|_| rubric.points.readable == 0.0 && notes.is_empty()).cloned());
     let list = read.as_ref().ok().map(|read| KeyframeList::new(read.keyframes.clone()));
     let samples = samples_show(&parts, read.as_ref().ok(), rubric, scene, &mut notes);
     let marker = Marker { rubric, scene, read: read.as_ref(), list: list.as_ref(), samples: &samples, parts: &parts };
@@ -171,9 +173,7 @@ pub fn mark(name: &str, members: Result<Vec<Member>, String>, rubric: &Rubric, s
             items.push(Item { name: name.to_owned(), points, out_of, reason });
         }
     };
-    item("readable", points.readable, &|| {
-        marker.read().map(|read| format!("{} holds {} keyframes.", read.file, read.keyframes.len()))
-    });
+    item("readable", points.readable, &|| marker.readable());
     item("keyframe_count", points.keyframe_count, &|| marker.count());
     for place in 0..rubric.reference.len() {
         item(&format!("keyframe {place}"), points.each_keyframe, &|| marker.keyframe(place));
@@ -232,7 +232,12 @@ struct Marker<'a> {
 
 impl Marker<'_> {
     fn read(&self) -> Result<&Read, String> {
-        self.read.map_err(Clone::clone)
+        self.read.map_err(|_| "The keyframes cannot be read.".to_owned())
+    }
+
+    fn readable(&self) -> Result<String, String> {
+        let read = self.read.map_err(Clone::clone)?;
+        Ok(format!("{} holds {} keyframes.", read.file, read.keyframes.len()))
     }
 
     fn count(&self) -> Result<String, String> {
