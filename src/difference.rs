@@ -109,7 +109,12 @@ pub fn distances(a: Rbt, b: Rbt) -> (f64, f64) {
 ///
 /// # Errors
 /// [`SampleError`], as [`PlayRange::pose_at`].
-pub fn compare(a: Played<'_>, b: Played<'_>, times_ms: &[BigRational], tolerances: Tolerances) -> Result<Difference, SampleError> {
+pub fn compare(
+    a: Played<'_>,
+    b: Played<'_>,
+    times_ms: &[BigRational],
+    tolerances: Tolerances,
+) -> Result<Difference, SampleError> {
     let mut nodes: Vec<NodeDifference> = Vec::new();
     let mut off_by_frame = Vec::with_capacity(times_ms.len());
     for ms in times_ms {

@@ -49,7 +49,7 @@ pub enum Problem {
 /// # Errors
 /// [`Problem`]
 pub fn diagnose(keyframes: &[u8], samples: &[u8], scene: &SceneGraph) -> Result<Diagnosis, Problem> {
-    let file = reading::keyframes(keyframes, scene).map_err(Problem::Keyframes)?;
+    let file = reading::keyframes(keyframes, scene).map_err(Problem::Keyframes)?.file;
     let sequence = Sequence::new(&file.keyframes).map_err(|error| Problem::Keyframes(vec![error.to_string()]))?;
     let ms_between_keyframes = file.ms_between_keyframes.unwrap_or(DEFAULT_MS_BETWEEN_KEYFRAMES);
     let samples = samples_from_csv(samples, scene.rbt_count(), ms_between_keyframes)

@@ -47,7 +47,10 @@ fn load(file: &Path, scene: &SceneGraph, interpolation: Option<Interpolation>) -
     let read = reading::keyframes(&bytes, scene).map_err(|problems| CliError::BadInput {
         sentences: problems.iter().map(|problem| format!("{}: {problem}", file.display())).collect(),
     })?;
-    let (list, in_file, ms_between_keyframes) = read.into_parts();
+    for warning in read.warnings() {
+        output::complain(&format!("{}: warning: {warning}", file.display()));
+    }
+    let (list, in_file, ms_between_keyframes) = read.file.into_parts();
     Ok(Side { list, interpolation: interpolation.unwrap_or(in_file), ms_between_keyframes })
 }
 
@@ -71,7 +74,10 @@ fn report(arguments: &DiffArguments, scene: &SceneGraph) -> Result<Report, CliEr
         Tolerances { translation: arguments.tolerance_translation, rotation_degrees: arguments.tolerance_rotation };
     let length_ms = played_a.length_ms().max(played_b.length_ms());
     let times = times_ms(&length_ms, arguments.fps).ok_or_else(|| {
-        CliError::bad_input(arguments.a.display(), format!("more than {MOST_FRAMES} frames to compare: choose a lower --fps"))
+        CliError::bad_input(
+            arguments.a.display(),
+            format!("more than {MOST_FRAMES} frames to compare: choose a lower --fps"),
+        )
     })?;
     let difference = compare(played_a, played_b, &times, tolerances)
         .map_err(|error| CliError::bad_input(arguments.a.display(), error))?;
@@ -112,9 +118,12 @@ struct Shown<'a> {
 impl Shown<'_> {
     /// What exceeds its tolerance first: key time, node, and which part.
     fn first_exceeded(&self) -> Option<(f64, &str, &'static str)> {
-        let parts = self.difference.nodes.iter().zip(self.scene.rbt_paths()).flat_map(|(node, path)| {
-            [(node.translation, path, "translation"), (node.rotation, path, "rotation")]
-        });
+        let parts = self
+            .difference
+            .nodes
+            .iter()
+            .zip(self.scene.rbt_paths())
+            .flat_map(|(node, path)| [(node.translation, path, "translation"), (node.rotation, path, "rotation")]);
         parts
             .filter_map(|(deviation, path, part)| Some((deviation.exceeds_at?, path, part)))
             .min_by(|a, b| a.0.total_cmp(&b.0))
@@ -154,7 +163,16 @@ impl Shown<'_> {
         let width = self.scene.rbt_paths().map(|path| path.chars().count()).max().unwrap_or(0).max(4);
         let mut text = format!(
             "{:width$}  {:>12} {:>12}  {:>12} {:>12}  exceeds at\n{:width$}  {:>12} {:>12}  {:>12} {:>12}  key time\n",
-            "node", "translation", "translation", "rotation", "rotation", "", "largest", "rms", "largest deg", "rms deg"
+            "node",
+            "translation",
+            "translation",
+            "rotation",
+            "rotation",
+            "",
+            "largest",
+            "rms",
+            "largest deg",
+            "rms deg"
         );
         for (node, path) in self.difference.nodes.iter().zip(self.scene.rbt_paths()) {
             let exceeds = match (node.translation.exceeds_at, node.rotation.exceeds_at) {

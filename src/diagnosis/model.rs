@@ -111,14 +111,8 @@ pub(super) const MODELS: [Model; 16] = [
     model(CORRECT, &[LINEAR]),
     model(CORRECT_CATMULL_ROM, &[SPLINE]),
     model("no-conditional-negation", &[Rules { negates_in_blends: false, ..LINEAR }]),
-    model(
-        "lerp-for-slerp",
-        &[Rules { blend: Blend::Lerp, ..LINEAR }, Rules { blend: Blend::Lerp, ..SPLINE }],
-    ),
-    model(
-        "nlerp-for-slerp",
-        &[Rules { blend: Blend::Nlerp, ..LINEAR }, Rules { blend: Blend::Nlerp, ..SPLINE }],
-    ),
+    model("lerp-for-slerp", &[Rules { blend: Blend::Lerp, ..LINEAR }, Rules { blend: Blend::Lerp, ..SPLINE }]),
+    model("nlerp-for-slerp", &[Rules { blend: Blend::Nlerp, ..LINEAR }, Rules { blend: Blend::Nlerp, ..SPLINE }]),
     model(
         "nan-when-equal",
         &[
@@ -131,10 +125,7 @@ pub(super) const MODELS: [Model; 16] = [
     model("angle-not-halved", &[Rules { angle_factor: 2.0, ..LINEAR }, Rules { angle_factor: 2.0, ..SPLINE }]),
     model(
         "identity-when-equal",
-        &[
-            Rules { when_equal: WhenEqual::Identity, ..LINEAR },
-            Rules { when_equal: WhenEqual::Identity, ..SPLINE },
-        ],
+        &[Rules { when_equal: WhenEqual::Identity, ..LINEAR }, Rules { when_equal: WhenEqual::Identity, ..SPLINE }],
     ),
     model("second-control-point-on-wrong-keyframe", &[Rules { second_base: 1, ..SPLINE }]),
     model("no-division-by-six", &[Rules { tangent_divisor: 1.0, ..SPLINE }]),
@@ -145,11 +136,7 @@ pub(super) const MODELS: [Model; 16] = [
     model(
         "quaternion-order-swapped",
         // Read in the wrong order, they are printed so as well; slerp does not see the difference, control points do.
-        &[
-            Rules { printed: W_LAST, ..LINEAR },
-            Rules { printed: W_LAST, ..SPLINE },
-            Rules { read: W_LAST, ..SPLINE },
-        ],
+        &[Rules { printed: W_LAST, ..LINEAR }, Rules { printed: W_LAST, ..SPLINE }, Rules { read: W_LAST, ..SPLINE }],
     ),
     Model {
         name: "integer-tick",

@@ -142,7 +142,8 @@ pub(super) fn distance_squared(sequence: &Sequence, last_before_end: f64, row: &
 }
 
 fn ways_worth_trying(corners: &[Transform; 4], rules: &Rules) -> impl Iterator<Item = Ways> + use<> {
-    let is_half_turn = |to: usize, from: usize| (corners[to].rotation * corners[from].rotation.conjugate()).w.abs() < HALF_TURN;
+    let is_half_turn =
+        |to: usize, from: usize| (corners[to].rotation * corners[from].rotation.conjugate()).w.abs() < HALF_TURN;
     let (first, second) =
         if rules.is_spline { (is_half_turn(2, 0), is_half_turn(3, 1)) } else { (is_half_turn(2, 1), false) };
     WAYS.into_iter().filter(move |ways| (first || !ways.first) && (second || !ways.second))
@@ -170,10 +171,8 @@ fn line([_, from, to, _]: &[Transform; 4], alpha: f64, rules: &Rules, ways: Ways
 
 fn spline(corners: &[Transform; 4], alpha: f64, rules: &Rules, ways: Ways) -> Transform {
     let c = corners.map(|corner| corner.translation);
-    let inner = [
-        (c[2] - c[0]) / rules.tangent_divisor + c[1],
-        c[rules.second_base] - (c[3] - c[1]) / rules.tangent_divisor,
-    ];
+    let inner =
+        [(c[2] - c[0]) / rules.tangent_divisor + c[1], c[rules.second_base] - (c[3] - c[1]) / rules.tangent_divisor];
     let translation = de_casteljau([c[1], inner[0], inner[1], c[2]], |from, to| from.lerp(to, alpha));
     let c = corners.map(|corner| corner.rotation);
     let tangent = |to: DQuat, from: DQuat, sign: f64, way| {
@@ -181,10 +180,8 @@ fn spline(corners: &[Transform; 4], alpha: f64, rules: &Rules, ways: Ways) -> Tr
         let turn = if rules.negates_in_control_points { short_way(turn, way) } else { turn };
         power(turn, sign / rules.tangent_divisor, rules)
     };
-    let inner = [
-        tangent(c[2], c[0], 1.0, ways.first) * c[1],
-        tangent(c[3], c[1], -1.0, ways.second) * c[rules.second_base],
-    ];
+    let inner =
+        [tangent(c[2], c[0], 1.0, ways.first) * c[1], tangent(c[3], c[1], -1.0, ways.second) * c[rules.second_base]];
     let rotation = de_casteljau([c[1], inner[0], inner[1], c[2]], |from, to| blend(from, to, alpha, rules, false));
     Transform { translation, rotation }
 }

@@ -134,7 +134,8 @@ pub enum SamplesError {
 pub fn samples_from_csv(bytes: &[u8], nodes: usize, ms_between_keyframes: u32) -> Result<Samples, SamplesError> {
     let text = std::str::from_utf8(bytes).map_err(|error| SamplesError::NotUtf8 { byte: error.valid_up_to() })?;
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let mut lines = text.lines().enumerate().map(|(place, line)| (place + 1, line.trim())).filter(|(_, l)| !l.is_empty());
+    let mut lines =
+        text.lines().enumerate().map(|(place, line)| (place + 1, line.trim())).filter(|(_, l)| !l.is_empty());
     let (line, header) = lines.next().ok_or(SamplesError::Empty)?;
     let header = Header::read(line, header)?;
     let mut rows = Vec::new();
@@ -148,7 +149,8 @@ pub fn samples_from_csv(bytes: &[u8], nodes: usize, ms_between_keyframes: u32) -
         return Err(SamplesError::NoRows);
     }
     correct_key_times(&mut rows, &times_ms, f64::from(ms_between_keyframes));
-    let is_number = |row: &Row| row.translation.is_finite() && row.rotation_wxyz.iter().all(|number| number.is_finite());
+    let is_number =
+        |row: &Row| row.translation.is_finite() && row.rotation_wxyz.iter().all(|number| number.is_finite());
     Ok(Samples { has_ms: header.ms.is_some(), has_no_number: !rows.iter().all(is_number), rows })
 }
 
@@ -197,8 +199,7 @@ impl Header {
             return Err(SamplesError::Fields { line, found: found.len(), expected: self.fields });
         }
         let number = |place: usize, column: &'static str| {
-            number(found[place])
-                .ok_or_else(|| SamplesError::Number { line, column, found: found[place].to_owned() })
+            number(found[place]).ok_or_else(|| SamplesError::Number { line, column, found: found[place].to_owned() })
         };
         let time = |place: usize, column: &'static str| {
             let time = number(place, column)?;
@@ -228,7 +229,8 @@ fn number(field: &str) -> Option<f64> {
         return Some(number);
     }
     let unsigned = field.trim_start_matches(['+', '-']).to_ascii_lowercase();
-    let is_none = unsigned.starts_with("nan(") || unsigned.starts_with("1.#") || ["nan", "inf"].contains(&unsigned.as_str());
+    let is_none =
+        unsigned.starts_with("nan(") || unsigned.starts_with("1.#") || ["nan", "inf"].contains(&unsigned.as_str());
     is_none.then_some(f64::NAN)
 }
 
@@ -265,7 +267,9 @@ mod tests {
         );
         assert!(problem("").starts_with("the file is empty: expected the header key_time,rbt_ind,"));
         assert!(problem("a,b\n1,2").starts_with("line 1: the header has no column \"key_time\""));
-        assert!(problem("tx,key_time,rbt_ind,tx,ty,tz,rw,rx,ry,rz").contains("column \"tx\" of the header stands twice"));
+        assert!(
+            problem("tx,key_time,rbt_ind,tx,ty,tz,rw,rx,ry,rz").contains("column \"tx\" of the header stands twice")
+        );
     }
 
     #[test]

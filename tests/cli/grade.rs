@@ -158,7 +158,13 @@ fn other_keyframes_lose_their_own_points() {
     sandbox.write("all/b.json", text_of(&made, "linear"));
     let graded = graded(&sandbox);
     let a = &graded["a.json"];
-    let lost: Vec<&str> = a["items"].as_array().unwrap().iter().filter(|item| item["points"] == 0.0).map(|item| item["item"].as_str().unwrap()).collect();
+    let lost: Vec<&str> = a["items"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .filter(|item| item["points"] == 0.0)
+        .map(|item| item["item"].as_str().unwrap())
+        .collect();
     assert_eq!(lost, ["keyframe 3", "linear_playback", "catmull_rom_playback"]);
     assert_eq!(item(a, "keyframe 3")["reason"], "The translation of robot1/left_shoulder is 0.5000 units off.");
     let b = &graded["b.json"];
@@ -246,10 +252,14 @@ fn a_bad_rubric_is_bad_input() {
     run(RUBRIC.replace("\"title\"", "\"tittle\"")).refuses(
         "bad.json: unknown field `tittle`, expected one of `format`, `version`, `title`, `reference`, `script`, `tolerances`, `fps`, `points` at line 1 column 53",
     );
-    run(RUBRIC.replace("\"readable\": 2", "\"readable\": -2")).refuses("bad.json: points.readable is -2, expected 0 to 1000000");
+    run(RUBRIC.replace("\"readable\": 2", "\"readable\": -2"))
+        .refuses("bad.json: points.readable is -2, expected 0 to 1000000");
     run(RUBRIC.replace("reference.json", "none.json")).refuses("none.json: there is no such file or folder");
-    run(RUBRIC.replace("\"script\": \"hotkeys.txt\",", "")).refuses("bad.json: points.script is there, but script names no file");
-    sandbox.run(&["grade", "rubric.json", "none", "-o", "out", "--no-images"]).refuses("none: there is no such file or folder");
+    run(RUBRIC.replace("\"script\": \"hotkeys.txt\",", ""))
+        .refuses("bad.json: points.script is there, but script names no file");
+    sandbox
+        .run(&["grade", "rubric.json", "none", "-o", "out", "--no-images"])
+        .refuses("none: there is no such file or folder");
     sandbox.run(&["grade", "rubric.json", "-o", "out"]).misuses();
     assert!(!sandbox.path("out").exists());
 }
@@ -266,7 +276,10 @@ fn the_example_gives_its_reference_all_points_and_pictures() {
     let arguments = ["grade", rubric.to_str().unwrap(), reference.to_str().unwrap(), "other.json", "-o", "out"];
     sandbox.run(&arguments).succeeds();
     let grades = sandbox.json("out/grades.json");
-    assert_eq!((&grades["submissions"][0]["points"], &grades["submissions"][1]["points"]), (&json!(100.0), &json!(55.0)));
+    assert_eq!(
+        (&grades["submissions"][0]["points"], &grades["submissions"][1]["points"]),
+        (&json!(100.0), &json!(55.0))
+    );
     let html = sandbox.read("out/report.html");
     // One animation each, and two moments of three pictures for what differs.
     assert_eq!(html.matches("<img src=\"data:image/png;base64,").count(), 8);

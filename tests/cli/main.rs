@@ -1,6 +1,7 @@
 //! The command line, by running the binary: bytes in; bytes, files and exit statuses out.
 
 mod check;
+mod convert;
 mod diagnose;
 mod diff;
 mod grade;
@@ -9,6 +10,6 @@ mod render;
 mod sample;
 mod sandbox;
 mod script;
-mod usage;
 #[path = "../student/mod.rs"]
 mod student;
+mod usage;

@@ -139,7 +139,8 @@ impl Files {
             match entry.kind {
                 EntryKind::Folder => self.walk(&entry.path, &format!("{name}/"), depth + 1)?,
                 EntryKind::File => {
-                    let bytes = storage::read(&entry.path, LARGEST_FILE_BYTES).map_err(|error| format!("{name}: {error}"))?;
+                    let bytes =
+                        storage::read(&entry.path, LARGEST_FILE_BYTES).map_err(|error| format!("{name}: {error}"))?;
                     self.add(name, bytes)?;
                 }
                 EntryKind::Link | EntryKind::Other => {}
@@ -157,7 +158,9 @@ impl Files {
         for place in 0..archive.len() {
             let entry = archive.by_index(place).map_err(broken)?;
             let name = entry.name().map_err(broken)?.into_owned();
-            let is_hidden = name.split('/').any(|part| part.starts_with('.') || part == "__MACOSX");
+            let is_plain = |part: &str| !part.starts_with('.') || part == "." || part == "..";
+            // Names are labels: nothing is unpacked to the disk.
+            let is_hidden = name.split('/').any(|part| !is_plain(part) || part == "__MACOSX");
             if entry.is_dir() || entry.is_symlink() || is_hidden {
                 continue;
             }

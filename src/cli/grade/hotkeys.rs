@@ -32,8 +32,8 @@ const MOST_WRITTEN_BYTES: usize = 32 << 20;
 /// # Errors
 /// The first line that makes no sense, or the bound that is hit.
 pub fn parse(bytes: &[u8], scene: &SceneGraph) -> Result<Vec<Line>, String> {
-    let lines = parse::parse(bytes, scene)
-        .map_err(|problems| problems.first().map(ToString::to_string).unwrap_or_default())?;
+    let lines =
+        parse::parse(bytes, scene).map_err(|problems| problems.first().map(ToString::to_string).unwrap_or_default())?;
     if lines.len() > MOST_LINES {
         return Err(format!("{} commands, and at most {MOST_LINES} are run", lines.len()));
     }

@@ -9,7 +9,9 @@ use super::hotkeys;
 use super::rubric::Rubric;
 use crate::cli::diff::times_ms;
 use crate::cli::reading;
-use crate::diagnosis::{CORRECT, CORRECT_CATMULL_ROM, Diagnosis, LAST_SAMPLE_MISSING, Sequence, advice, diagnose, samples_from_csv};
+use crate::diagnosis::{
+    CORRECT, CORRECT_CATMULL_ROM, Diagnosis, LAST_SAMPLE_MISSING, Sequence, advice, diagnose, samples_from_csv,
+};
 use crate::difference::{Played, compare, distances};
 use crate::interpolation::Interpolation;
 use crate::keyframe::{DEFAULT_MS_BETWEEN_KEYFRAMES, Keyframe, KeyframeList, PlayRange};
@@ -98,9 +100,13 @@ fn sorted<'a>(members: &'a [Member], scene: &SceneGraph) -> Parts<'a> {
             parts.samples.push(member);
         } else if ending == "jsonl" || name.contains("trace") {
             parts.traces.push(member);
-        } else if name.contains("script") || (ending == "txt" && hotkeys::parse(&member.bytes, scene).is_ok_and(|lines| !lines.is_empty())) {
+        } else if name.contains("script")
+            || (ending == "txt" && hotkeys::parse(&member.bytes, scene).is_ok_and(|lines| !lines.is_empty()))
+        {
             parts.scripts.push(member);
-        } else if ["json", "txt", "csv", "dat", "key", "keys", "kf", "anim", "py", "out"].contains(&ending) || !name.contains('.') {
+        } else if ["json", "txt", "csv", "dat", "key", "keys", "kf", "anim", "py", "out"].contains(&ending)
+            || !name.contains('.')
+        {
             parts.keyframes.push(member);
         }
     }
@@ -110,6 +116,8 @@ fn sorted<'a>(members: &'a [Member], scene: &SceneGraph) -> Parts<'a> {
 struct Read {
     file: String,
     bytes: Vec<u8>,
+    /// What was inferred of a text's layout.
+    inferred: Option<String>,
     keyframes: Vec<Keyframe>,
     interpolation: Interpolation,
     ms_between_keyframes: u32,
@@ -120,15 +128,19 @@ fn read_keyframes(parts: &Parts<'_>, scene: &SceneGraph) -> Result<Read, String>
     let mut problem = None;
     let read = |file: &str, bytes: &[u8]| -> Result<Read, String> {
         let read = reading::keyframes(bytes, scene).map_err(|problems| {
-            let more = if problems.len() > 1 { format!(" (and {} more problems)", problems.len() - 1) } else { String::new() };
+            let more =
+                if problems.len() > 1 { format!(" (and {} more problems)", problems.len() - 1) } else { String::new() };
             format!("{file}: {}{more}", problems.first().map_or("", String::as_str))
         })?;
+        let inferred = read.report.as_ref().map(|report| format!("{file}: {}", report.to_string().replace('\n', "; ")));
+        let read = read.file;
         if read.keyframes.len() > MOST_KEYFRAMES {
             return Err(format!("{file}: {} keyframes, and at most {MOST_KEYFRAMES} are graded", read.keyframes.len()));
         }
         Ok(Read {
             file: file.to_owned(),
             bytes: bytes.to_owned(),
+            inferred,
             interpolation: read.interpolation.unwrap_or_default(),
             ms_between_keyframes: read.ms_between_keyframes.unwrap_or(DEFAULT_MS_BETWEEN_KEYFRAMES),
             keyframes: read.keyframes,
@@ -141,7 +153,8 @@ fn read_keyframes(parts: &Parts<'_>, scene: &SceneGraph) -> Result<Read, String>
         }
     }
     if let (None, Some(script)) = (&problem, parts.scripts.first()) {
-        let made = hotkeys::made_keyframes(&script.bytes, scene).map_err(|error| format!("{}: {error}", script.name))?;
+        let made =
+            hotkeys::made_keyframes(&script.bytes, scene).map_err(|error| format!("{}: {error}", script.name))?;
         return read(&script.name, &made);
     }
     Err(problem.unwrap_or_else(|| "there is no keyframe file".to_owned()))
@@ -157,6 +170,7 @@ pub fn mark(name: &str, members: Result<Vec<Member>, String>, rubric: &Rubric, s
     let parts = sorted(&members, scene);
     let read = read_keyframes(&parts, scene);
     let read = read.map_err(|problem| notes.first().cloned().unwrap_or(problem));
+    notes.extend(read.as_ref().ok().and_then(|read| read.inferred.clone()));
     // Where reading gives no points, no item says what is wrong.
     notes.extend(read.as_ref().err().filter(|_| rubric.points.readable == 0.0 && notes.is_empty()).cloned());
     let list = read.as_ref().ok().map(|read| KeyframeList::new(read.keyframes.clone()));
@@ -194,11 +208,14 @@ fn samples_show(
     notes: &mut Vec<String>,
 ) -> Vec<SamplesShow> {
     if parts.samples.len() > MOST_SAMPLES {
-        notes.push(format!("{} files of samples, and only the first {MOST_SAMPLES} are looked at", parts.samples.len()));
+        notes
+            .push(format!("{} files of samples, and only the first {MOST_SAMPLES} are looked at", parts.samples.len()));
     }
     let (keyframes, ms) = read
         .filter(|read| Sequence::new(&read.keyframes).is_ok())
-        .map_or((rubric.reference.as_slice(), rubric.ms_between_keyframes), |read| (&read.keyframes, read.ms_between_keyframes));
+        .map_or((rubric.reference.as_slice(), rubric.ms_between_keyframes), |read| {
+            (&read.keyframes, read.ms_between_keyframes)
+        });
     let one = |member: &&Member| {
         let name = member.name.to_ascii_lowercase();
         let interpolation = if name.contains("catmull") || name.contains("spline") {
@@ -211,9 +228,9 @@ fn samples_show(
         let diagnosis = if member.bytes.len() > LARGEST_SAMPLES_BYTES {
             Err(format!("{} bytes, and at most {LARGEST_SAMPLES_BYTES} are read", member.bytes.len()))
         } else {
-            samples_from_csv(&member.bytes, scene.rbt_count(), ms).map_err(|error| error.to_string()).and_then(|samples| {
-                Ok(diagnose(&Sequence::new(keyframes).map_err(|error| error.to_string())?, &samples))
-            })
+            samples_from_csv(&member.bytes, scene.rbt_count(), ms).map_err(|error| error.to_string()).and_then(
+                |samples| Ok(diagnose(&Sequence::new(keyframes).map_err(|error| error.to_string())?, &samples)),
+            )
         };
         SamplesShow { file: member.name.clone(), interpolation, diagnosis }
     };
@@ -242,7 +259,11 @@ impl Marker<'_> {
 
     fn count(&self) -> Result<String, String> {
         let (found, expected) = (self.read()?.keyframes.len(), self.rubric.reference.len());
-        if found == expected { Ok(format!("{found} keyframes.")) } else { Err(format!("{found} keyframes, expected {expected}.")) }
+        if found == expected {
+            Ok(format!("{found} keyframes."))
+        } else {
+            Err(format!("{found} keyframes, expected {expected}."))
+        }
     }
 
     fn keyframe(&self, place: usize) -> Result<String, String> {
@@ -278,7 +299,10 @@ impl Marker<'_> {
             }
             let advice = advice(best.name).filter(|_| diagnosis.is_explained());
             return Err(match advice {
-                None => format!("{}: no known mistake explains the samples; {} is nearest, residual {:.2e}.", show.file, best.name, best.residual),
+                None => format!(
+                    "{}: no known mistake explains the samples; {} is nearest, residual {:.2e}.",
+                    show.file, best.name, best.residual
+                ),
                 Some(advice) if advice.change.is_empty() => {
                     format!("{place} {} Expected {right}.", advice.what)
                 }
@@ -296,7 +320,8 @@ impl Marker<'_> {
             .ok_or_else(|| format!("More than {MOST_FRAMES} frames to compare."))?;
         let difference = compare(a, b, &times, self.rubric.tolerances).map_err(|error| error.to_string())?;
         let beyond = difference.nodes.iter().zip(self.scene.rbt_paths()).filter_map(|(node, path)| {
-            let at = [node.translation.exceeds_at, node.rotation.exceeds_at].into_iter().flatten().min_by(f64::total_cmp)?;
+            let at =
+                [node.translation.exceeds_at, node.rotation.exceeds_at].into_iter().flatten().min_by(f64::total_cmp)?;
             Some((at, path, node))
         });
         match beyond.min_by(|a, b| a.0.total_cmp(&b.0)) {
@@ -337,11 +362,13 @@ impl Marker<'_> {
             (trace.name.clone(), trace_lines(&trace.bytes).map_err(|problem| format!("{}: {problem}.", trace.name))?)
         } else if let Some(own) = self.parts.scripts.first() {
             let keyframes = self.parts.keyframes.first().map(|member| member.bytes.as_slice());
-            let ran = hotkeys::run(&own.bytes, self.scene, keyframes).map_err(|problem| format!("{}: {problem}.", own.name))?;
+            let ran = hotkeys::run(&own.bytes, self.scene, keyframes)
+                .map_err(|problem| format!("{}: {problem}.", own.name))?;
             (own.name.clone(), ran.trace)
         } else {
             let read = self.read()?;
-            let ran = hotkeys::run(script, self.scene, Some(&read.bytes)).map_err(|problem| format!("{}: {problem}.", read.file))?;
+            let ran = hotkeys::run(script, self.scene, Some(&read.bytes))
+                .map_err(|problem| format!("{}: {problem}.", read.file))?;
             (format!("the script with {}", read.file), ran.trace)
         };
         let total = expected.len();
@@ -352,8 +379,11 @@ impl Marker<'_> {
             for field in ["keyframes", "current", "playing", "key_time", "ms_between_keyframes", "interpolation"] {
                 let (found, expected_value) = (found.get(field).unwrap_or(&Value::Null), &expected[field]);
                 if !same(found, expected_value) {
-                    return Err(format!("{what}: after command {} ({}), {field} is {found}, expected {expected_value}.",
-                        step + 1, expected["command"].as_str().unwrap_or_default()));
+                    return Err(format!(
+                        "{what}: after command {} ({}), {field} is {found}, expected {expected_value}.",
+                        step + 1,
+                        expected["command"].as_str().unwrap_or_default()
+                    ));
                 }
             }
         }

@@ -108,8 +108,10 @@ fn farthest(off_by_frame: &[f64]) -> Vec<usize> {
     let apart = (off_by_frame.len() / 10).max(1);
     let mut found: Vec<usize> = Vec::new();
     while found.len() < MOMENTS {
-        let is_free = |place: &usize| found.iter().all(|other| place.abs_diff(*other) >= apart) && off_by_frame[*place] > 1.0;
-        let farthest = (0..off_by_frame.len()).filter(is_free).max_by(|a, b| off_by_frame[*a].total_cmp(&off_by_frame[*b]));
+        let is_free =
+            |place: &usize| found.iter().all(|other| place.abs_diff(*other) >= apart) && off_by_frame[*place] > 1.0;
+        let farthest =
+            (0..off_by_frame.len()).filter(is_free).max_by(|a, b| off_by_frame[*a].total_cmp(&off_by_frame[*b]));
         let Some(place) = farthest else { break };
         found.push(place);
     }
@@ -164,7 +166,8 @@ fn base64(bytes: &[u8]) -> String {
     const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
     for three in bytes.chunks(3) {
-        let bits = three.iter().enumerate().fold(0_u32, |bits, (place, &byte)| bits | u32::from(byte) << (16 - 8 * place));
+        let bits =
+            three.iter().enumerate().fold(0_u32, |bits, (place, &byte)| bits | u32::from(byte) << (16 - 8 * place));
         for letter in 0..4 {
             let is_there = letter <= three.len();
             text.push(if is_there { LETTERS[(bits >> (18 - 6 * letter)) as usize & 63] as char } else { '=' });

@@ -132,6 +132,9 @@ mod tests {
 
     #[test]
     fn what_is_markup_is_text() {
-        assert_eq!(escaped("<img src=x onerror='a'>\"&\u{202e}\n"), "&lt;img src=x onerror=&#39;a&#39;&gt;&quot;&amp;  ");
+        assert_eq!(
+            escaped("<img src=x onerror='a'>\"&\u{202e}\n"),
+            "&lt;img src=x onerror=&#39;a&#39;&gt;&quot;&amp;  "
+        );
     }
 }

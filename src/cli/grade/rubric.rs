@@ -108,8 +108,15 @@ pub fn load(path: &Path, scene: &SceneGraph) -> Result<Rubric, CliError> {
     if !(1..=1000).contains(&text.fps) {
         return Err(bad(format!("fps is {}, expected a whole number from 1 to 1000", text.fps)));
     }
-    let Points { readable, keyframe_count, each_keyframe, linear_playback, catmull_rom_playback, range_and_end, script } =
-        text.points;
+    let Points {
+        readable,
+        keyframe_count,
+        each_keyframe,
+        linear_playback,
+        catmull_rom_playback,
+        range_and_end,
+        script,
+    } = text.points;
     let numbers = [
         ("points.readable", readable),
         ("points.keyframe_count", keyframe_count),
@@ -142,14 +149,16 @@ pub fn load(path: &Path, scene: &SceneGraph) -> Result<Rubric, CliError> {
     // A reference is a keyframe file or a script that makes one.
     let reference_bytes = match reading::keyframes(&given, scene) {
         Ok(_) => given,
-        Err(_) if hotkeys::parse(&given, scene).is_ok() => hotkeys::made_keyframes(&given, scene).map_err(bad_reference)?,
+        Err(_) if hotkeys::parse(&given, scene).is_ok() => {
+            hotkeys::made_keyframes(&given, scene).map_err(bad_reference)?
+        }
         Err(problems) => {
             return Err(CliError::BadInput {
                 sentences: problems.iter().map(|p| format!("{}: {p}", reference_path.display())).collect(),
             });
         }
     };
-    let file = reading::keyframes(&reference_bytes, scene).map_err(|problems| bad_reference(problems.join("; ")))?;
+    let file = reading::keyframes(&reference_bytes, scene).map_err(|problems| bad_reference(problems.join("; ")))?.file;
     let ms_between_keyframes = file.ms_between_keyframes.unwrap_or(DEFAULT_MS_BETWEEN_KEYFRAMES);
     let (reference, ..) = file.into_parts();
     PlayRange::new(&reference).map_err(|error| bad_reference(error.to_string()))?;

@@ -9,7 +9,8 @@ use super::rubric::Rubric;
 pub fn csv(marks: &[Marks], rubric: &Rubric) -> String {
     let mut header = vec!["submission".to_owned(), "points".to_owned(), "out_of".to_owned(), "diagnosis".to_owned()];
     // Every submission has the same items.
-    let names: Vec<String> = marks.first().map(|marks| marks.items.iter().map(|i| i.name.clone()).collect()).unwrap_or_default();
+    let names: Vec<String> =
+        marks.first().map(|marks| marks.items.iter().map(|i| i.name.clone()).collect()).unwrap_or_default();
     header.extend(names);
     header.push("reasons".to_owned());
     let _ = rubric;
