@@ -149,9 +149,9 @@ fn rows_beyond_the_end_show_the_end() {
     sandbox.write("k.json", file(&made, &paths(), "two-robots", "linear", 2000));
     let student = Student { mistake: "correct", plays_splines: false, keyframes: &made };
     let mut samples = student.samples(6.0, 2000.0, false, 6);
-    let end: String =
-        samples.lines().filter(|line| line.starts_with("3.0")).map(|line| format!("4.5{}\n", &line[8..])).collect();
-    samples.push_str(&end);
+    let end: Vec<String> =
+        samples.lines().filter(|line| line.starts_with("3.0")).map(|line| format!("4.5{}", &line[8..])).collect();
+    samples.push_str(&end.join("\n"));
     sandbox.write("s.csv", samples);
     let found = diagnosed(&sandbox);
     assert_eq!((found["best"].as_str(), found["residual"].as_f64().map(|r| r < 1e-5)), (Some("correct"), Some(true)));

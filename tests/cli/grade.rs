@@ -175,6 +175,21 @@ fn other_keyframes_lose_their_own_points() {
 }
 
 #[test]
+fn a_students_own_layout_is_read() {
+    let (sandbox, _) = course();
+    for layout in ["header", "frames", "pairs", "header-quaternion-first"] {
+        let out = format!("all/{layout}.txt");
+        sandbox.run(&["convert", "reference.json", "-o", &out, "--to", layout, "--exact"]).succeeds();
+    }
+    let graded = graded(&sandbox);
+    assert_eq!(graded.len(), 4);
+    for (name, graded) in graded {
+        assert_eq!(graded["points"], graded["out_of"], "{name}: {graded}");
+        assert!(graded["notes"][0].as_str().unwrap().starts_with(&format!("{name}: 8 keyframes")), "{graded}");
+    }
+}
+
+#[test]
 fn scripts_stay_in_their_own_folder() {
     let (sandbox, made) = course();
     sandbox.write("secret.json", text_of(&made, "linear"));

@@ -21,7 +21,7 @@ use crate::scene::SceneGraph;
 /// The most lines of a script that is run while grading.
 pub const MOST_LINES: usize = 2_000;
 /// The longest that a script may wait, all in all.
-const LONGEST_WAIT: Duration = Duration::from_secs(3600);
+const LONGEST_WAIT: Duration = Duration::from_hours(1);
 /// The most keyframes at a time.
 const MOST_KEYFRAMES: usize = 2_000;
 /// The most bytes that a script may write, all in all.
@@ -129,11 +129,9 @@ fn apply(
                 folder.write(plain_name(&path)?, text.into_bytes())?;
                 let _ = editor.keyframes_written(&path, Ok(None));
             }
-            Effect::Screenshot { path } => {
-                if let Some(path) = path {
-                    plain_name(&path)?;
-                    let _ = editor.screenshot_taken(&path, Ok(()));
-                }
+            Effect::Screenshot { path: Some(path) } => {
+                plain_name(&path)?;
+                let _ = editor.screenshot_taken(&path, Ok(()));
             }
             Effect::Quit => goes_on = false,
             _ => {}
