@@ -38,6 +38,8 @@ pub struct Picture {
     pub height: u32,
     /// What it shows.
     pub caption: String,
+    /// Whether a row begins with it.
+    pub starts_row: bool,
 }
 
 /// The pictures of one submission.
@@ -85,7 +87,7 @@ fn of_one(
             frames.push(draw(&pose, scene, painter)?);
         }
     }
-    let mut pictures = vec![picture(animated(&frames)?, "Catmull-Rom playback".to_owned())];
+    let mut pictures = vec![picture(animated(&frames)?, "Catmull-Rom playback".to_owned(), false)];
     let Some(times) = times_ms(&right.length_ms(), rubric.fps).filter(|times| times.len() <= MOST_FRAMES) else {
         return Ok(Some(Pictures { pictures }));
     };
@@ -96,9 +98,13 @@ fn of_one(
         let key_time = right.key_time_at(ms);
         let (own_image, right_image) = (draw(&own_pose, scene, painter)?, draw(&right_pose, scene, painter)?);
         let apart = apart(&own_image, &right_image);
-        pictures.push(picture(own_image.to_png()?, format!("Key time {key_time:.2}, {:.0} ms: submitted", to_f64(ms))));
-        pictures.push(picture(right_image.to_png()?, "reference".to_owned()));
-        pictures.push(picture(apart.to_png()?, "difference".to_owned()));
+        pictures.push(picture(
+            own_image.to_png()?,
+            format!("Key time {key_time:.2}, {:.0} ms: submitted", to_f64(ms)),
+            true,
+        ));
+        pictures.push(picture(right_image.to_png()?, "reference".to_owned(), false));
+        pictures.push(picture(apart.to_png()?, "difference".to_owned(), false));
     }
     Ok(Some(Pictures { pictures }))
 }
@@ -158,8 +164,8 @@ fn animated(frames: &[Image]) -> Result<Vec<u8>, png::EncodingError> {
     Ok(bytes)
 }
 
-fn picture(png: Vec<u8>, caption: String) -> Picture {
-    Picture { base64: base64(&png), width: SIZE.width, height: SIZE.height, caption }
+fn picture(png: Vec<u8>, caption: String, starts_row: bool) -> Picture {
+    Picture { base64: base64(&png), width: SIZE.width, height: SIZE.height, caption, starts_row }
 }
 
 fn base64(bytes: &[u8]) -> String {

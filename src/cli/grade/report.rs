@@ -62,7 +62,7 @@ pub fn html(marks: &[Marks], rubric: &Rubric, pictures: &[Option<Pictures>]) -> 
         "<p class=\"sum\">{} submissions, {} points on average out of {}.</p>\n<section><table class=\"overview\">\
          <tr><th>submission</th><th>points</th><th></th><th>samples show</th></tr>",
         marks.len(),
-        number(mean),
+        number((mean * 100.0).round() / 100.0),
         number(out_of)
     );
     for (place, marks) in marks.iter().enumerate() {
@@ -112,6 +112,9 @@ fn push_submission(text: &mut String, place: usize, marks: &Marks, pictures: Opt
     if let Some(pictures) = pictures {
         text.push_str("<div class=\"pictures\">\n");
         for picture in &pictures.pictures {
+            if picture.starts_row {
+                text.push_str("</div><div class=\"pictures\">\n");
+            }
             let _ = writeln!(
                 text,
                 "<figure><img src=\"data:image/png;base64,{}\" width=\"{}\" height=\"{}\" alt=\"{1}x{2}\"><figcaption>{}</figcaption></figure>",
