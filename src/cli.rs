@@ -1,16 +1,19 @@
 //! The command line: arguments in, text, files and an exit status out. One file a command.
 //!
 //! Exit statuses: 0 done, 1 bad input, 2 wrong usage, 3 no display or no GPU adapter. Where the status is 1, what is wrong stands on
-//! standard error, a sentence a line, and nothing on standard output.
+//! standard error, a sentence a line, and nothing on standard output. Commands that compare end with 0 within the tolerance, 1 beyond,
+//! 2 where they cannot tell.
 
 mod animation;
 mod arguments;
 mod check;
+mod compare;
 mod convert;
 mod diagnose;
 mod diff;
 mod error;
 mod grade;
+mod interrupt;
 mod nodes;
 mod output;
 mod picture;
@@ -22,6 +25,7 @@ mod sample;
 mod scene;
 mod script;
 mod times;
+mod verify;
 mod window;
 
 use std::ffi::OsString;
@@ -45,8 +49,8 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
             let _ = error.print();
             ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2))
         }
-        // What is beyond was printed where it belongs.
-        Err(CliError::Beyond) => ExitCode::from(CliError::Beyond.exit_status()),
+        // What is beyond is said on standard output already.
+        Err(CliError::Beyond) => ExitCode::from(1),
         Err(error) => {
             output::complain(&error.to_string());
             ExitCode::from(error.exit_status())
@@ -68,6 +72,8 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>) -> Result<(), CliErro
         Some(Subcommand::Diagnose(arguments)) => diagnose::run(&arguments, &scene::load(scene)?),
         Some(Subcommand::Diff(arguments)) => diff::run(&arguments, scene::load(scene)),
         Some(Subcommand::Grade(arguments)) => grade::run(&arguments, scene),
+        Some(Subcommand::Verify(arguments)) => verify::run(&arguments, scene),
+        Some(Subcommand::Compare(arguments)) => compare::run(&arguments),
         Some(Subcommand::Script(arguments)) => script::run(&arguments, scene::load(scene)?),
     }
 }

@@ -24,7 +24,7 @@ const MOST_FRAMES: usize = 1_000_000;
 /// [`CliError::Beyond`] where the animations are apart by more than the tolerances, or play for different times;
 /// [`CliError::Trouble`] where they cannot be compared.
 pub fn run(arguments: &DiffArguments, scene: Result<SceneGraph, CliError>) -> Result<(), CliError> {
-    let trouble = |error| CliError::Trouble(Box::new(error));
+    let trouble = |error: CliError| CliError::Trouble { sentences: vec![error.to_string()] };
     let report = scene.and_then(|scene| report(arguments, &scene)).map_err(trouble)?;
     output::print(|output| output.write_all(report.text.as_bytes())).map_err(trouble)?;
     if report.is_within { Ok(()) } else { Err(CliError::Beyond) }

@@ -1,9 +1,11 @@
 //! The command line, by running the binary: bytes in; bytes, files and exit statuses out.
 
 mod check;
+mod compare;
 mod convert;
 mod diagnose;
 mod diff;
+mod films;
 mod grade;
 mod playback;
 mod render;
@@ -13,3 +15,4 @@ mod script;
 #[path = "../student/mod.rs"]
 mod student;
 mod usage;
+mod verify;
