@@ -43,7 +43,7 @@ pub fn run(arguments: &GradeArguments, scene: Option<&Path>) -> Result<(), CliEr
     let folder = &arguments.output;
     storage::create_folder(folder).map_err(|reason| CliError::unwritten(folder, reason))?;
     let files = [
-        ("grades.csv", tables::csv(&marks, &rubric)),
+        ("grades.csv", tables::csv(&marks)),
         ("grades.json", tables::json(&marks, &rubric)),
         ("report.html", report::html(&marks, &rubric, &pictures)),
     ];
