@@ -9,13 +9,17 @@ mod arguments;
 mod check;
 mod compare;
 mod convert;
+mod diagnose;
+mod diff;
 mod error;
+mod grade;
 mod interrupt;
 mod nodes;
 mod output;
 mod picture;
 mod progress;
 mod quiet;
+mod reading;
 mod render;
 mod sample;
 mod scene;
@@ -65,6 +69,9 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>) -> Result<(), CliErro
         Some(Subcommand::Nodes) => nodes::run(&scene::load(scene)?),
         Some(Subcommand::Sample(arguments)) => sample::run(&arguments, &scene::load(scene)?),
         Some(Subcommand::Render(arguments)) => render::run(&arguments, scene),
+        Some(Subcommand::Diagnose(arguments)) => diagnose::run(&arguments, &scene::load(scene)?),
+        Some(Subcommand::Diff(arguments)) => diff::run(&arguments, scene::load(scene)),
+        Some(Subcommand::Grade(arguments)) => grade::run(&arguments, scene),
         Some(Subcommand::Verify(arguments)) => verify::run(&arguments, scene),
         Some(Subcommand::Compare(arguments)) => compare::run(&arguments),
         Some(Subcommand::Script(arguments)) => script::run(&arguments, scene::load(scene)?),

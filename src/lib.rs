@@ -29,7 +29,7 @@
 //! | 0 | [`rbt`], [`interpolation`], [`json`] | glam |
 //! | 1 | [`timed`], [`pose`], [`scene`], [`camera`] | serde, in file formats |
 //! | 2 | [`keyframe`], [`clock`], [`settings`], [`text_layouts`] | serde, in file formats; `Duration`, never `Instant` |
-//! | 3 | [`editor`] | no wgpu, egui, winit, file system |
+//! | 3 | [`editor`], [`diagnosis`], [`difference`] | no wgpu, egui, winit, file system |
 //! | 4 | [`frame`] | |
 //! | 5 | [`render`], [`ui`] | wgpu; egui |
 //! | 6 | [`compare`], [`film`] | pictures in, numbers and bytes out |
@@ -65,6 +65,8 @@ pub mod camera;
 pub mod cli;
 pub mod clock;
 pub mod compare;
+pub mod diagnosis;
+pub mod difference;
 pub mod editor;
 pub mod film;
 pub mod frame;

@@ -1,11 +1,15 @@
 //! The file system: the only place that touches it.
 
+mod walk;
+
 use std::fs;
 use std::io::{self, Read as _, Write as _};
 use std::path::{Path, PathBuf};
 
 use atomic_write_file::AtomicWriteFile;
 use thiserror::Error;
+
+pub use walk::{Entry, EntryKind, entries as list, inside, kind};
 
 /// Why a file was not read or written. The message does not name the file; whoever says it does.
 #[derive(Debug, Error)]

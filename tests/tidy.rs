@@ -118,6 +118,8 @@ const ROOMS: &[(&str, u8, &[&str])] = &[
     ("settings", 2, &[]),
     ("text_layouts", 2, &["keyframe"]),
     ("editor", 3, &[]),
+    ("diagnosis", 3, &[]),
+    ("difference", 3, &[]),
     ("frame", 4, &[]),
     ("render", 5, &[]),
     ("ui", 5, &[]),

@@ -56,7 +56,31 @@ pub enum Subcommand {
     /// Run a script of hotkeys and gestures with no window.
     #[command(long_about = SCRIPT_HELP)]
     Script(ScriptArguments),
+    /// Name the mistake that explains what a program showed, from samples of its playback.
+    #[command(long_about = DIAGNOSE_HELP)]
+    Diagnose(DiagnoseArguments),
+    /// Tell how far two animations are apart, node by node, as they play. Exit status: 0 within tolerance, 1 beyond, 2 trouble.
+    Diff(DiffArguments),
+    /// Grade submissions by a rubric: grades.csv, grades.json and report.html.
+    #[command(long_about = GRADE_HELP)]
+    Grade(GradeArguments),
 }
+
+const GRADE_HELP: &str = "\
+Grade submissions by a rubric: grades.csv, grades.json and report.html, one page with pictures that needs nothing else.
+
+Each file, zip or folder entry is one submission: a keyframe file, perhaps samples as `diagnose` reads them (linear or catmull in the \
+name tells which playback they show), a hotkey script or a trace of it. Of each folder that is named, every entry is one submission; \
+links out of it are not followed. Bounds for a submission: 200 files, 16 MiB a file, 64 MiB in all, unpacked; 4 files of samples of \
+4 MiB; 2000 keyframes; a script of 2000 commands that waits for an hour. What is wrong with a submission is in its marks.";
+
+const DIAGNOSE_HELP: &str = "\
+Name the mistake that explains what a program showed, from samples of its playback. The samples are CSV with the header \
+key_time,rbt_ind,tx,ty,tz,rw,rx,ry,rz and perhaps a column ms: a row for each node at each key time; nan, -nan(ind) and 1.#QNAN \
+are read as samples.
+
+They are compared with the right result, linear and Catmull-Rom, and with what each known mistake would show. The residual is the \
+root mean square over the rows of the distance of translations and of quaternions as printed. Residuals within 1e-9 are equal.";
 
 const SCRIPT_HELP: &str = "\
 Run a script of hotkeys and gestures with no window. One command a line; # starts a comment:
@@ -267,6 +291,64 @@ pub struct ScriptArguments {
     /// Width and height of screenshots in pixels.
     #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "640x480", value_parser = size)]
     pub size: Size,
+}
+
+/// Arguments of `diagnose`.
+#[derive(Debug, Args)]
+pub struct DiagnoseArguments {
+    /// The keyframes that the program played, of at most 1 GiB.
+    pub keyframes: PathBuf,
+    /// What it showed, as CSV of at most 64 MiB.
+    #[arg(value_name = "SAMPLES.csv")]
+    pub samples: PathBuf,
+    /// Print JSON: best, also, residual, candidates.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Arguments of `diff`.
+#[derive(Debug, Args)]
+pub struct DiffArguments {
+    /// Keyframes, of at most 1 GiB.
+    pub a: PathBuf,
+    /// Keyframes to compare them with.
+    pub b: PathBuf,
+    /// How far translations may be apart, in scene units.
+    #[arg(long, value_name = "UNITS", default_value_t = 1e-3, value_parser = tolerance_of_poses)]
+    pub tolerance_translation: f64,
+    /// How far rotations may be apart, in degrees.
+    #[arg(long, value_name = "DEGREES", default_value_t = 0.1, value_parser = tolerance_of_poses)]
+    pub tolerance_rotation: f64,
+    /// Compare at so many frames a second, 1 to 1000, and at the end.
+    #[arg(long, value_name = "N", default_value_t = 60, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub fps: u32,
+    /// Print JSON.
+    #[arg(long)]
+    pub json: bool,
+    /// Interpolate both so, whatever the files say.
+    #[arg(long, value_name = "NAME", value_parser = interpolation())]
+    pub interpolation: Option<Interpolation>,
+}
+
+/// Arguments of `grade`.
+#[derive(Debug, Args)]
+pub struct GradeArguments {
+    /// The rubric, as in assets/grading/rubric.json.
+    pub rubric: PathBuf,
+    /// Submissions, and folders of them.
+    #[arg(required = true, value_name = "SUBMISSION")]
+    pub submissions: Vec<PathBuf>,
+    /// The folder for the results.
+    #[arg(short, long, value_name = "DIR")]
+    pub output: PathBuf,
+    /// Draw no pictures: faster, and needs no GPU adapter.
+    #[arg(long)]
+    pub no_images: bool,
+}
+
+fn tolerance_of_poses(text: &str) -> Result<f64, String> {
+    let tolerance = text.trim().parse().ok().filter(|tolerance: &f64| tolerance.is_finite() && *tolerance >= 0.0);
+    tolerance.ok_or_else(|| format!("{text:?} is not a finite number of at least 0"))
 }
 
 /// Width and height of a picture in pixels.

@@ -1,8 +1,8 @@
 //! `inbetween script`: hotkeys and gestures out of a text file, through the same door as the window's.
 
-mod parse;
+pub(super) mod parse;
 mod run;
-mod trace;
+pub(super) mod trace;
 
 use std::io;
 use std::path::Path;

@@ -3,11 +3,16 @@
 mod check;
 mod compare;
 mod convert;
+mod diagnose;
+mod diff;
 mod films;
+mod grade;
 mod playback;
 mod render;
 mod sample;
 mod sandbox;
 mod script;
+#[path = "../student/mod.rs"]
+mod student;
 mod usage;
 mod verify;

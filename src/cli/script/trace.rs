@@ -24,13 +24,7 @@ impl Trace {
     /// # Errors
     /// [`CliError::StandardOutput`]
     pub fn line(&mut self, line: &Line, message: &str, editor: &Editor) -> Result<(), CliError> {
-        let mut text = format!("{{\"line\": {}, \"command\": ", line.number);
-        push_quoted(&mut text, &line.text);
-        text.push_str(", \"message\": ");
-        push_quoted(&mut text, message);
-        text.push_str(", ");
-        push_state(&mut text, editor);
-        text.push_str("}\n");
+        let text = line_json(line, message, editor);
         self.try_to(|output| output.write_all(text.as_bytes()))
     }
 
@@ -55,6 +49,18 @@ impl Trace {
             }
         }
     }
+}
+
+/// What a command said and left: a JSON object on a line.
+pub fn line_json(line: &Line, message: &str, editor: &Editor) -> String {
+    let mut text = format!("{{\"line\": {}, \"command\": ", line.number);
+    push_quoted(&mut text, &line.text);
+    text.push_str(", \"message\": ");
+    push_quoted(&mut text, message);
+    text.push_str(", ");
+    push_state(&mut text, editor);
+    text.push_str("}\n");
+    text
 }
 
 /// The state at the end: what the trace says of it, the nodes, and the pose displayed.

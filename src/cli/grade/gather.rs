@@ -1,0 +1,180 @@
+//! Submissions: finding them, and reading the files of one, within bounds.
+
+use std::io::{Cursor, Read as _};
+use std::path::{Path, PathBuf};
+
+use crate::cli::CliError;
+use crate::storage::{self, EntryKind};
+
+/// The most submissions at a time.
+const MOST_SUBMISSIONS: usize = 20_000;
+/// The most files of one submission.
+const MOST_FILES: usize = 200;
+/// The largest file of a submission, unpacked: 16 MiB.
+const LARGEST_FILE_BYTES: u64 = 16 << 20;
+/// The most bytes of a submission, unpacked: 64 MiB.
+const MOST_BYTES: u64 = 64 << 20;
+/// How deep folders in a submission go.
+const DEEPEST: usize = 8;
+
+/// One student's entry, not yet read.
+#[derive(Clone, Debug)]
+pub struct Submission {
+    /// Its name in the results; no two are the same.
+    pub name: String,
+    path: PathBuf,
+    /// What links must not lead out of: the folder that was given, if one was.
+    root: Option<PathBuf>,
+}
+
+/// A file of a submission.
+#[derive(Clone, Debug)]
+pub struct Member {
+    /// Its path in the submission.
+    pub name: String,
+    /// What it holds.
+    pub bytes: Vec<u8>,
+}
+
+/// Finds the submissions: each file or zip that is named, and each entry of each folder that is named. In the order of the arguments,
+/// entries by name; names that begin with a dot are passed over.
+///
+/// # Errors
+/// [`CliError::BadInput`]: something that is named is not there, or there are too many.
+pub fn find(arguments: &[PathBuf]) -> Result<Vec<Submission>, CliError> {
+    let mut found: Vec<Submission> = Vec::new();
+    for path in arguments {
+        let bad = |error| CliError::bad_input(path.display(), error);
+        // What is named by hand may be a link.
+        if storage::list(path, 0).is_err() {
+            storage::kind(path).map_err(bad)?;
+            let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+            found.push(Submission { name, path: path.clone(), root: None });
+            continue;
+        }
+        let (entries, count) = storage::list(path, MOST_SUBMISSIONS).map_err(bad)?;
+        if count > entries.len() {
+            return Err(CliError::bad_input(path.display(), format!("more than {MOST_SUBMISSIONS} submissions")));
+        }
+        let entries = entries.into_iter().filter(|entry| !entry.name.starts_with('.'));
+        found.extend(entries.map(|entry| Submission { name: entry.name, path: entry.path, root: Some(path.clone()) }));
+    }
+    if found.len() > MOST_SUBMISSIONS {
+        return Err(CliError::bad_input("submissions", format!("more than {MOST_SUBMISSIONS}")));
+    }
+    let mut names = std::collections::HashSet::new();
+    for submission in &mut found {
+        let name = submission.name.clone();
+        for number in 2.. {
+            if names.insert(submission.name.clone()) {
+                break;
+            }
+            submission.name = format!("{name} ({number})");
+        }
+    }
+    Ok(found)
+}
+
+impl Submission {
+    /// Reads the files, in the order of their names.
+    ///
+    /// # Errors
+    /// Why not: a sentence, with the bound that was hit.
+    pub fn read(&self) -> Result<Vec<Member>, String> {
+        let mut files = Files::default();
+        let path = match (storage::kind(&self.path).map_err(|error| error.to_string())?, &self.root) {
+            (EntryKind::Link, Some(root)) => storage::inside(&self.path, root)
+                .ok_or_else(|| "it is a link out of the folder, which is not followed".to_owned())?,
+            _ => self.path.clone(),
+        };
+        match storage::list(&path, 0) {
+            Ok(_) => files.walk(&path, "", 0)?,
+            Err(_) if storage::kind(&path).is_ok_and(|kind| kind == EntryKind::Other) => {
+                return Err("it is neither a file nor a folder".to_owned());
+            }
+            Err(_) => {
+                let bytes = storage::read(&path, LARGEST_FILE_BYTES).map_err(|error| error.to_string())?;
+                if bytes.starts_with(b"PK\x03\x04") || bytes.starts_with(b"PK\x05\x06") {
+                    files.unpack(bytes)?;
+                } else {
+                    files.add(self.name.clone(), bytes)?;
+                }
+            }
+        }
+        files.members.sort_by(|a, b| a.name.cmp(&b.name));
+        Ok(files.members)
+    }
+}
+
+#[derive(Default)]
+struct Files {
+    members: Vec<Member>,
+    bytes: u64,
+}
+
+impl Files {
+    fn add(&mut self, name: String, bytes: Vec<u8>) -> Result<(), String> {
+        self.bytes += bytes.len() as u64;
+        if self.bytes > MOST_BYTES {
+            return Err(format!("more than {} MiB in all, which is the bound for a submission", MOST_BYTES >> 20));
+        }
+        if self.members.len() == MOST_FILES {
+            return Err(format!("more than {MOST_FILES} files, which is the bound for a submission"));
+        }
+        self.members.push(Member { name, bytes });
+        Ok(())
+    }
+
+    fn walk(&mut self, folder: &Path, above: &str, depth: usize) -> Result<(), String> {
+        if depth > DEEPEST {
+            return Err(format!("{above}: folders more than {DEEPEST} deep, which is the bound for a submission"));
+        }
+        let (entries, count) = storage::list(folder, MOST_FILES).map_err(|error| format!("{above}{error}"))?;
+        if count > entries.len() {
+            return Err(format!("more than {MOST_FILES} files, which is the bound for a submission"));
+        }
+        // Links in a submission have nowhere to lead that is not read anyway.
+        for entry in entries.into_iter().filter(|entry| !entry.name.starts_with('.')) {
+            let name = format!("{above}{}", entry.name);
+            match entry.kind {
+                EntryKind::Folder => self.walk(&entry.path, &format!("{name}/"), depth + 1)?,
+                EntryKind::File => {
+                    let bytes =
+                        storage::read(&entry.path, LARGEST_FILE_BYTES).map_err(|error| format!("{name}: {error}"))?;
+                    self.add(name, bytes)?;
+                }
+                EntryKind::Link | EntryKind::Other => {}
+            }
+        }
+        Ok(())
+    }
+
+    fn unpack(&mut self, bytes: Vec<u8>) -> Result<(), String> {
+        let broken = |error: zip::result::ZipError| format!("the zip cannot be read: {error}");
+        let mut archive = zip::ZipArchive::new(Cursor::new(bytes)).map_err(broken)?;
+        if archive.len() > 4 * MOST_FILES {
+            return Err(format!("the zip has {} entries, and at most {} are looked at", archive.len(), 4 * MOST_FILES));
+        }
+        for place in 0..archive.len() {
+            let entry = archive.by_index(place).map_err(broken)?;
+            let name = entry.name().map_err(broken)?.into_owned();
+            let is_plain = |part: &str| !part.starts_with('.') || part == "." || part == "..";
+            // Names are labels: nothing is unpacked to the disk.
+            let is_hidden = name.split('/').any(|part| !is_plain(part) || part == "__MACOSX");
+            if entry.is_dir() || entry.is_symlink() || is_hidden {
+                continue;
+            }
+            let left = LARGEST_FILE_BYTES.min(MOST_BYTES.saturating_sub(self.bytes));
+            let mut bytes = Vec::new();
+            entry.take(left + 1).read_to_end(&mut bytes).map_err(|error| format!("{name} in the zip: {error}"))?;
+            if bytes.len() as u64 > left {
+                let (file, all) = (LARGEST_FILE_BYTES >> 20, MOST_BYTES >> 20);
+                return Err(format!(
+                    "{name} in the zip: it unpacks to more than the bounds for a submission, {file} MiB a file and {all} MiB in all"
+                ));
+            }
+            self.add(name, bytes)?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,143 @@
+//! `report.html`: one page that needs nothing else, for people.
+
+use std::fmt::Write as _;
+
+use super::marks::Marks;
+use super::pictures::Pictures;
+use super::rubric::Rubric;
+use super::tables::{diagnoses, number};
+
+const STYLE: &str = "\
+body{font:15px/1.45 system-ui,sans-serif;margin:2rem auto;max-width:76rem;padding:0 1rem;color:#1f2430;background:#f7f7f5}
+h1{font-size:1.5rem;margin-bottom:.2rem}.sum{color:#5b6472;margin-top:0}
+table{border-collapse:collapse;width:100%}
+.overview td,.overview th{padding:.35rem .7rem;text-align:left;border-bottom:1px solid #dddfe4}
+.overview td.n,.items td.n{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}
+section{background:#fff;border:1px solid #dddfe4;border-radius:10px;margin:1.2rem 0;padding:1rem 1.2rem}
+h2{font-size:1.1rem;margin:0 0 .6rem;overflow-wrap:anywhere}h2 span{float:right;font-variant-numeric:tabular-nums}
+.items td{padding:.2rem .6rem;vertical-align:top;border-bottom:1px solid #eef0f3;overflow-wrap:anywhere}
+.items td:first-child{white-space:nowrap}
+.lost{color:#a3262a}.full{color:#20693c}.note{background:#fff4d6;border-radius:6px;padding:.4rem .7rem}
+.pictures{display:flex;flex-wrap:wrap;gap:1rem;margin-top:.9rem}
+figure{margin:0}figcaption{font-size:.8rem;color:#5b6472}img{display:block;border-radius:6px;background:#e8eaee}
+.bar{display:inline-block;width:8rem;height:.6rem;border-radius:.3rem;background:#e3e6ea;vertical-align:middle}
+.bar i{display:block;height:100%;border-radius:.3rem;background:#2f7d4f}a{color:inherit}
+@media(prefers-color-scheme:dark){body{background:#15181d;color:#e6e8eb}section{background:#1d2127;border-color:#333a44}
+.overview td,.overview th,.items td{border-color:#333a44}.lost{color:#ff9a94}.full{color:#83d6a3}.note{background:#463a15}
+.sum,figcaption{color:#a0a8b4}.bar{background:#333a44}}
+@media print{body{background:#fff}section{break-inside:avoid}}";
+
+/// Text as it stands in HTML, in an attribute too. Control characters, and those that turn the direction of writing, become blanks.
+pub fn escaped(text: &str) -> String {
+    let mut safe = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => safe.push_str("&amp;"),
+            '<' => safe.push_str("&lt;"),
+            '>' => safe.push_str("&gt;"),
+            '"' => safe.push_str("&quot;"),
+            '\'' => safe.push_str("&#39;"),
+            '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' => safe.push(' '),
+            c if c.is_control() => safe.push(' '),
+            c => safe.push(c),
+        }
+    }
+    safe
+}
+
+/// The report: an overview with a row a submission, then each with its points, reasons and pictures.
+pub fn html(marks: &[Marks], rubric: &Rubric, pictures: &[Option<Pictures>]) -> String {
+    let title = if rubric.title.is_empty() { "Grades" } else { &rubric.title };
+    let mut text = format!(
+        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n\
+         <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; style-src 'unsafe-inline'\">\n\
+         <meta name=\"viewport\" content=\"width=device-width\">\n<title>{0}</title>\n<style>{STYLE}</style></head><body>\n\
+         <h1>{0}</h1>\n",
+        escaped(title)
+    );
+    let mean = marks.iter().map(Marks::points).sum::<f64>() / (marks.len().max(1)) as f64;
+    let out_of = marks.first().map_or(0.0, Marks::out_of);
+    let _ = writeln!(
+        text,
+        "<p class=\"sum\">{} submissions, {} points on average out of {}.</p>\n<section><table class=\"overview\">\
+         <tr><th>submission</th><th>points</th><th></th><th>samples show</th></tr>",
+        marks.len(),
+        number((mean * 100.0).round() / 100.0),
+        number(out_of)
+    );
+    for (place, marks) in marks.iter().enumerate() {
+        let share = if marks.out_of() > 0.0 { 100.0 * marks.points() / marks.out_of() } else { 0.0 };
+        let _ = writeln!(
+            text,
+            "<tr><td><a href=\"#s{place}\">{}</a></td><td class=\"n\">{} / {}</td>\
+             <td><span class=\"bar\"><i style=\"width:{share:.0}%\"></i></span></td><td>{}</td></tr>",
+            escaped(&marks.name),
+            number(marks.points()),
+            number(marks.out_of()),
+            escaped(&diagnoses(marks).join(", "))
+        );
+    }
+    text.push_str("</table></section>\n");
+    for (place, (marks, pictures)) in marks.iter().zip(pictures).enumerate() {
+        push_submission(&mut text, place, marks, pictures.as_ref());
+    }
+    text.push_str("</body></html>\n");
+    text
+}
+
+fn push_submission(text: &mut String, place: usize, marks: &Marks, pictures: Option<&Pictures>) {
+    let _ = writeln!(
+        text,
+        "<section id=\"s{place}\"><h2>{} <span>{} / {}</span></h2>",
+        escaped(&marks.name),
+        number(marks.points()),
+        number(marks.out_of())
+    );
+    for note in &marks.notes {
+        let _ = writeln!(text, "<p class=\"note\">{}</p>", escaped(note));
+    }
+    text.push_str("<table class=\"items\">\n");
+    for item in &marks.items {
+        let class = if item.points < item.out_of { "lost" } else { "full" };
+        let _ = writeln!(
+            text,
+            "<tr><td>{}</td><td class=\"n {class}\">{} / {}</td><td>{}</td></tr>",
+            escaped(&item.name.replace('_', " ")),
+            number(item.points),
+            number(item.out_of),
+            escaped(&item.reason)
+        );
+    }
+    text.push_str("</table>\n");
+    if let Some(pictures) = pictures {
+        text.push_str("<div class=\"pictures\">\n");
+        for picture in &pictures.pictures {
+            if picture.starts_row {
+                text.push_str("</div><div class=\"pictures\">\n");
+            }
+            let _ = writeln!(
+                text,
+                "<figure><img src=\"data:image/png;base64,{}\" width=\"{}\" height=\"{}\" alt=\"{1}x{2}\"><figcaption>{}</figcaption></figure>",
+                picture.base64,
+                picture.width,
+                picture.height,
+                escaped(&picture.caption)
+            );
+        }
+        text.push_str("</div>\n");
+    }
+    text.push_str("</section>\n");
+}
+
+#[cfg(test)]
+mod tests {
+    use super::escaped;
+
+    #[test]
+    fn what_is_markup_is_text() {
+        assert_eq!(
+            escaped("<img src=x onerror='a'>\"&\u{202e}\n"),
+            "&lt;img src=x onerror=&#39;a&#39;&gt;&quot;&amp;  "
+        );
+    }
+}

@@ -1,0 +1,122 @@
+//! The results as tables for programs: `grades.csv` and `grades.json`.
+
+use serde_json::{Value, json};
+
+use super::marks::{Item, Marks};
+use super::rubric::Rubric;
+
+/// A row a submission, a column an item. Safe to open in a spreadsheet: no cell is a formula.
+pub fn csv(marks: &[Marks]) -> String {
+    let mut header = vec!["submission".to_owned(), "points".to_owned(), "out_of".to_owned(), "diagnosis".to_owned()];
+    // Every submission has the same items.
+    let names: Vec<String> =
+        marks.first().map(|marks| marks.items.iter().map(|i| i.name.clone()).collect()).unwrap_or_default();
+    header.extend(names);
+    header.push("reasons".to_owned());
+    let mut text = row(&header);
+    for marks in marks {
+        let mut cells =
+            vec![marks.name.clone(), number(marks.points()), number(marks.out_of()), diagnoses(marks).join("; ")];
+        cells.extend(marks.items.iter().map(|item| number(item.points)));
+        let lost = marks.items.iter().filter(|item| item.points < item.out_of);
+        let reasons: Vec<String> = lost.map(|Item { name, reason, .. }| format!("{name}: {reason}")).collect();
+        cells.push(reasons.join(" "));
+        text.push_str(&row(&cells));
+    }
+    text
+}
+
+/// What each file of samples shows, in a word.
+pub fn diagnoses(marks: &Marks) -> Vec<String> {
+    let show = |diagnosis: &Result<crate::diagnosis::Diagnosis, String>| match diagnosis {
+        Ok(diagnosis) if diagnosis.is_explained() => diagnosis.best().name.to_owned(),
+        Ok(_) => "not explained".to_owned(),
+        Err(_) => "unreadable".to_owned(),
+    };
+    marks.samples.iter().map(|samples| show(&samples.diagnosis)).collect()
+}
+
+/// A number without needless zeros, to four decimals.
+pub fn number(number: f64) -> String {
+    let text = format!("{number:.4}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+fn row(cells: &[String]) -> String {
+    let mut line = cells.iter().map(|text| cell(text)).collect::<Vec<_>>().join(",");
+    line.push_str("\r\n");
+    line
+}
+
+/// A cell that no spreadsheet takes for a formula: where it would begin as one, an apostrophe comes first. Line ends within and other
+/// control characters become blanks.
+fn cell(text: &str) -> String {
+    let begins_formula = text.trim_start().starts_with(['=', '+', '-', '@']) || text.starts_with(['\t', '\r', '\n']);
+    let plain: String = text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+    let plain = if begins_formula { format!("'{plain}") } else { plain };
+    if plain.contains([',', '"', ';', ' ', '\'']) { format!("\"{}\"", plain.replace('"', "\"\"")) } else { plain }
+}
+
+/// The results as JSON; `assets/grading/grades.schema.json` says how.
+pub fn json(marks: &[Marks], rubric: &Rubric) -> String {
+    let submission = |marks: &Marks| {
+        let items: Vec<Value> = marks
+            .items
+            .iter()
+            .map(|item| json!({"item": item.name, "points": item.points, "out_of": item.out_of, "reason": item.reason}))
+            .collect();
+        let samples: Vec<Value> = marks
+            .samples
+            .iter()
+            .map(|samples| match &samples.diagnosis {
+                Ok(diagnosis) => json!({
+                    "file": samples.file, "playback": samples.interpolation.name(), "explained": diagnosis.is_explained(),
+                    "best": diagnosis.best().name, "residual": diagnosis.best().residual,
+                    "also": diagnosis.also().iter().map(|candidate| candidate.name).collect::<Vec<_>>(), "problem": null,
+                }),
+                Err(problem) => json!({
+                    "file": samples.file, "playback": samples.interpolation.name(), "explained": false,
+                    "best": null, "residual": null, "also": [], "problem": problem,
+                }),
+            })
+            .collect();
+        json!({
+            "name": marks.name, "points": marks.points(), "out_of": marks.out_of(), "keyframe_file": marks.keyframe_file,
+            "items": items, "samples": samples, "notes": marks.notes,
+        })
+    };
+    let value = json!({
+        "format": "inbetween.grades", "version": 1, "title": rubric.title,
+        "submissions": marks.iter().map(submission).collect::<Vec<_>>(),
+    });
+    let mut text = serde_json::to_string_pretty(&value).expect("values have keys that are text");
+    text.push('\n');
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_cell_is_a_formula() {
+        for (text, expected) in [
+            ("=1+1", "'=1+1"),
+            ("@x", "'@x"),
+            ("+1", "'+1"),
+            ("-1", "'-1"),
+            ("\t=1", "' =1"),
+            ("\r=1", "' =1"),
+            ("  =1", "'  =1"),
+        ] {
+            assert_eq!(cell(text), format!("\"{expected}\""), "{text:?}");
+        }
+        assert_eq!(cell("a\nb,\"c\""), "\"a b,\"\"c\"\"\"");
+        assert_eq!(cell("plain"), "plain");
+    }
+
+    #[test]
+    fn numbers_have_no_needless_zeros() {
+        assert_eq!([0.0, 0.5, 10.0, 1.0 / 3.0].map(number), ["0", "0.5", "10", "0.3333"]);
+    }
+}

@@ -1,0 +1,283 @@
+//! Samples as CSV: what a student's own program showed.
+
+use glam::DVec3;
+use thiserror::Error;
+
+use super::model::INTEGER_TICK_PACE;
+use super::play::WHOLE;
+
+/// The largest file of samples that is read: 64 MiB.
+pub const LARGEST_SAMPLES_BYTES: u64 = 64 << 20;
+
+const COLUMNS: [&str; 9] = ["key_time", "rbt_ind", "tx", "ty", "tz", "rw", "rx", "ry", "rz"];
+const MS: &str = "ms";
+
+/// One node at one key time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    /// The key time at which it should have been shown, at least 0.
+    pub key_time: f64,
+    /// The node's place in poses.
+    pub node: usize,
+    /// Its translation in its parent's space, in scene units; perhaps no number.
+    pub translation: DVec3,
+    /// The components of its rotation as printed: w, x, y, z; perhaps no numbers, perhaps not of unit length.
+    pub rotation_wxyz: [f64; 4],
+}
+
+/// Samples in the order of the file; at least one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Samples {
+    /// The rows.
+    pub rows: Vec<Row>,
+    /// Whether they carry milliseconds.
+    pub has_ms: bool,
+    /// Whether anything in them is no finite number.
+    pub has_no_number: bool,
+}
+
+impl Samples {
+    /// Whether any row is at or beyond a key time.
+    #[must_use]
+    pub fn reaches(&self, key_time: f64) -> bool {
+        self.rows.iter().any(|row| row.key_time > key_time - WHOLE)
+    }
+
+    /// The last key time of the rows that is before `key_time`; 0 if there is none.
+    #[must_use]
+    pub fn last_before(&self, key_time: f64) -> f64 {
+        self.rows.iter().map(|row| row.key_time).filter(|before| *before <= key_time - WHOLE).fold(0.0, f64::max)
+    }
+}
+
+/// Why text is no samples: a sentence with its place.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum SamplesError {
+    /// The bytes are no text.
+    #[error("not UTF-8 at byte {byte}")]
+    NotUtf8 {
+        /// How many bytes are text.
+        byte: usize,
+    },
+    /// There is no header.
+    #[error("the file is empty: expected the header {}", COLUMNS.join(","))]
+    Empty,
+    /// There is a header and nothing else.
+    #[error("there are no rows after the header")]
+    NoRows,
+    /// The header lacks a column.
+    #[error("line {line}: the header has no column {column:?}: expected {}, and perhaps {MS}", COLUMNS.join(","))]
+    MissingColumn {
+        /// The line, from 1.
+        line: usize,
+        /// Which column.
+        column: &'static str,
+    },
+    /// The header has a column that means nothing, or twice the same.
+    #[error("line {line}: column {column:?} of the header stands twice or is unknown: expected {}, and perhaps {MS}", COLUMNS.join(","))]
+    ExtraColumn {
+        /// The line, from 1.
+        line: usize,
+        /// What stands there.
+        column: String,
+    },
+    /// A row is longer or shorter than the header.
+    #[error("line {line}: {found} fields, expected {expected} as in the header")]
+    Fields {
+        /// The line, from 1.
+        line: usize,
+        /// How many there are.
+        found: usize,
+        /// How many there should be.
+        expected: usize,
+    },
+    /// A field is none of what a program prints for a number.
+    #[error("line {line}, column {column}: {found:?} is not a number")]
+    Number {
+        /// The line, from 1.
+        line: usize,
+        /// The column's name.
+        column: &'static str,
+        /// What stands there.
+        found: String,
+    },
+    /// A key time or a time is negative or no finite number.
+    #[error("line {line}, column {column}: {found:?} is not a finite number of at least 0")]
+    Time {
+        /// The line, from 1.
+        line: usize,
+        /// The column's name.
+        column: &'static str,
+        /// What stands there.
+        found: String,
+    },
+    /// The scene has no such node.
+    #[error("line {line}: rbt_ind {found:?} is not a node of the scene, whose nodes are 0 to {last}")]
+    Node {
+        /// The line, from 1.
+        line: usize,
+        /// What stands there.
+        found: String,
+        /// The last node's place.
+        last: usize,
+    },
+}
+
+/// Reads samples for a scene of `nodes` RBT nodes. Columns may come in any order; `nan`, `-nan(ind)`, `1.#QNAN` and their like are
+/// read as what is no number. A byte order mark, either line ending and blank lines are passed over.
+///
+/// `ms_between_keyframes` is the keyframe file's: key times that a clock of 16 whole milliseconds has counted are told by it from
+/// those that the column `ms` means, which count.
+///
+/// # Errors
+/// [`SamplesError`], the first.
+pub fn samples_from_csv(bytes: &[u8], nodes: usize, ms_between_keyframes: u32) -> Result<Samples, SamplesError> {
+    let text = std::str::from_utf8(bytes).map_err(|error| SamplesError::NotUtf8 { byte: error.valid_up_to() })?;
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let mut lines =
+        text.lines().enumerate().map(|(place, line)| (place + 1, line.trim())).filter(|(_, l)| !l.is_empty());
+    let (line, header) = lines.next().ok_or(SamplesError::Empty)?;
+    let header = Header::read(line, header)?;
+    let mut rows = Vec::new();
+    let mut times_ms = Vec::new();
+    for (line, text) in lines {
+        let (row, ms) = header.row(line, text, nodes)?;
+        rows.push(row);
+        times_ms.extend(ms);
+    }
+    if rows.is_empty() {
+        return Err(SamplesError::NoRows);
+    }
+    correct_key_times(&mut rows, &times_ms, f64::from(ms_between_keyframes));
+    let is_number =
+        |row: &Row| row.translation.is_finite() && row.rotation_wxyz.iter().all(|number| number.is_finite());
+    Ok(Samples { has_ms: header.ms.is_some(), has_no_number: !rows.iter().all(is_number), rows })
+}
+
+/// Where the key times lag behind the milliseconds by what 16 whole milliseconds lag behind 1000/60, puts the right ones in their place.
+fn correct_key_times(rows: &mut [Row], times_ms: &[f64], ms_between_keyframes: f64) {
+    let products: f64 = rows.iter().zip(times_ms).map(|(row, ms)| row.key_time * ms).sum();
+    let squares: f64 = times_ms.iter().map(|ms| ms * ms).sum();
+    let pace = products * ms_between_keyframes / squares;
+    if (pace - INTEGER_TICK_PACE).abs() < 0.005 {
+        for row in rows {
+            row.key_time /= INTEGER_TICK_PACE;
+        }
+    }
+}
+
+/// Where each column stands.
+struct Header {
+    places: [usize; COLUMNS.len()],
+    ms: Option<usize>,
+    fields: usize,
+}
+
+fn fields(line: &str) -> impl Iterator<Item = &str> {
+    line.strip_suffix(',').unwrap_or(line).split(',').map(|field| field.trim().trim_matches('"'))
+}
+
+impl Header {
+    fn read(line: usize, text: &str) -> Result<Self, SamplesError> {
+        let names: Vec<String> = fields(text).map(str::to_ascii_lowercase).collect();
+        let find = |column: &str| names.iter().position(|name| name == column);
+        let mut places = [0; COLUMNS.len()];
+        for (place, column) in places.iter_mut().zip(COLUMNS) {
+            *place = find(column).ok_or(SamplesError::MissingColumn { line, column })?;
+        }
+        let ms = find(MS);
+        let extra = (0..names.len()).find(|place| !places.contains(place) && ms != Some(*place));
+        if let Some(place) = extra {
+            return Err(SamplesError::ExtraColumn { line, column: names[place].clone() });
+        }
+        Ok(Self { places, ms, fields: names.len() })
+    }
+
+    fn row(&self, line: usize, text: &str, nodes: usize) -> Result<(Row, Option<f64>), SamplesError> {
+        let found: Vec<&str> = fields(text).collect();
+        if found.len() != self.fields {
+            return Err(SamplesError::Fields { line, found: found.len(), expected: self.fields });
+        }
+        let number = |place: usize, column: &'static str| {
+            number(found[place]).ok_or_else(|| SamplesError::Number { line, column, found: found[place].to_owned() })
+        };
+        let time = |place: usize, column: &'static str| {
+            let time = number(place, column)?;
+            let is_time = time.is_finite() && time >= 0.0;
+            is_time.then_some(time).ok_or_else(|| SamplesError::Time { line, column, found: found[place].to_owned() })
+        };
+        let mut values = [0.0; 7];
+        for (at, value) in values.iter_mut().enumerate() {
+            *value = number(self.places[at + 2], COLUMNS[at + 2])?;
+        }
+        let [x, y, z, rotation_wxyz @ ..] = values;
+        let node = found[self.places[1]];
+        let node = node.parse().ok().filter(|node| *node < nodes).ok_or_else(|| SamplesError::Node {
+            line,
+            found: node.to_owned(),
+            last: nodes.saturating_sub(1),
+        })?;
+        let ms = self.ms.map(|place| time(place, MS)).transpose()?;
+        let key_time = time(self.places[0], COLUMNS[0])?;
+        Ok((Row { key_time, node, translation: DVec3::new(x, y, z), rotation_wxyz }, ms))
+    }
+}
+
+/// A number as C++ programs print it, by whichever library; what is no number is NaN.
+fn number(field: &str) -> Option<f64> {
+    if let Ok(number) = field.parse() {
+        return Some(number);
+    }
+    let unsigned = field.trim_start_matches(['+', '-']).to_ascii_lowercase();
+    let is_none =
+        unsigned.starts_with("nan(") || unsigned.starts_with("1.#") || ["nan", "inf"].contains(&unsigned.as_str());
+    is_none.then_some(f64::NAN)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_programs_print_for_no_number() {
+        for none in ["nan", "NaN", "-nan", "-nan(ind)", "nan(snan)", "1.#QNAN", "1.#QNAN0", "-1.#IND00", "1.#INF"] {
+            assert!(number(none).is_some_and(|number| !number.is_finite()), "{none}");
+        }
+        assert_eq!(number("-8.70831e-016"), Some(-8.70831e-16));
+        for bad in ["", "x", "1,5", "1.2.3", "nano", "--1"] {
+            assert_eq!(number(bad), None, "{bad}");
+        }
+    }
+
+    fn problem(text: &str) -> String {
+        samples_from_csv(text.as_bytes(), 22, 2000).expect_err("it is bad").to_string()
+    }
+
+    #[test]
+    fn errors_name_line_and_column() {
+        let header = "key_time,rbt_ind,tx,ty,tz,rw,rx,ry,rz\n";
+        let with = |row: &str| problem(&format!("{header}{row}\n"));
+        assert_eq!(with(""), "there are no rows after the header");
+        assert_eq!(with("0,0,1,2,3,1,0,0"), "line 2: 8 fields, expected 9 as in the header");
+        assert_eq!(with("0,0,1,2,3,1,0,0,x"), "line 2, column rz: \"x\" is not a number");
+        assert_eq!(with("-1,0,1,2,3,1,0,0,0"), "line 2, column key_time: \"-1\" is not a finite number of at least 0");
+        assert_eq!(
+            with("0,22,1,2,3,1,0,0,0"),
+            "line 2: rbt_ind \"22\" is not a node of the scene, whose nodes are 0 to 21"
+        );
+        assert!(problem("").starts_with("the file is empty: expected the header key_time,rbt_ind,"));
+        assert!(problem("a,b\n1,2").starts_with("line 1: the header has no column \"key_time\""));
+        assert!(
+            problem("tx,key_time,rbt_ind,tx,ty,tz,rw,rx,ry,rz").contains("column \"tx\" of the header stands twice")
+        );
+    }
+
+    #[test]
+    fn a_mark_either_line_ending_and_any_order_are_read() {
+        let text = "\u{feff}MS,key_time,rbt_ind,tx,ty,tz,rw,rx,ry,rz\r\n\r\n500,0.25,3,1,2,3,nan,0,0,0\r\n";
+        let samples = samples_from_csv(text.as_bytes(), 22, 2000).expect("it is good");
+        assert!(samples.has_ms && samples.has_no_number);
+        assert_eq!((samples.rows[0].key_time, samples.rows[0].node), (0.25, 3));
+        assert_eq!(samples.rows[0].translation, DVec3::new(1.0, 2.0, 3.0));
+    }
+}

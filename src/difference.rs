@@ -1,0 +1,153 @@
+//! How far two animations of one scene are apart, node by node, as they play.
+//!
+//! Both are sampled at the same moments of playing, each at its own pace; one that has ended holds its end. Pure functions.
+
+use glam::DQuat;
+use num_rational::BigRational;
+
+use crate::interpolation::Interpolation;
+use crate::keyframe::{PlayRange, SampleError, whole};
+use crate::pose::Pose;
+use crate::rbt::Rbt;
+
+/// One side of a comparison: what is played, and how.
+#[derive(Clone, Copy, Debug)]
+pub struct Played<'a> {
+    /// The played part of the list.
+    pub range: &'a PlayRange<'a>,
+    /// How it is interpolated.
+    pub interpolation: Interpolation,
+    /// Milliseconds between keyframes.
+    pub ms_between_keyframes: u32,
+}
+
+impl Played<'_> {
+    /// The key time that is shown at a time in milliseconds from the start, at most the end's.
+    #[must_use]
+    pub fn key_time_at(&self, ms: &BigRational) -> f64 {
+        self.range.timing().key_time_at(&(ms / whole(self.ms_between_keyframes as usize)))
+    }
+
+    /// How long it plays, in milliseconds.
+    #[must_use]
+    pub fn length_ms(&self) -> BigRational {
+        self.range.timing().total() * whole(self.ms_between_keyframes as usize)
+    }
+
+    /// What is shown at a time in milliseconds from the start.
+    ///
+    /// # Errors
+    /// [`SampleError`], as [`PlayRange::pose_at`].
+    pub fn pose_at(&self, ms: &BigRational) -> Result<Pose, SampleError> {
+        self.range.pose_at(self.key_time_at(ms), self.interpolation)
+    }
+}
+
+/// What difference passes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tolerances {
+    /// Distance of translations, in scene units.
+    pub translation: f64,
+    /// Angle between rotations, in degrees.
+    pub rotation_degrees: f64,
+}
+
+impl Default for Tolerances {
+    fn default() -> Self {
+        Self { translation: 1e-3, rotation_degrees: 0.1 }
+    }
+}
+
+/// How far something of one node is apart over the frames: translations in scene units, or rotations in degrees.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Deviation {
+    /// The largest.
+    pub largest: f64,
+    /// The first animation's key time at which it is largest.
+    pub largest_at: f64,
+    /// The root mean square over the frames.
+    pub rms: f64,
+    /// The first animation's key time at which it first exceeds the tolerance, if it does.
+    pub exceeds_at: Option<f64>,
+}
+
+/// How far one node is apart.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct NodeDifference {
+    /// Of its translation.
+    pub translation: Deviation,
+    /// Of its rotation.
+    pub rotation: Deviation,
+}
+
+/// How far two animations are apart.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Difference {
+    /// Each RBT node, in the scene's order.
+    pub nodes: Vec<NodeDifference>,
+    /// For each frame how far the pose is off: the sum over the nodes of each part in tolerances.
+    pub off_by_frame: Vec<f64>,
+}
+
+impl Difference {
+    /// Whether nothing exceeds its tolerance.
+    #[must_use]
+    pub fn is_within(&self) -> bool {
+        self.nodes.iter().all(|node| node.translation.exceeds_at.is_none() && node.rotation.exceeds_at.is_none())
+    }
+}
+
+/// The distance of two translations in scene units, and the angle between two rotations in degrees, from 0 to 180.
+#[must_use]
+pub fn distances(a: Rbt, b: Rbt) -> (f64, f64) {
+    let turn: DQuat = a.rotation.as_dquat() * b.rotation.as_dquat().conjugate();
+    let angle = 2.0 * turn.xyz().length().atan2(turn.w.abs());
+    (a.translation.as_dvec3().distance(b.translation.as_dvec3()), angle.to_degrees())
+}
+
+/// Compares two animations at times in milliseconds from the start, of which there is at least one.
+///
+/// # Errors
+/// [`SampleError`], as [`PlayRange::pose_at`].
+pub fn compare(
+    a: Played<'_>,
+    b: Played<'_>,
+    times_ms: &[BigRational],
+    tolerances: Tolerances,
+) -> Result<Difference, SampleError> {
+    let mut nodes: Vec<NodeDifference> = Vec::new();
+    let mut off_by_frame = Vec::with_capacity(times_ms.len());
+    for ms in times_ms {
+        let (pose_a, pose_b) = (a.pose_at(ms)?, b.pose_at(ms)?);
+        nodes.resize(pose_a.len(), NodeDifference::default());
+        let key_time = a.key_time_at(ms);
+        let mut off = 0.0;
+        for (node, (&rbt_a, &rbt_b)) in nodes.iter_mut().zip(pose_a.as_slice().iter().zip(pose_b.as_slice())) {
+            let (translation, rotation) = distances(rbt_a, rbt_b);
+            node.translation.take(key_time, translation, tolerances.translation);
+            node.rotation.take(key_time, rotation, tolerances.rotation_degrees);
+            off += translation / tolerances.translation.max(1e-9) + rotation / tolerances.rotation_degrees.max(1e-9);
+        }
+        off_by_frame.push(off);
+    }
+    for node in &mut nodes {
+        for deviation in [&mut node.translation, &mut node.rotation] {
+            deviation.rms = (deviation.rms / times_ms.len() as f64).sqrt();
+        }
+    }
+    Ok(Difference { nodes, off_by_frame })
+}
+
+impl Deviation {
+    /// Counts a frame in; until the end `rms` is the sum of squares.
+    fn take(&mut self, key_time: f64, off: f64, tolerance: f64) {
+        self.rms += off * off;
+        if off > self.largest {
+            self.largest = off;
+            self.largest_at = key_time;
+        }
+        if off > tolerance && self.exceeds_at.is_none() {
+            self.exceeds_at = Some(key_time);
+        }
+    }
+}

@@ -1,0 +1,177 @@
+use inbetween::scene::{DEFAULT_SCENE, built_in_scene};
+use serde_json::Value;
+
+use crate::sandbox::{Sandbox, keyframe_file};
+use crate::student::{LINEAR, SPLINE, Student, file, keyframes};
+
+fn paths() -> Vec<String> {
+    built_in_scene(DEFAULT_SCENE).unwrap().rbt_paths().map(str::to_owned).collect()
+}
+
+fn diagnosed(sandbox: &Sandbox) -> Value {
+    serde_json::from_str(&sandbox.run(&["diagnose", "k.json", "s.csv", "--json"]).succeeds()).unwrap()
+}
+
+fn names(value: &Value) -> Vec<&str> {
+    value.as_array().unwrap().iter().map(|name| name.as_str().unwrap()).collect()
+}
+
+#[track_caller]
+fn check(mistake: &str, plays_splines: bool, seed: u64, has_ms: bool, decimals: usize) {
+    let sandbox = Sandbox::new();
+    let made = keyframes(seed, 8, 22);
+    let interpolation = if plays_splines { "catmull-rom" } else { "linear" };
+    sandbox.write("k.json", file(&made, &paths(), "two-robots", interpolation, 2000));
+    let student = Student { mistake, plays_splines, keyframes: &made };
+    sandbox.write("s.csv", student.samples(6.0, 2000.0, has_ms, decimals));
+    let found = diagnosed(&sandbox);
+    let residual = found["residual"].as_f64().unwrap();
+    let noise = 20.0 * 0.1_f64.powi(i32::try_from(decimals).unwrap());
+    assert_eq!(found["best"], mistake, "{interpolation}, seed {seed}: {found}");
+    assert!(residual < noise, "{mistake}, {interpolation}: {residual}");
+    let expected_also: &[&str] = match (mistake, plays_splines) {
+        ("last-sample-missing", false) => &["correct"],
+        ("last-sample-missing", true) => &["correct-catmull-rom"],
+        _ => &[],
+    };
+    assert_eq!(names(&found["also"]), expected_also, "{mistake}, {interpolation}");
+    let candidates = found["candidates"].as_array().unwrap();
+    assert_eq!(candidates.len(), if has_ms { 16 } else { 15 });
+    assert_eq!(candidates[0]["name"], mistake);
+    let residuals: Vec<f64> = candidates.iter().map(|candidate| candidate["residual"].as_f64().unwrap()).collect();
+    assert!(residuals.is_sorted_by(|a, b| *a <= *b + 1e-9), "{residuals:?}");
+}
+
+#[test]
+fn every_mistake_is_named() {
+    for (mistakes, plays_splines) in [(&LINEAR[..], false), (&SPLINE[..], true)] {
+        for mistake in mistakes {
+            check(mistake, plays_splines, 7, *mistake == "integer-tick", 6);
+        }
+    }
+    check("correct", false, 8, true, 6);
+    check("nlerp-for-slerp", false, 9, true, 3);
+    check("no-division-by-six", true, 10, false, 4);
+}
+
+#[test]
+fn the_worked_examples_are_named() {
+    let sandbox = Sandbox::new();
+    let examples = [
+        ("correct", include_str!("../data/diagnosis/correct.json"), include_str!("../data/diagnosis/correct.csv")),
+        (
+            "lerp-for-slerp",
+            include_str!("../data/diagnosis/lerp-for-slerp.json"),
+            include_str!("../data/diagnosis/lerp-for-slerp.csv"),
+        ),
+        (
+            "no-conditional-negation",
+            include_str!("../data/diagnosis/no-conditional-negation.json"),
+            include_str!("../data/diagnosis/no-conditional-negation.csv"),
+        ),
+        (
+            "second-control-point-on-wrong-keyframe",
+            include_str!("../data/diagnosis/second-control-point-on-wrong-keyframe.json"),
+            include_str!("../data/diagnosis/second-control-point-on-wrong-keyframe.csv"),
+        ),
+    ];
+    for (name, keyframes, samples) in examples {
+        sandbox.write("k.json", keyframes);
+        sandbox.write("s.csv", samples);
+        let found = diagnosed(&sandbox);
+        assert_eq!(found["best"], name);
+        assert!(found["residual"].as_f64().unwrap() < 1e-6);
+        let said = sandbox.run(&["diagnose", "k.json", "s.csv"]).succeeds();
+        assert!(said.starts_with(&format!("{name} explains the samples, with a residual of ")), "{said}");
+        assert!(said.contains("Runners-up: ") && (name == "correct" || said.contains("What to change: ")), "{said}");
+    }
+}
+
+#[test]
+fn what_this_program_samples_is_correct() {
+    let sandbox = Sandbox::new();
+    sandbox.write("k.json", file(&keyframes(3, 6, 22), &paths(), "two-robots", "linear", 2000));
+    for (interpolation, name) in [("linear", "correct"), ("catmull-rom", "correct-catmull-rom")] {
+        let arguments = ["sample", "k.json", "--fps", "7", "--format", "csv", "--interpolation", interpolation];
+        sandbox.write("s.csv", sandbox.run(&arguments).succeeds());
+        assert_eq!(diagnosed(&sandbox)["best"], name);
+    }
+}
+
+#[test]
+fn where_nothing_turns_or_moves_the_right_result_comes_first() {
+    let sandbox = Sandbox::new();
+    sandbox.write("k.json", keyframe_file(4).to_string());
+    sandbox.write("s.csv", sandbox.run(&["sample", "k.json", "--fps", "7", "--format", "csv"]).succeeds());
+    let found = diagnosed(&sandbox);
+    assert_eq!(found["best"], "correct");
+    assert_eq!(
+        names(&found["also"]),
+        [
+            "correct-catmull-rom",
+            "no-conditional-negation",
+            "lerp-for-slerp",
+            "nlerp-for-slerp",
+            "angle-not-halved",
+            "identity-when-equal",
+            "no-conditional-negation-in-control-points",
+        ]
+    );
+}
+
+#[test]
+fn either_way_round_at_half_a_turn_is_right() {
+    let sandbox = Sandbox::new();
+    let turned = |half: bool| ([0.0; 3], if half { [0.0, 0.0, 0.0, 1.0] } else { [1.0, 0.0, 0.0, 0.0] });
+    let mut made = vec![vec![turned(false); 22]; 5];
+    made[2][5] = turned(true);
+    sandbox.write("k.json", file(&made, &paths(), "two-robots", "linear", 2000));
+    let student = Student { mistake: "correct", plays_splines: false, keyframes: &made };
+    let samples = student.samples(6.0, 2000.0, false, 6);
+    sandbox.write("s.csv", &samples);
+    assert_eq!(diagnosed(&sandbox)["best"], "correct");
+    let other_way: String = samples
+        .lines()
+        .map(|line| {
+            let (head, z) = line.rsplit_once(',').unwrap();
+            if head.starts_with("0.") { format!("{head},-{z}\n") } else { format!("{line}\n") }
+        })
+        .collect();
+    assert_ne!(samples, other_way);
+    sandbox.write("s.csv", other_way);
+    assert_eq!(diagnosed(&sandbox)["best"], "correct");
+}
+
+#[test]
+fn rows_beyond_the_end_show_the_end() {
+    let sandbox = Sandbox::new();
+    let made = keyframes(5, 6, 22);
+    sandbox.write("k.json", file(&made, &paths(), "two-robots", "linear", 2000));
+    let student = Student { mistake: "correct", plays_splines: false, keyframes: &made };
+    let mut samples = student.samples(6.0, 2000.0, false, 6);
+    let end: Vec<String> =
+        samples.lines().filter(|line| line.starts_with("3.0")).map(|line| format!("4.5{}", &line[8..])).collect();
+    samples.push_str(&end.join("\n"));
+    sandbox.write("s.csv", samples);
+    let found = diagnosed(&sandbox);
+    assert_eq!((found["best"].as_str(), found["residual"].as_f64().map(|r| r < 1e-5)), (Some("correct"), Some(true)));
+}
+
+#[test]
+fn bad_input_is_named_with_its_place() {
+    let sandbox = Sandbox::new();
+    sandbox.write("k.json", keyframe_file(4).to_string());
+    sandbox.write("short.json", keyframe_file(3).to_string());
+    sandbox.write("s.csv", "key_time,rbt_ind,tx,ty,tz,rw,rx,ry,rz\n0,0,0,0,0,1,0,0,0\n1,22,0,0,0,1,0,0,0\n");
+    sandbox.write("nan.csv", "key_time,rbt_ind,tx,ty,tz,rw,rx,ry,rz\n0,0,0,0,0,1.#QNAN,nan,-nan(ind),0\n");
+    sandbox
+        .run(&["diagnose", "k.json", "s.csv"])
+        .refuses("s.csv: line 3: rbt_ind \"22\" is not a node of the scene, whose nodes are 0 to 21");
+    sandbox.run(&["diagnose", "k.json", "none.csv"]).refuses("none.csv: there is no such file or folder");
+    sandbox.run(&["diagnose", "short.json", "nan.csv"]).refuses(
+        "short.json: 3 keyframes cannot be played: the first and the last only steer, so at least 4 are needed",
+    );
+    sandbox.run(&["diagnose", "k.json", "nan.csv"]).succeeds();
+    sandbox.run(&["diagnose", "k.json"]).misuses();
+    sandbox.run(&["diagnose", "k.json", "nan.csv", "more"]).misuses();
+}
