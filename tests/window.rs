@@ -71,6 +71,8 @@ fn hotkeys_typed_into_the_window_end_up_in_the_file() {
         Command::new(env!("CARGO_BIN_EXE_inbetween"))
             .arg(&file)
             .env("DISPLAY", &display)
+            .env("XDG_CONFIG_HOME", folder.path())
+            .env("LC_ALL", "C.UTF-8")
             .env_remove("WAYLAND_DISPLAY")
             .env_remove("WAYLAND_SOCKET"),
     );
@@ -100,6 +102,8 @@ fn hotkeys_typed_into_the_window_end_up_in_the_file() {
     assert_eq!(json["keyframes"].as_array().map(Vec::len), Some(4));
     let is_saved = wait_for(|| xdotool(&display, &["getwindowname", &window]).as_deref() == Some(title.as_str()));
     assert!(is_saved, "the title does not say that all is saved");
+    let settings = std::fs::read_to_string(folder.path().join("inbetween/settings.json")).unwrap();
+    assert!(settings.contains("typed.json"), "the file is not among the recent ones: {settings}");
     xdotool(&display, &["key", "ctrl+q"]).expect("the key is typed");
     let is_over = wait_for(|| inbetween.0.try_wait().is_ok_and(|end| end.is_some()));
     assert!(is_over, "Ctrl+Q does not quit, although all is saved");

@@ -6,7 +6,7 @@ use super::binding_of;
 use super::icons::was_pressed;
 use super::theme::{CORNER, Tokens, number_font};
 use super::words::Words;
-use crate::editor::keymap::{Binding, Group};
+use crate::editor::keymap::{Binding, Chord, Group};
 use crate::editor::{Command, ViewCommand};
 
 /// What the mouse does over the scene, as (gesture, meaning).
@@ -22,13 +22,8 @@ fn mouse(words: Words) -> [(&'static str, &'static str); 7] {
     ]
 }
 
-/// Width of the column of keys, in points.
-const KEYS: f32 = 160.0;
-/// Width of the column of sentences, in points.
-const SENTENCES: f32 = 232.0;
-
-/// Width of a column of both, in points.
-const COLUMN: f32 = KEYS + 4.0 + SENTENCES;
+/// Width of a column of keys and sentences, in points.
+const COLUMN: f32 = 396.0;
 /// Room between two of those, in points.
 const GAP: f32 = 16.0;
 /// Height of a line, in points.
@@ -64,15 +59,16 @@ fn contents(ui: &mut Ui, bindings: &[Binding], room: f32, commands: &mut Vec<Com
     ui.spacing_mut().item_spacing = vec2(GAP, 2.0);
     ui.spacing_mut().interact_size.y = LINE;
     let groups = |ui: &mut Ui, groups: &[Group]| {
+        let width = keys_width(bindings, groups);
         for &one in groups {
-            group(ui, bindings, one);
+            group(ui, bindings, one, width);
         }
     };
     let first = |ui: &mut Ui| groups(ui, &[Group::Keyframes, Group::Playing]);
     let second = |ui: &mut Ui| groups(ui, &[Group::Timeline, Group::View]);
     let mut third = |ui: &mut Ui| {
         groups(ui, &[Group::File, Group::Window]);
-        mouse_group(ui);
+        mouse_group(ui, keys_width(bindings, &[Group::File, Group::Window]).max(124.0));
         close(ui, bindings, commands);
     };
     if room >= 3.0 * COLUMN + 2.0 * GAP {
@@ -96,11 +92,24 @@ fn contents(ui: &mut Ui, bindings: &[Binding], room: f32, commands: &mut Vec<Com
     }
 }
 
-fn mouse_group(ui: &mut Ui) {
+/// Room for the keys of some groups, in points.
+fn keys_width(bindings: &[Binding], groups: &[Group]) -> f32 {
+    let width = |chord: &Chord| 7.0 * points(chord.label().len()) + 14.0;
+    let rows = bindings.iter().filter(|binding| groups.contains(&binding.group));
+    let widest = rows.map(|binding| binding.chords.iter().map(width).sum::<f32>()).fold(0.0, f32::max);
+    widest.clamp(100.0, COLUMN / 2.0)
+}
+
+#[expect(clippy::cast_precision_loss, reason = "labels are short")]
+const fn points(letters: usize) -> f32 {
+    letters as f32
+}
+
+fn mouse_group(ui: &mut Ui, width: f32) {
     let words = Words::of(ui);
     heading(ui, words.say("Mouse over the scene"));
     for (gesture, meaning) in mouse(words) {
-        row(ui, &[gesture.to_owned()], meaning);
+        row(ui, &[gesture.to_owned()], meaning, width);
     }
 }
 
@@ -116,13 +125,13 @@ fn close(ui: &mut Ui, bindings: &[Binding], commands: &mut Vec<Command>) {
     });
 }
 
-fn group(ui: &mut Ui, bindings: &[Binding], group: Group) {
+fn group(ui: &mut Ui, bindings: &[Binding], group: Group, width: f32) {
     let words = Words::of(ui);
     heading(ui, words.say(group.heading()));
     // What has no key stands in the menus and in the list of commands.
     for binding in bindings.iter().filter(|binding| binding.group == group && !binding.chords.is_empty()) {
-        let keys: Vec<String> = binding.chords.iter().map(crate::editor::keymap::Chord::label).collect();
-        row(ui, &keys, words.say(binding.help));
+        let keys: Vec<String> = binding.chords.iter().map(Chord::label).collect();
+        row(ui, &keys, words.say(binding.help), width);
     }
     ui.add_space(12.0);
 }
@@ -132,11 +141,12 @@ fn heading(ui: &mut Ui, text: &str) {
     ui.add_space(2.0);
 }
 
-fn row(ui: &mut Ui, keys: &[String], meaning: &str) {
+fn row(ui: &mut Ui, keys: &[String], meaning: &str, width: f32) {
+    let sentences = COLUMN - 4.0 - width;
     let tokens = Tokens::of(ui);
     ui.horizontal_top(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
-        let (rect, _) = ui.allocate_exact_size(vec2(KEYS, LINE), Sense::hover());
+        let (rect, _) = ui.allocate_exact_size(vec2(width, LINE), Sense::hover());
         let mut left = rect.left();
         for key in keys {
             let galley = ui.painter().layout_no_wrap(key.clone(), number_font(), tokens.text);
@@ -146,9 +156,9 @@ fn row(ui: &mut Ui, keys: &[String], meaning: &str) {
             ui.painter().galley(cap.center() - galley.size() / 2.0, galley, Color32::PLACEHOLDER);
             left = cap.right() + 4.0;
         }
-        let galley = ui.painter().layout(meaning.to_owned(), egui::FontId::proportional(12.0), tokens.text, SENTENCES);
+        let galley = ui.painter().layout(meaning.to_owned(), egui::FontId::proportional(12.0), tokens.text, sentences);
         let height = galley.size().y.max(LINE);
-        let (rect, response) = ui.allocate_exact_size(vec2(SENTENCES, height), Sense::hover());
+        let (rect, response) = ui.allocate_exact_size(vec2(sentences, height), Sense::hover());
         let label = format!("{}: {meaning}", keys.join(Words::of(ui).say(" or ")));
         response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Label, true, &label));
         ui.painter().galley(rect.left_top() + vec2(0.0, (height - galley.size().y) / 2.0), galley, tokens.text);

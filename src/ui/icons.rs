@@ -37,6 +37,8 @@ pub enum Icon {
     Eye,
     /// It is on.
     Tick,
+    /// One more.
+    More,
     /// Something went wrong.
     Warning,
 }
@@ -112,6 +114,10 @@ pub fn paint(painter: &Painter, icon: Icon, centre: Pos2, colour: Color32) {
         Icon::Tick => {
             line(at(-3.5, 0.0), at(-1.0, 3.0));
             line(at(-1.0, 3.0), at(4.0, -3.5));
+        }
+        Icon::More => {
+            line(at(-4.0, 0.0), at(4.0, 0.0));
+            line(at(0.0, -4.0), at(0.0, 4.0));
         }
         Icon::Warning => {
             painter.circle_stroke(centre, 6.5, stroke);

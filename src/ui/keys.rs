@@ -3,8 +3,8 @@
 use egui::{Align, Button, Event, Layout, RichText, ScrollArea, Ui, vec2};
 
 use super::Shown;
-use super::icons::was_pressed;
-use super::theme::{GRID, ROW, Tokens};
+use super::icons::{Icon, paint, was_pressed};
+use super::theme::{GRID, ROW, Tokens, text_font};
 use super::words::Words;
 use crate::editor::keymap::{Binding, Chord, Group, Key, Modifiers, NAMED_KEYS, can_change, chords_of_table};
 use crate::editor::{Command, WindowCommand};
@@ -88,15 +88,18 @@ impl KeysDialog {
         let name = words.say(binding.name);
         ui.horizontal(|ui| {
             ui.set_height(ROW + 2.0);
-            ui.add_sized(vec2(220.0, ROW), egui::Label::new(name).halign(Align::Min).truncate())
-                .on_hover_text(words.say(binding.help));
+            let (rect, label) = ui.allocate_exact_size(vec2(220.0, ROW), egui::Sense::hover());
+            label.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Label, true, name));
+            let at = rect.left_center() + vec2(8.0, 0.0);
+            ui.painter().text(at, egui::Align2::LEFT_CENTER, name, text_font(), Tokens::of(ui).text);
+            label.on_hover_text(words.say(binding.help));
             let is_fixed = !can_change(binding);
             for (place, chord) in binding.chords.iter().enumerate() {
                 self.cap(ui, binding, place, &chord.label(), is_fixed, words);
             }
             let next = binding.chords.len();
             if !is_fixed {
-                self.cap(ui, binding, next, "+", false, words);
+                self.cap(ui, binding, next, "", false, words);
             }
             if !is_fixed && binding.chords != chords_of_table(binding.name) {
                 let reset = ui.button(RichText::new(words.say("Reset")).small());
@@ -119,16 +122,20 @@ impl KeysDialog {
         } else {
             RichText::new(label).monospace()
         };
-        let mut button = Button::new(text).min_size(vec2(ROW, ROW));
+        let is_more = place == binding.chords.len();
+        let mut button = Button::new(text).min_size(vec2(ROW, ROW)).frame_when_inactive(!is_more);
         if is_waiting {
             button = button.stroke(egui::Stroke::new(1.0, tokens.accent));
         }
         let response = ui.add_enabled(!is_fixed, button);
+        if is_more && !is_waiting {
+            paint(ui.painter(), Icon::More, response.rect.center(), tokens.dim);
+        }
         let name = words.say(binding.name);
-        let says = if place < binding.chords.len() {
-            words.fill("{}: change the key {}", &[name, label])
-        } else {
+        let says = if is_more {
             words.fill("{}: one more key", &[name])
+        } else {
+            words.fill("{}: change the key {}", &[name, label])
         };
         response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, !is_fixed, &says));
         if response.clicked() {

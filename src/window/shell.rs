@@ -89,17 +89,18 @@ impl Shell {
 
     fn open(&mut self, event_loop: &ActiveEventLoop) {
         self.title = title(&self.editor);
-        let attributes = Window::default_attributes()
-            .with_title(&self.title)
-            .with_inner_size(SIZE)
-            .with_min_inner_size(SMALLEST)
-            .with_visible(false);
+        let attributes =
+            Window::default_attributes().with_inner_size(SIZE).with_min_inner_size(SMALLEST).with_visible(false);
         let stage = match event_loop.create_window(attributes) {
-            Ok(window) => Stage::new(event_loop, Arc::new(window), &self.proxy),
+            Ok(window) => Stage::new(event_loop, Arc::new(window), &self.proxy, None),
             Err(error) => Err(WindowError::NoDisplay { reason: error.to_string() }),
         };
         match stage {
-            Ok(stage) => self.stage = Some(stage),
+            Ok(stage) => {
+                // Whoever finds the window by its title finds it on the screen.
+                stage.window.set_title(&self.title);
+                self.stage = Some(stage);
+            }
             Err(error) => {
                 self.error = Some(error);
                 event_loop.exit();
@@ -113,10 +114,11 @@ impl Shell {
 
     /// Makes everything on the device again, in the same window.
     fn reopen(&mut self, event_loop: &ActiveEventLoop) {
-        let Some(lost) = self.stage.take() else { return };
+        let Some(mut lost) = self.stage.take() else { return };
+        let reader = lost.input.accesskit.take();
         let window = Arc::clone(&lost.window);
         drop(lost);
-        match Stage::new(event_loop, window, &self.proxy) {
+        match Stage::new(event_loop, window, &self.proxy, reader) {
             Ok(stage) => {
                 stage.window.request_redraw();
                 self.stage = Some(stage);

@@ -70,7 +70,7 @@ pub struct LaidOut {
 }
 
 impl Stage {
-    /// Makes everything for a window.
+    /// Makes everything for a window. `reader` is what a screen reader reads of it already, where the window is an old one.
     ///
     /// # Errors
     /// [`WindowError::Gpu`]
@@ -78,6 +78,7 @@ impl Stage {
         event_loop: &ActiveEventLoop,
         window: Arc<Window>,
         proxy: &EventLoopProxy<Happening>,
+        reader: Option<egui_winit::accesskit_winit::Adapter>,
     ) -> Result<Self, WindowError> {
         let (gpu, surface) = Gpu::for_window(&event_loop.owned_display_handle(), &window)?;
         let lost = proxy.clone();
@@ -118,7 +119,10 @@ impl Stage {
         let mut input =
             egui_winit::State::new(context.clone(), viewport, event_loop, Some(scale), window.theme(), most);
         // Before the window shows: a screen reader asks for it from its first moment.
-        input.init_accesskit(event_loop, &window, proxy.clone());
+        match reader {
+            Some(reader) => input.accesskit = Some(reader),
+            None => input.init_accesskit(event_loop, &window, proxy.clone()),
+        }
         window.set_visible(true);
         Ok(Self {
             window,
