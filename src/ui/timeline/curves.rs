@@ -1,0 +1,1 @@
+//! Curves of one node over time, worked out apart from painting.
