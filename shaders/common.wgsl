@@ -7,15 +7,17 @@ struct Globals {
     map_from_world: mat4x4f,
     // w: the size of a pixel at distance 1.
     eye_in_world: vec4f,
-    ray_ahead_in_world: vec4f,
+    // The view ray at the target's top left corner, and its change from pixel to pixel.
+    first_ray_in_world: vec4f,
     // w: the viewport's width in pixels.
     ray_right_in_world: vec4f,
     // w: the viewport's height in pixels.
-    ray_up_in_world: vec4f,
+    ray_down_in_world: vec4f,
     // w: a shadow texel's side in scene units.
     towards_sun_in_world: vec4f,
     // w: the outline's width in pixels.
     horizon: vec4f,
+    // w: the height of the ground.
     zenith: vec4f,
     accent: vec4f,
 }

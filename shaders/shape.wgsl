@@ -22,7 +22,7 @@ const GROUND_SUN: vec3f = vec3f(0.84, 0.77, 0.67);
 @group(1) @binding(0) var sun_map: texture_depth_2d;
 @group(1) @binding(1) var sun_map_sampler: sampler_comparison;
 
-// Taps along each side of the soft shadow's square: 1 where the CPU draws.
+// Taps along each side of the soft shadow's square; where the CPU draws 1, which stands for two across a diagonal.
 override SHADOW_TAPS: i32 = 1;
 
 fn shape_position(corner: Corner) -> vec3f {
@@ -60,10 +60,13 @@ fn map_place(in_world: vec3f, normal_in_world: vec3f) -> vec3f {
 // How much of the sun arrives, 0 to 1.
 fn sun_arriving(place: vec3f) -> f32 {
     let depth = min(place.z, 1.0);
-    if SHADOW_TAPS == 1 {
-        return textureSampleCompareLevel(sun_map, sun_map_sampler, place.xy, depth);
-    }
     let texel = 1.0 / vec2f(textureDimensions(sun_map));
+    if SHADOW_TAPS == 1 {
+        // Two across a diagonal: the steps of slanting borders run into each other.
+        let half = 0.55 * texel;
+        return 0.5 * (textureSampleCompareLevel(sun_map, sun_map_sampler, place.xy + half, depth)
+            + textureSampleCompareLevel(sun_map, sun_map_sampler, place.xy - half, depth));
+    }
     let first = -0.5 * f32(SHADOW_TAPS - 1);
     var sum = 0.0;
     for (var y = 0; y < SHADOW_TAPS; y++) {
@@ -75,13 +78,20 @@ fn sun_arriving(place: vec3f) -> f32 {
     return sum / f32(SHADOW_TAPS * SHADOW_TAPS);
 }
 
+// What shapes and planes hand to their pixels. Both read the same components of it, and so share what a software driver compiles
+// between corners and pixels.
 struct ShapePixel {
     @invariant @builtin(position) in_clip: vec4f,
-    @location(0) normal_in_world: vec3f,
-    @location(1) to_eye_in_world: vec3f,
+    // Shapes: the normal in world space, and how much of the ambient light the ground lets through.
+    // Planes: in scene units along the plane's own x and z, then both from -1 to 1.
+    @location(0) surface: vec4f,
+    // Shapes: to the eye in world space. Planes: from the eye, along the plane's x, normal and z.
+    @location(1) along_view: vec3f,
     @location(2) map_place: vec3f,
-    @location(3) @interpolate(flat) colour: vec3f,
-    @location(4) @interpolate(flat) opacity: f32,
+    // Shapes: colour and opacity. Planes: colour in the sun; how far the haze begins to close, as one over a distance squared.
+    @location(3) @interpolate(flat) colour: vec4f,
+    // Shapes: colour under what the ground throws back. Planes: colour in the shade.
+    @location(4) @interpolate(flat) shaded: vec3f,
 }
 
 @vertex
@@ -89,16 +99,22 @@ fn shape_vertex(corner: Corner) -> ShapePixel {
     return shape_vertex_of(corner);
 }
 
+// Near the ground less light comes from the side, and least from below.
+fn ambient_arriving(height_in_world: f32, upwards: f32) -> f32 {
+    let above = max(height_in_world - globals.zenith.w, 0.0);
+    return 1.0 - (0.34 - 0.22 * upwards) * exp2(-4.0 * above);
+}
+
 fn shape_vertex_of(corner: Corner) -> ShapePixel {
     let in_world = world_position(corner);
     let normal = world_normal(corner);
     var out: ShapePixel;
     out.in_clip = globals.clip_from_world * vec4f(in_world, 1.0);
-    out.normal_in_world = normal;
-    out.to_eye_in_world = globals.eye_in_world.xyz - in_world;
+    out.surface = vec4f(normal, ambient_arriving(in_world.y, normal.y));
+    out.along_view = globals.eye_in_world.xyz - in_world;
     out.map_place = map_place(in_world, normal);
-    out.colour = corner.colour;
-    out.opacity = corner.opacity;
+    out.colour = vec4f(corner.colour, corner.opacity);
+    out.shaded = corner.colour * BOUNCE;
     return out;
 }
 
@@ -110,41 +126,28 @@ fn toned(colour: vec3f) -> vec3f {
 
 @fragment
 fn shape_fragment(pixel: ShapePixel) -> @location(0) vec4f {
-    let normal = normalize(pixel.normal_in_world);
-    let to_eye = normalize(pixel.to_eye_in_world);
+    let normal = normalize(pixel.surface.xyz);
+    let to_eye = normalize(pixel.along_view);
     let to_sun = globals.towards_sun_in_world.xyz;
     let arriving = sun_arriving(pixel.map_place);
     let sun = max(dot(normal, to_sun), 0.0) * arriving;
-    let fill = mix(BOUNCE, SKY_FILL, 0.5 + 0.5 * normal.y);
+    let ambient = pixel.surface.w * (pixel.shaded + pixel.colour.rgb * ((SKY_FILL - BOUNCE) * (0.5 + 0.5 * normal.y)));
     // A gentle highlight, and the sky at grazing angles.
     let half_way = normalize(to_sun + to_eye);
     let h2 = pow2(max(dot(normal, half_way), 0.0));
     let h8 = pow2(pow2(h2));
     let highlight = pow2(h8) * h8 * sun;
     let rim = pow2(pow2(1.0 - max(dot(normal, to_eye), 0.0)));
-    let lit = pixel.colour * (fill + SUN * sun) + SUN * (0.16 * highlight) + SKY_FILL * (rim * (0.22 + 0.2 * normal.y));
-    return finished(toned(lit * EXPOSURE), 1.0);
+    let lit = ambient + pixel.colour.rgb * (SUN * sun) + SUN * (0.16 * highlight) + SKY_FILL * (rim * (0.22 + 0.2 * normal.y));
+    return finished(toned(lit * EXPOSURE), pixel.colour.w);
 }
 
 fn pow2(x: f32) -> f32 {
     return x * x;
 }
 
-struct PlanePixel {
-    @invariant @builtin(position) in_clip: vec4f,
-    // In scene units along the plane's own x and z.
-    @location(0) grid: vec2f,
-    // From the eye, along the plane's x, normal and z.
-    @location(1) from_eye: vec3f,
-    @location(2) map_place: vec3f,
-    @location(3) @interpolate(flat) lit: vec3f,
-    @location(4) @interpolate(flat) shaded: vec3f,
-    // One over half the plane's extents; how far the haze begins to close, as one over a distance squared.
-    @location(5) @interpolate(flat) edge_and_haze: vec3f,
-}
-
 @vertex
-fn plane_vertex(corner: Corner) -> PlanePixel {
+fn plane_vertex(corner: Corner) -> ShapePixel {
     let in_world = world_position(corner);
     let normal = world_normal(corner);
     let x_axis = vec3f(corner.world_from_shape_x.x, corner.world_from_shape_y.x, corner.world_from_shape_z.x);
@@ -156,14 +159,13 @@ fn plane_vertex(corner: Corner) -> PlanePixel {
     let fill = mix(BOUNCE, SKY_FILL, 0.5 + 0.5 * normal.y);
     let height = dot(normal, from_eye);
     let haze_distance = 30.0 + 6.0 * abs(height);
-    var out: PlanePixel;
+    var out: ShapePixel;
     out.in_clip = globals.clip_from_world * vec4f(in_world, 1.0);
-    out.grid = corner.core.xz * half_extents;
-    out.from_eye = vec3f(dot(x_axis, from_eye) / scale.x, height, dot(z_axis, from_eye) / scale.y);
+    out.surface = vec4f(corner.core.xz * half_extents, corner.core.xz);
+    out.along_view = vec3f(dot(x_axis, from_eye) / scale.x, height, dot(z_axis, from_eye) / scale.y);
     out.map_place = map_place(in_world, normal);
-    out.lit = corner.colour * (fill + GROUND_SUN * sun);
+    out.colour = vec4f(corner.colour * (fill + GROUND_SUN * sun), 1.0 / (haze_distance * haze_distance));
     out.shaded = corner.colour * fill;
-    out.edge_and_haze = vec3f(1.0 / half_extents, 1.0 / (haze_distance * haze_distance));
     return out;
 }
 
@@ -178,17 +180,19 @@ fn lines_cover(place: vec2f, width: f32, footprint: vec2f) -> f32 {
 }
 
 @fragment
-fn plane_fragment(pixel: PlanePixel) -> @location(0) vec4f {
-    let squared = dot(pixel.from_eye, pixel.from_eye);
+fn plane_fragment(pixel: ShapePixel) -> @location(0) vec4f {
+    let from_eye = pixel.along_view;
+    let grid = pixel.surface.xy;
+    let squared = dot(from_eye, from_eye);
     let size = globals.eye_in_world.w * sqrt(squared);
-    let footprint = size * (1.0 + abs(pixel.from_eye.xz) / max(abs(pixel.from_eye.y), 0.001));
-    let fine = lines_cover(pixel.grid, 0.014, footprint);
-    let coarse = lines_cover(pixel.grid * 0.2, 0.006, footprint * 0.2);
-    let ground = mix(pixel.shaded, pixel.lit, sun_arriving(pixel.map_place));
+    let footprint = size * (1.0 + abs(from_eye.xz) / max(abs(from_eye.y), 0.001));
+    let fine = lines_cover(grid, 0.014, footprint);
+    let coarse = lines_cover(grid * 0.2, 0.006, footprint * 0.2);
+    let ground = mix(pixel.shaded, pixel.colour.rgb, sun_arriving(pixel.map_place));
     let marked = ground * (1.0 - max(0.20 * fine, 0.36 * coarse));
     // The ground melts into the horizon with distance, and before a wide plane ends.
-    let haze = 1.0 - exp2(-squared * pixel.edge_and_haze.z);
-    let towards_edge = max(abs(pixel.grid.x) * pixel.edge_and_haze.x, abs(pixel.grid.y) * pixel.edge_and_haze.y);
+    let haze = 1.0 - exp2(-squared * pixel.colour.w);
+    let towards_edge = max(abs(pixel.surface.z), abs(pixel.surface.w));
     let edge = saturate((towards_edge - 0.55) * 2.4) * saturate(squared * 0.0002 - 0.1);
     return finished(mix(marked, globals.horizon.xyz, max(haze, edge * edge)), 1.0);
 }
@@ -198,10 +202,12 @@ fn shadow_vertex(corner: Corner) -> @builtin(position) vec4f {
     return globals.map_from_world * vec4f(world_position(corner), 1.0);
 }
 
-// The same place as `shape_vertex` to the bit, for drawing where a shape is nearest.
+// A hair nearer than `shape_vertex`, so that a shape does not hide itself: depth is reversed.
 @vertex
 fn place_vertex(corner: Corner) -> @invariant @builtin(position) vec4f {
-    return globals.clip_from_world * vec4f(world_position(corner), 1.0);
+    var in_clip = globals.clip_from_world * vec4f(world_position(corner), 1.0);
+    in_clip.z *= 1.0005;
+    return in_clip;
 }
 
 // For depth alone, where the pass has a colour target that must stay as it is.
@@ -225,10 +231,10 @@ fn ghost_vertex(corner: Corner) -> ShapePixel {
 
 @fragment
 fn ghost_fragment(pixel: ShapePixel) -> @location(0) vec4f {
-    let normal = normalize(pixel.normal_in_world);
-    let facing = max(dot(normal, normalize(pixel.to_eye_in_world)), 0.0);
+    let normal = normalize(pixel.surface.xyz);
+    let facing = max(dot(normal, normalize(pixel.along_view)), 0.0);
     let rim = pow2(pow2(1.0 - facing));
     let shade = 0.78 + 0.3 * dot(normal, globals.towards_sun_in_world.xyz);
-    let colour = pixel.colour * shade + vec3f(0.35) * rim;
-    return finished(min(colour, vec3f(0.93)), saturate(pixel.opacity * (0.75 + 1.3 * rim)));
+    let colour = pixel.colour.rgb * shade + vec3f(0.35) * rim;
+    return finished(min(colour, vec3f(0.93)), saturate(pixel.colour.w * (0.75 + 1.3 * rim)));
 }

@@ -19,7 +19,7 @@ struct StrokePixel {
 override KEPT: f32 = 1.0;
 
 fn viewport_px() -> vec2f {
-    return vec2f(globals.ray_right_in_world.w, globals.ray_up_in_world.w);
+    return vec2f(globals.ray_right_in_world.w, globals.ray_down_in_world.w);
 }
 
 fn quad_corner(index: u32) -> vec2f {

@@ -6,6 +6,7 @@
 mod animation;
 mod arguments;
 mod check;
+mod convert;
 mod error;
 mod nodes;
 mod output;
@@ -54,6 +55,7 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>) -> Result<(), CliErro
         None => window::run(scene, file),
         Some(_) if file.is_some() => Err(misuse("a FILE to open in the window and a command cannot go together")),
         Some(Subcommand::Check(arguments)) => check::run(&arguments, &scene::load(scene)?),
+        Some(Subcommand::Convert(arguments)) => convert::run(&arguments, &scene::load(scene)?),
         Some(Subcommand::Nodes) => nodes::run(&scene::load(scene)?),
         Some(Subcommand::Sample(arguments)) => sample::run(&arguments, &scene::load(scene)?),
         Some(Subcommand::Render(arguments)) => render::run(&arguments, scene),

@@ -9,7 +9,9 @@ mod timing;
 
 pub use compare::Blend;
 pub use easing::{Curve, Easing, Ends};
-pub use file::{KeyframeFile, KeyframeFileError, LARGEST_FILE_BYTES, keyframes_from_json, keyframes_to_json};
+pub use file::{
+    KeyframeFile, KeyframeFileError, KeyframesJson, LARGEST_FILE_BYTES, keyframes_from_json, keyframes_to_json,
+};
 pub use list::{DURATION_RANGE, Keyframe, KeyframeIndex, KeyframeList};
 pub use sample::{PlayRange, SampleError};
 pub use timing::{Timing, to_f64, whole};

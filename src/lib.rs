@@ -28,7 +28,7 @@
 //! |---|---|---|
 //! | 0 | [`rbt`], [`interpolation`], [`json`] | glam |
 //! | 1 | [`timed`], [`pose`], [`scene`], [`camera`] | serde, in file formats |
-//! | 2 | [`keyframe`], [`clock`] | serde, in file formats; `Duration`, never `Instant` |
+//! | 2 | [`keyframe`], [`clock`], [`text_layouts`] | serde, in file formats; `Duration`, never `Instant` |
 //! | 3 | [`editor`] | no wgpu, egui, winit, file system |
 //! | 4 | [`frame`] | |
 //! | 5 | [`render`], [`ui`] | wgpu; egui |
@@ -73,6 +73,7 @@ pub mod rbt;
 pub mod render;
 pub mod scene;
 pub mod storage;
+pub mod text_layouts;
 pub mod timed;
 pub mod ui;
 pub mod window;

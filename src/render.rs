@@ -19,6 +19,7 @@ mod pipelines;
 mod renderer;
 mod targets;
 mod uniforms;
+mod warm_up;
 
 pub use gpu::{Gpu, GpuError};
 pub use image::Image;

@@ -67,12 +67,23 @@ pub fn read_stream(stream: impl io::Read, limit: u64, expected: u64) -> Result<V
 /// # Errors
 /// [`StorageError::System`]; the file is as it was then.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<(), StorageError> {
+    write_with(path, |file| file.write_all(bytes))
+}
+
+/// The same for content that is made while it is written.
+///
+/// # Errors
+/// [`StorageError::System`]; the file is as it was then.
+pub fn write_with(path: &Path, write: impl FnOnce(&mut dyn io::Write) -> io::Result<()>) -> Result<(), StorageError> {
     let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
     if target.is_dir() {
         return Err(io::Error::from(io::ErrorKind::IsADirectory).into());
     }
     let mut file = AtomicWriteFile::open(target)?;
-    file.write_all(bytes)?;
+    let mut buffered = io::BufWriter::with_capacity(1 << 16, &mut file);
+    write(&mut buffered)?;
+    buffered.flush()?;
+    drop(buffered);
     file.commit()?;
     Ok(())
 }

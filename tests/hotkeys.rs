@@ -271,6 +271,32 @@ fn a_bad_import_changes_nothing_and_says_why() {
 }
 
 #[test]
+fn a_text_is_imported_and_not_written_over_unseen() {
+    let text = include_str!("data/student-files/n-m-header-one-rbt-per-line.txt");
+    let mut editor = editor_with(2);
+    editor.keyframes_read(Path::new("student.txt"), Ok(text.as_bytes().to_vec())).unwrap();
+    assert_eq!(
+        editor.message().text,
+        "Imported 6 keyframes from student.txt. Read as text: 6 keyframes of 22 nodes, layout header."
+    );
+    assert_eq!(editor.document().keyframes.len(), 6);
+    assert!(!editor.has_unsaved_changes());
+    let effects = press(&mut editor, "w");
+    let [Effect::WriteKeyframes { path, is_known: false, .. }] = effects.as_slice() else { panic!("{effects:?}") };
+    assert_eq!(path, Path::new("student.txt"));
+    press(&mut editor, "ctrl+z");
+    assert_eq!(shown(&editor), "0 [1] | 1");
+    for (text, words) in
+        [("1 22\n0 0 nan", "line 2 column 5"), ("{0: 1}", "`inbetween convert`"), ("hello", "line 1 column 1")]
+    {
+        let before = editor.document().clone();
+        assert!(editor.keyframes_read(Path::new("bad.txt"), Ok(text.into())).is_err());
+        assert_eq!(editor.document(), &before);
+        assert!(editor.message().text.contains(words), "{}", editor.message().text);
+    }
+}
+
+#[test]
 fn writing_keeps_track_of_what_is_saved() {
     let mut editor = editor();
     assert!(!editor.has_unsaved_changes());

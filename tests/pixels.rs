@@ -4,7 +4,7 @@ mod support;
 
 use glam::{Affine3A, Quat, Vec3, Vec4};
 use inbetween::frame::{ArcballMark, Dot, DrawItem, Frame, Ghost, Line};
-use inbetween::render::{Background, Gpu, Image, Offscreen, Renderer};
+use inbetween::render::{Background, Gpu, Image, Offscreen, Renderer, Viewport};
 use inbetween::scene::Shape;
 use support::{frame, ground, item, posed_items, sample_items};
 
@@ -276,6 +276,100 @@ fn a_transparent_background_has_no_opacity() {
     let image = studio.draw(&frame(vec![cube("#c02020", Vec3::new(0.0, 0.25, 0.0), 1.0)]));
     assert_eq!(image.pixel(10, 10), Some([0; 4]));
     assert_eq!(image.pixel(320, 240).map(|pixel| pixel[3]), Some(255));
+}
+
+/// Draws into a part of a target in another format, and reads the whole target back as red, green, blue, opacity.
+fn draw_into(format: wgpu::TextureFormat, frame: &Frame, viewport: Viewport) -> Image {
+    let gpu = Gpu::headless().expect("a GPU adapter");
+    let [width, height] = viewport.target_px;
+    let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
+        label: None,
+        size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format,
+        usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
+        view_formats: &[],
+    });
+    let mut renderer = Renderer::new(&gpu, format, 1);
+    renderer.render(&gpu, frame, &texture.create_view(&wgpu::TextureViewDescriptor::default()), viewport);
+    let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+        label: None,
+        size: u64::from(4 * width * height),
+        usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+        mapped_at_creation: false,
+    });
+    let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    let layout = wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(4 * width), rows_per_image: None };
+    encoder.copy_texture_to_buffer(
+        texture.as_image_copy(),
+        wgpu::TexelCopyBufferInfo { buffer: &buffer, layout },
+        texture.size(),
+    );
+    gpu.queue.submit([encoder.finish()]);
+    buffer.map_async(wgpu::MapMode::Read, .., |result| result.expect("a mapped buffer"));
+    gpu.device.poll(wgpu::PollType::wait_indefinitely()).expect("the device");
+    let mut rgba = buffer.get_mapped_range(..).expect("a mapped buffer").to_vec();
+    if format == wgpu::TextureFormat::Bgra8Unorm {
+        rgba.chunks_exact_mut(4).for_each(|pixel| pixel.swap(0, 2));
+    }
+    Image { width, height, rgba }
+}
+
+#[test]
+fn a_target_that_does_not_encode_gets_the_same_picture() {
+    let frame = frame(sample_items().into_iter().map(|(_, item)| item).collect());
+    let expected = draw(&frame);
+    let found = draw_into(wgpu::TextureFormat::Bgra8Unorm, &frame, Viewport::whole(WIDTH, HEIGHT));
+    let farthest = expected.rgba.iter().zip(&found.rgba).map(|(a, b)| a.abs_diff(*b)).max();
+    assert!(farthest <= Some(1), "{farthest:?}");
+}
+
+#[test]
+fn a_viewport_holds_the_same_picture_and_leaves_its_surroundings_clear() {
+    let frame = frame(sample_items().into_iter().map(|(_, item)| item).collect());
+    let expected = draw(&frame);
+    let viewport = Viewport { target_px: [832, 600], x: 96, y: 40, width: WIDTH, height: HEIGHT };
+    let found = draw_into(wgpu::TextureFormat::Rgba8UnormSrgb, &frame, viewport);
+    let mut differing = 0;
+    for y in 0..600 {
+        for x in 0..832 {
+            if (96..96 + WIDTH).contains(&x) && (40..40 + HEIGHT).contains(&y) {
+                let (a, b) = (pixel(&expected, x - 96, y - 40), pixel(&found, x, y));
+                differing += u32::from(a.iter().zip(b).any(|(a, b)| (a - b).abs() > 3));
+            } else {
+                check_near(&found, x, y, [0x1b, 0x1d, 0x21], 1);
+            }
+        }
+    }
+    assert!(differing < 200, "{differing}");
+}
+
+#[test]
+fn a_hidden_parts_outline_is_fainter_whatever_the_samples() {
+    let mut scene = frame(vec![
+        ground(),
+        cube("#3060a0", Vec3::new(0.0, 0.25, 0.0), 1.0),
+        cube("#808080", Vec3::new(0.6, 0.25, 1.0), 0.9),
+    ]);
+    for samples in [1, 4] {
+        scene.items[1].outlined = false;
+        let mut studio = Studio::new(samples);
+        let before = studio.draw(&scene);
+        scene.items[1].outlined = true;
+        let after = studio.draw(&scene);
+        let (mut strong, mut faint) = (0, 0);
+        for y in 0..HEIGHT {
+            for x in 0..WIDTH {
+                let change = pixel(&after, x, y)[0] - pixel(&before, x, y)[0];
+                let is_accent = (pixel(&after, x, y)[2] - 0x3a).abs() < 6 && (pixel(&after, x, y)[0] - 0xf2).abs() < 6;
+                strong += u32::from(is_accent);
+                faint += u32::from(!is_accent && change > 12);
+            }
+        }
+        assert!(strong > 150 && faint > 60, "{samples} samples: {strong} strong, {faint} faint");
+    }
 }
 
 #[test]

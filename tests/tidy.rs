@@ -105,7 +105,7 @@ fn no_shared_mutable_state() {
 }
 
 /// Rooms in the order of the architecture: each may name only rooms of a lower number, and itself.
-const ROOMS: [(&str, u8, &[&str]); 18] = [
+const ROOMS: [(&str, u8, &[&str]); 19] = [
     ("rbt", 0, &[]),
     ("timed", 1, &[]),
     ("interpolation", 0, &["rbt"]),
@@ -115,6 +115,7 @@ const ROOMS: [(&str, u8, &[&str]); 18] = [
     ("json", 0, &["rbt"]),
     ("keyframe", 2, &[]),
     ("clock", 2, &[]),
+    ("text_layouts", 2, &["keyframe"]),
     ("editor", 3, &[]),
     ("frame", 4, &[]),
     ("render", 5, &[]),

@@ -7,8 +7,10 @@ use glam::camera::rh::proj::directx::perspective_infinite_reverse;
 use glam::{Mat4, Vec3};
 use wgpu::util::DeviceExt;
 
-const WIDTH: u32 = 640;
-const HEIGHT: u32 = 480;
+/// The picture's width in pixels.
+pub const WIDTH: u32 = 640;
+/// The picture's height in pixels.
+pub const HEIGHT: u32 = 480;
 const COLOUR: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8UnormSrgb;
 const DEPTH: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 

@@ -2,10 +2,11 @@
 
 use std::path::PathBuf;
 
-use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, ValueEnum};
 
 use crate::interpolation::Interpolation;
+use crate::text_layouts::{FieldOrder, Layout};
 
 /// The keyframe file where none is named.
 pub const DEFAULT_KEYFRAME_FILE: &str = "animation.json";
@@ -35,6 +36,9 @@ pub struct Arguments {
 pub enum Subcommand {
     /// Validate keyframe files: one line a file, one a problem.
     Check(CheckArguments),
+    /// Read keyframes in any layout that students' own programs write, and write a keyframe file, or another layout.
+    #[command(long_about = CONVERT_HELP)]
+    Convert(ConvertArguments),
     /// Print the paths of the scene's RBT nodes, one a line, in the order of poses.
     Nodes,
     /// Print poses as JSON or CSV: of an animation at key times, or the scene's rest pose.
@@ -68,6 +72,41 @@ pub struct CheckArguments {
     /// Keyframe files, of at most 1 GiB each.
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<PathBuf>,
+}
+
+const CONVERT_HELP: &str = "\
+Read keyframes in any layout that students' own programs write, and write a keyframe file, or with --to another layout. What is read is \
+told by its content: a keyframe file (JSON), or a text of numbers with or without a header \"N M\", with lines \"frame [0]\" or \"end\", \
+CSV, matrices. Keys in Python dictionaries (translate_keys, rotate_keys, scale_keys) give a scene file with a control node.
+
+On success the report of what was inferred, and how sure that is, goes to standard output: a line of what was read, then one for each \
+finding, which begins with sure, likely, warning or note. A text that cannot be read gives a sentence with line and column on standard \
+error, and nothing is written.";
+
+/// Arguments of `convert`.
+#[derive(Debug, Args)]
+pub struct ConvertArguments {
+    /// The keyframes: a keyframe file or a text, of at most 1 GiB.
+    #[arg(value_name = "IN")]
+    pub input: PathBuf,
+    /// The file to write.
+    #[arg(short, long, value_name = "OUT")]
+    pub output: PathBuf,
+    /// Write this layout instead of a keyframe file, numbers with six significant digits.
+    #[arg(long, value_name = "LAYOUT", value_parser = layout())]
+    pub to: Option<Layout>,
+    /// With --to, write all digits that it takes to read the same values back.
+    #[arg(long)]
+    pub exact: bool,
+    /// Which of a row's numbers come first, whatever they look like.
+    #[arg(long, value_name = "ORDER", value_parser = field_order())]
+    pub order: Option<FieldOrder>,
+    /// Which node each row of a keyframe is: a list of paths, one a line; - for a row that is not used.
+    #[arg(long, value_name = "FILE")]
+    pub joints: Option<PathBuf>,
+    /// Take the whole keyframes of a text that breaks off or does not agree with its header.
+    #[arg(long)]
+    pub salvage: bool,
 }
 
 /// Arguments of `sample`.
@@ -212,6 +251,18 @@ fn size(text: &str) -> Result<Size, String> {
 fn interpolation() -> impl TypedValueParser<Value = Interpolation> {
     PossibleValuesParser::new(Interpolation::ALL.map(Interpolation::name))
         .try_map(|name| Interpolation::from_name(&name).ok_or("unknown interpolation"))
+}
+
+fn layout() -> impl TypedValueParser<Value = Layout> {
+    PossibleValuesParser::new(
+        Layout::WRITTEN.map(|layout| PossibleValue::new(layout.name()).help(layout.description())),
+    )
+    .try_map(|name| Layout::from_name(&name).ok_or("unknown layout"))
+}
+
+fn field_order() -> impl TypedValueParser<Value = FieldOrder> {
+    PossibleValuesParser::new(FieldOrder::ALL.map(FieldOrder::name))
+        .try_map(|name| FieldOrder::from_name(&name).ok_or("unknown order"))
 }
 
 fn samples() -> impl TypedValueParser<Value = u32> {

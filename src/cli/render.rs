@@ -1,5 +1,6 @@
 //! `inbetween render`: images with no window.
 
+use std::mem::ManuallyDrop;
 use std::path::Path;
 
 use super::animation::Animation;
@@ -23,7 +24,8 @@ pub fn run(arguments: &RenderArguments, scene: Option<&Path>) -> Result<(), CliE
     if arguments.fps.is_some() && arguments.output.extension().is_some_and(|extension| extension == "png") {
         return Err(misuse("with --fps, --output names a folder for the numbered images"));
     }
-    let mut painter = Painter::new(arguments.size, arguments.samples)?;
+    // The system takes back in no time what a driver takes milliseconds to give back, and the process ends after this.
+    let mut painter = ManuallyDrop::new(Painter::new(arguments.size, arguments.samples)?);
     let scene = scene::load(scene)?;
     let Some(file) = &arguments.file else {
         return write(&mut painter, &scene, scene.rest_pose(), arguments.seconds, &arguments.output);

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use thiserror::Error;
 
 use crate::keyframe::KeyframeFileError;
+use crate::text_layouts::TextError;
 
 /// A command that did nothing, and why.
 #[derive(Clone, Debug, Error, PartialEq)]
@@ -104,6 +105,20 @@ pub enum CommandError {
         path: PathBuf,
         /// What is wrong with it; never empty.
         problems: Vec<KeyframeFileError>,
+    },
+    /// The keyframe file is a text that cannot be read.
+    #[error("{}: {problem}", path.display())]
+    Text {
+        /// Which file.
+        path: PathBuf,
+        /// What is wrong with it, and where.
+        problem: TextError,
+    },
+    /// The file has a control node's keys, which are a part of a scene.
+    #[error("{}: keys of a control node, which belong to a scene, not to the list: make a scene file of them with `inbetween convert`", path.display())]
+    HoldsScene {
+        /// Which file.
+        path: PathBuf,
     },
     /// A file could not be written.
     #[error("{}: {reason}", path.display())]

@@ -3,7 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use super::{CommandError, Editor, Effect, FileCommand};
-use crate::keyframe::{KeyframeList, keyframes_from_json, keyframes_to_json};
+use crate::keyframe::{KeyframeList, keyframes_to_json};
+use crate::text_layouts::{ImportError, Imported, Options, import};
 
 impl Editor {
     pub(super) fn file(&mut self, command: FileCommand) -> Result<(String, Vec<Effect>), CommandError> {
@@ -63,16 +64,27 @@ impl Editor {
         self.refuse_while_playing("import")?;
         let path = path.to_owned();
         let bytes = bytes.map_err(|reason| CommandError::Read { path: path.clone(), reason })?;
-        let file = keyframes_from_json(&bytes, &self.scene)
-            .map_err(|problems| CommandError::File { path: path.clone(), problems })?;
+        let (file, summary) = match import(&bytes, &self.scene, &Options::default()) {
+            Ok(Imported::KeyframeFile(file)) => (file, String::new()),
+            Ok(Imported::Text(file, report)) => {
+                let look = if report.has_warnings() { ", with warnings: see `inbetween convert`" } else { "" };
+                (file, format!(" Read as text: {}{look}.", report.summary))
+            }
+            Ok(Imported::Scene(..)) => return Err(CommandError::HoldsScene { path }),
+            Err(ImportError::KeyframeFile(problems)) => return Err(CommandError::File { path, problems }),
+            Err(ImportError::Text(problem)) => return Err(CommandError::Text { path, problem }),
+        };
         let count = file.keyframes.len();
         self.replace_keyframes("import", |document| {
             document.interpolation = file.interpolation.unwrap_or(document.interpolation);
             document.ms_between_keyframes = file.ms_between_keyframes.unwrap_or(document.ms_between_keyframes);
             Self::list_with_first_current(document, KeyframeList::new(file.keyframes));
         });
-        let text = format!("Imported {} from {}.", keyframes_counted(count), path.display());
+        let text = format!("Imported {} from {}.{summary}", keyframes_counted(count), path.display());
+        let is_text = !summary.is_empty();
         self.is_now_saved_in(path);
+        // What a student wrote is not written over without a copy.
+        self.is_file_known = !is_text;
         Ok(text)
     }
 

@@ -3,7 +3,7 @@
 mod too_large;
 
 use std::collections::HashMap;
-use std::fmt::Write as _;
+use std::fmt::{self, Write as _};
 use std::sync::Arc;
 
 use glam::{Quat, Vec3};
@@ -422,32 +422,56 @@ pub fn keyframes_to_json(
     interpolation: Interpolation,
     ms_between_keyframes: u32,
 ) -> String {
-    let mut text = String::new();
-    let version = if keyframes.as_slice().iter().any(Keyframe::has_extras) { VERSIONS.end() } else { VERSIONS.start() };
-    let quoted = |name: &str| serde_json::Value::from(name).to_string();
-    let _ = write!(
-        text,
-        "{{\n  \"format\": \"{FORMAT}\",\n  \"version\": {version},\n  \"scene\": {},\n  \"interpolation\": \"{}\",\n  \
-         \"ms_between_keyframes\": {ms_between_keyframes},\n  \"nodes\": [",
-        quoted(scene.name()),
-        interpolation.name(),
-    );
-    for (place, path) in scene.rbt_paths().enumerate() {
-        let _ = write!(text, "{}    {}", if place == 0 { "\n" } else { ",\n" }, quoted(path));
-    }
-    text.push_str("\n  ],\n  \"keyframes\": [");
-    for (place, keyframe) in keyframes.as_slice().iter().enumerate() {
-        text.push_str(if place == 0 { "\n    { " } else { ",\n    { " });
-        push_extras(&mut text, keyframe);
-        text.push_str("\"pose\": [");
-        for (entry, rbt) in keyframe.pose.as_slice().iter().enumerate() {
-            text.push_str(if entry == 0 { "\n      " } else { ",\n      " });
-            push_rbt(&mut text, rbt);
+    KeyframesJson { scene, keyframes, interpolation, ms_between_keyframes }.to_string()
+}
+
+/// A keyframe file: what it displays is the text, made as it is written.
+#[derive(Clone, Copy, Debug)]
+pub struct KeyframesJson<'a> {
+    /// The scene whose nodes the poses are of.
+    pub scene: &'a SceneGraph,
+    /// The keyframes.
+    pub keyframes: &'a KeyframeList,
+    /// The interpolation in force.
+    pub interpolation: Interpolation,
+    /// The milliseconds between keyframes in force.
+    pub ms_between_keyframes: u32,
+}
+
+impl fmt::Display for KeyframesJson<'_> {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let has_extras = self.keyframes.as_slice().iter().any(Keyframe::has_extras);
+        let version = if has_extras { VERSIONS.end() } else { VERSIONS.start() };
+        let quoted = |name: &str| serde_json::Value::from(name).to_string();
+        write!(
+            out,
+            "{{\n  \"format\": \"{FORMAT}\",\n  \"version\": {version},\n  \"scene\": {},\n  \"interpolation\": \"{}\",\n  \
+             \"ms_between_keyframes\": {},\n  \"nodes\": [",
+            quoted(self.scene.name()),
+            self.interpolation.name(),
+            self.ms_between_keyframes,
+        )?;
+        for (place, path) in self.scene.rbt_paths().enumerate() {
+            write!(out, "{}    {}", if place == 0 { "\n" } else { ",\n" }, quoted(path))?;
         }
-        text.push_str("\n    ] }");
+        out.write_str("\n  ],\n  \"keyframes\": [")?;
+        let mut line = String::new();
+        for (place, keyframe) in self.keyframes.as_slice().iter().enumerate() {
+            line.clear();
+            line.push_str(if place == 0 { "\n    { " } else { ",\n    { " });
+            push_extras(&mut line, keyframe);
+            line.push_str("\"pose\": [");
+            out.write_str(&line)?;
+            for (entry, rbt) in keyframe.pose.as_slice().iter().enumerate() {
+                line.clear();
+                line.push_str(if entry == 0 { "\n      " } else { ",\n      " });
+                push_rbt(&mut line, rbt);
+                out.write_str(&line)?;
+            }
+            out.write_str("\n    ] }")?;
+        }
+        out.write_str(if self.keyframes.is_empty() { "]\n}\n" } else { "\n  ]\n}\n" })
     }
-    text.push_str(if keyframes.is_empty() { "]\n}\n" } else { "\n  ]\n}\n" });
-    text
 }
 
 /// Appends what a keyframe has beside its pose, nothing where it has nothing.

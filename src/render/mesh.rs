@@ -13,7 +13,7 @@ use crate::scene::MeshKind;
 /// Steps around a cylinder and a cone.
 const ROUND_STEPS: u16 = 32;
 /// Steps around a capsule.
-const CAPSULE_STEPS: u16 = 14;
+const CAPSULE_STEPS: u16 = 18;
 /// Steps from a capsule's equator to its pole.
 const CAPSULE_RINGS: u16 = 3;
 /// Steps along each rounded edge of a box.
@@ -162,9 +162,9 @@ fn sign(corner: u16, axis: u16) -> f32 {
     if corner >> axis & 1 == 1 { 1.0 } else { -1.0 }
 }
 
-/// An icosahedron whose faces are cut in nine, on the ball.
+/// An icosahedron whose faces are cut in sixteen, on the ball.
 fn sphere() -> Mesh {
-    const CUTS: u16 = 3;
+    const CUTS: u16 = 4;
     let golden = f32::midpoint(1.0, 5.0_f32.sqrt());
     let mut corners = Vec::new();
     for (a, b) in [(-1.0, -golden), (1.0, -golden), (-1.0, golden), (1.0, golden)] {

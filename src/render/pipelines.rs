@@ -1,5 +1,6 @@
 //! Pipelines, each made when it is first needed: making one costs a plain picture milliseconds.
 
+use std::borrow::Cow;
 use std::mem::size_of;
 
 use wgpu::{CompareFunction, ShaderStages, VertexFormat};
@@ -143,10 +144,10 @@ impl Pipelines {
             device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(label), entries })
         };
         let entry = |binding, visibility, ty| wgpu::BindGroupLayoutEntry { binding, visibility, ty, count: None };
-        let texture = |sample_type| wgpu::BindingType::Texture {
+        let texture = |sample_type, multisampled| wgpu::BindingType::Texture {
             sample_type,
             view_dimension: wgpu::TextureViewDimension::D2,
-            multisampled: false,
+            multisampled,
         };
         let globals = wgpu::BindingType::Buffer {
             ty: wgpu::BufferBindingType::Uniform,
@@ -158,13 +159,17 @@ impl Pipelines {
             sun_map_layout: layout(
                 "sun map",
                 &[
-                    entry(0, ShaderStages::FRAGMENT, texture(wgpu::TextureSampleType::Depth)),
+                    entry(0, ShaderStages::FRAGMENT, texture(wgpu::TextureSampleType::Depth, false)),
                     entry(1, ShaderStages::FRAGMENT, wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Comparison)),
                 ],
             ),
             mask_layout: layout(
                 "mask",
-                &[entry(0, ShaderStages::FRAGMENT, texture(wgpu::TextureSampleType::Float { filterable: false }))],
+                &[entry(
+                    0,
+                    ShaderStages::FRAGMENT,
+                    texture(wgpu::TextureSampleType::Float { filterable: false }, samples > 1),
+                )],
             ),
             target_format,
             samples,
@@ -177,7 +182,9 @@ impl Pipelines {
     /// One pipeline, made now if it was not yet.
     pub fn get(&mut self, device: &wgpu::Device, kind: Kind) -> &wgpu::RenderPipeline {
         let recipe = kind.recipe();
-        let module = self.modules[recipe.source as usize].get_or_insert_with(|| shader(device, recipe.source)).clone();
+        let module = self.modules[recipe.source as usize]
+            .get_or_insert_with(|| shader(device, recipe.source, self.samples))
+            .clone();
         let pipeline = self.made[kind as usize].take().unwrap_or_else(|| self.make(device, kind, &recipe, &module));
         self.made[kind as usize].insert(pipeline)
     }
@@ -214,7 +221,6 @@ impl Pipelines {
                 .blend
                 .then_some(wgpu::BlendState { alpha: wgpu::BlendComponent::OVER, ..wgpu::BlendState::ALPHA_BLENDING }),
             write_mask: match kind {
-                Kind::MaskAll if self.samples > 1 => wgpu::ColorWrites::RED | wgpu::ColorWrites::GREEN,
                 Kind::MaskAll => wgpu::ColorWrites::RED,
                 Kind::MaskVisible => wgpu::ColorWrites::GREEN,
                 Kind::GhostDepth => wgpu::ColorWrites::empty(),
@@ -224,10 +230,6 @@ impl Pipelines {
         let targets = [Some(target)];
         // Depth alone, in the picture's own pass, must still name the pass's colour target.
         let fragment = if kind == Kind::GhostDepth { Some("nothing_fragment") } else { recipe.fragment };
-        let mut bias = wgpu::DepthBiasState::default();
-        if kind == Kind::Shadow {
-            bias = wgpu::DepthBiasState { constant: 1, slope_scale: 1.5, clamp: 0.0 };
-        }
         let corner_attributes = wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3];
         let instance_attributes = wgpu::vertex_attr_array![
             2 => Float32x4, 3 => Float32x4, 4 => Float32x4, 5 => Float32x4, 6 => Float32x3, 7 => Uint32, 8 => Float32
@@ -254,9 +256,7 @@ impl Pipelines {
             Input::Strokes => &stroke_buffers,
             Input::Nothing => &[],
         };
-        let is_single = is_mask || matches!(kind, Kind::Shadow | Kind::Outline);
-        // The mask has one sample a pixel: where depth has more, what hides the chosen node is not looked at.
-        let depth = if is_mask && self.samples > 1 { None } else { recipe.depth };
+        let is_single = matches!(kind, Kind::Shadow | Kind::Outline);
         device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
             label: None,
             layout: Some(&layout),
@@ -272,15 +272,20 @@ impl Pipelines {
                 } else {
                     wgpu::PrimitiveTopology::TriangleList
                 },
-                cull_mode: (recipe.input == Input::Instances).then_some(wgpu::Face::Back),
+                cull_mode: match (kind, recipe.input) {
+                    // What a shape's lit side is compared with is its far side, which it cannot be mistaken for.
+                    (Kind::Shadow, _) => Some(wgpu::Face::Front),
+                    (_, Input::Instances) => Some(wgpu::Face::Back),
+                    _ => None,
+                },
                 ..Default::default()
             },
-            depth_stencil: depth.map(|(compare, write)| wgpu::DepthStencilState {
+            depth_stencil: recipe.depth.map(|(compare, write)| wgpu::DepthStencilState {
                 format: DEPTH_FORMAT,
                 depth_write_enabled: Some(write),
                 depth_compare: Some(compare),
                 stencil: wgpu::StencilState::default(),
-                bias,
+                bias: wgpu::DepthBiasState::default(),
             }),
             multisample: wgpu::MultisampleState {
                 count: if is_single { 1 } else { self.samples },
@@ -298,7 +303,7 @@ impl Pipelines {
     }
 }
 
-fn shader(device: &wgpu::Device, source: Source) -> wgpu::ShaderModule {
+fn shader(device: &wgpu::Device, source: Source, samples: u32) -> wgpu::ShaderModule {
     macro_rules! with_common {
         ($file:literal) => {
             concat!(include_str!("../../shaders/common.wgsl"), include_str!(concat!("../../shaders/", $file)))
@@ -310,8 +315,10 @@ fn shader(device: &wgpu::Device, source: Source) -> wgpu::ShaderModule {
         Source::Stroke => with_common!("stroke.wgsl"),
         Source::Outline => with_common!("outline.wgsl"),
     };
-    device.create_shader_module(wgpu::ShaderModuleDescriptor {
-        label: None,
-        source: wgpu::ShaderSource::Wgsl(text.into()),
-    })
+    // `textureLoad` reads alike from both: its last argument is then the sample.
+    let text = match source {
+        Source::Outline if samples > 1 => Cow::Owned(text.replace("texture_2d<f32>", "texture_multisampled_2d<f32>")),
+        _ => Cow::Borrowed(text),
+    };
+    device.create_shader_module(wgpu::ShaderModuleDescriptor { label: None, source: wgpu::ShaderSource::Wgsl(text) })
 }

@@ -16,6 +16,7 @@ use crate::render::mesh::Mesh;
 use crate::render::pipelines::{Kind, Pipelines};
 use crate::render::targets::{Targets, sun_map};
 use crate::render::uniforms::Globals;
+use crate::render::warm_up::WarmUp;
 use crate::scene::MeshKind;
 
 /// Samples a pixel where nothing else is asked for: 4 on a GPU, 1 where the CPU draws and each costs a whole picture.
@@ -94,6 +95,8 @@ pub struct Renderer {
     /// The box that the sun's map was drawn for.
     sun_map_box: Option<SunBox>,
     sun_map_draws: u64,
+    /// Whether a plain picture's pipelines are still to be made, where making them ahead saves time.
+    is_cold: bool,
 }
 
 impl Renderer {
@@ -133,6 +136,7 @@ impl Renderer {
             uploaded: Packed::default(),
             sun_map_box: None,
             sun_map_draws: 0,
+            is_cold: gpu.is_software,
         }
     }
 
@@ -175,13 +179,16 @@ impl Renderer {
             self.targets = Some(Targets::new(&gpu.device, self.format, self.samples, viewport.target_px));
         }
         let sun = SunBox::fit(frame);
-        let globals = Globals::new(&frame.view, sun.as_ref(), [viewport.width, viewport.height]);
+        let globals = Globals::new(frame, sun.as_ref(), viewport);
         self.packed.pack(frame, &globals);
         let items_moved = self.packed.bytes[self.packed.item_bytes.clone()]
             != *self.uploaded.bytes.get(self.uploaded.item_bytes.clone()).unwrap_or_default()
             || self.packed.items != self.uploaded.items;
         self.upload(gpu);
-        if sun.is_some() && (items_moved || sun != self.sun_map_box) {
+        let is_map_due = sun.is_some() && (items_moved || sun != self.sun_map_box);
+        if self.is_cold {
+            self.warm_up(gpu, is_map_due);
+        } else if is_map_due {
             self.draw_sun_map(&gpu.device, encoder);
         }
         // With no box the map is left as it was, for shapes that are now others.
@@ -192,6 +199,40 @@ impl Renderer {
             rectangle_px(&frame.view, outlined, [viewport.width, viewport.height], look::OUTLINE_PX + 2.0)
         {
             self.draw_outline(gpu, encoder, target, viewport, rectangle);
+        }
+    }
+
+    /// Makes the pipelines of a plain picture, each drawn with at once, and draws the sun's map where it is due.
+    fn warm_up(&mut self, gpu: &Gpu, is_map_due: bool) {
+        let device = &gpu.device;
+        let target = WarmUp::new(device, self.format, self.samples);
+        self.is_cold = false;
+        if self.background == Background::Sky {
+            let sky = self.pipelines.get(device, Kind::Sky);
+            target.submit(device, &gpu.queue, |pass| {
+                pass.set_pipeline(sky);
+                pass.set_bind_group(0, &self.globals, &[]);
+                pass.draw(0..3, 0..1);
+            });
+        }
+        if is_map_due {
+            let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+            self.draw_sun_map(device, &mut encoder);
+            gpu.queue.submit([encoder.finish()]);
+        }
+        let plane = MeshKind::Plane as usize;
+        for (kind, meshes) in [(Kind::Shape, 0..plane), (Kind::Plane, plane..plane + 1)] {
+            let items = &self.uploaded.items[meshes.clone()];
+            let Some(slot) = items.iter().position(|instances| !instances.is_empty()) else { continue };
+            let (mesh, first) = (&self.meshes[meshes.start + slot], items[slot].start);
+            let triangle = mesh.indices.start..mesh.indices.start + 3;
+            let pipeline = self.pipelines.get(device, kind).clone();
+            target.submit(device, &gpu.queue, |pass| {
+                pass.set_pipeline(&pipeline);
+                self.bind_instances(pass);
+                pass.set_bind_group(1, &self.sun_map_group, &[]);
+                pass.draw_indexed(triangle, mesh.first_vertex, first..first + 1);
+            });
         }
     }
 
@@ -237,7 +278,7 @@ impl Renderer {
         viewport: Viewport,
     ) {
         let Some(targets) = &self.targets else { return };
-        let has_outline = self.samples == 1 && frame.items.iter().any(|item| item.outlined);
+        let has_outline = frame.items.iter().any(|item| item.outlined);
         let (view, resolve_target) = match &targets.samples {
             Some(samples) => (samples, Some(target)),
             None => (target, None),
@@ -326,18 +367,15 @@ impl Renderer {
         let Some(targets) = &mut self.targets else { return };
         targets.mask(device, &self.pipelines);
         let Some(Targets { depth, mask: Some(mask), .. }) = &self.targets else { return };
-        let is_depth_tested = self.samples == 1;
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("mask"),
             color_attachments: &[colour_attachment(&mask.view, wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT))],
-            depth_stencil_attachment: is_depth_tested
-                .then(|| depth_attachment(depth, wgpu::LoadOp::Load, wgpu::StoreOp::Store)),
+            depth_stencil_attachment: Some(depth_attachment(depth, wgpu::LoadOp::Load, wgpu::StoreOp::Store)),
             ..Default::default()
         });
         set_viewport(&mut pass, viewport);
         self.bind_instances(&mut pass);
-        let kinds = [Kind::MaskAll, Kind::MaskVisible];
-        for &kind in if is_depth_tested { &kinds[..] } else { &kinds[..1] } {
+        for kind in [Kind::MaskAll, Kind::MaskVisible] {
             pass.set_pipeline(self.pipelines.get(device, kind));
             for (mesh, instances) in self.meshes.iter().zip(&self.uploaded.outlined) {
                 draw_mesh(&mut pass, mesh, instances);

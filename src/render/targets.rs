@@ -8,6 +8,7 @@ use crate::render::pipelines::{DEPTH_FORMAT, MASK_FORMAT, Pipelines};
 pub struct Targets {
     /// Width and height in pixels.
     pub size_px: [u32; 2],
+    sample_count: u32,
     /// Depth.
     pub depth: wgpu::TextureView,
     /// The samples, where there is more than one a pixel.
@@ -19,7 +20,7 @@ pub struct Targets {
 /// The outline's mask.
 #[derive(Debug)]
 pub struct Mask {
-    /// One sample a pixel.
+    /// As many samples a pixel as the picture has.
     pub view: wgpu::TextureView,
     /// The mask as the outline reads it.
     pub bind_group: wgpu::BindGroup,
@@ -31,19 +32,20 @@ impl Targets {
         let attachment = wgpu::TextureUsages::RENDER_ATTACHMENT;
         Self {
             size_px,
-            depth: view(device, "depth", DEPTH_FORMAT, samples, size_px, attachment),
-            samples: (samples > 1).then(|| view(device, "samples", format, samples, size_px, attachment)),
+            sample_count: samples,
+            depth: texture_view(device, "depth", DEPTH_FORMAT, samples, size_px, attachment),
+            samples: (samples > 1).then(|| texture_view(device, "samples", format, samples, size_px, attachment)),
             mask: None,
         }
     }
 
     /// The outline's mask, made now if it was not yet.
     pub fn mask(&mut self, device: &wgpu::Device, pipelines: &Pipelines) -> &Mask {
-        let size_px = self.size_px;
+        let (size_px, sample_count) = (self.size_px, self.sample_count);
         self.mask.get_or_insert_with(|| {
             let attachment = wgpu::TextureUsages::RENDER_ATTACHMENT;
             let readable = attachment | wgpu::TextureUsages::TEXTURE_BINDING;
-            let view = view(device, "mask", MASK_FORMAT, 1, size_px, readable);
+            let view = texture_view(device, "mask", MASK_FORMAT, sample_count, size_px, readable);
             let bind_group = device.create_bind_group(&wgpu::BindGroupDescriptor {
                 label: Some("mask"),
                 layout: &pipelines.mask_layout,
@@ -57,7 +59,7 @@ impl Targets {
 /// The sun's map and how shapes look things up in it.
 pub fn sun_map(device: &wgpu::Device, pipelines: &Pipelines) -> (wgpu::TextureView, wgpu::BindGroup) {
     let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING;
-    let map = view(device, "sun map", DEPTH_FORMAT, 1, [MAP_TEXELS; 2], usage);
+    let map = texture_view(device, "sun map", DEPTH_FORMAT, 1, [MAP_TEXELS; 2], usage);
     let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
         label: Some("sun map"),
         mag_filter: wgpu::FilterMode::Linear,
@@ -76,7 +78,8 @@ pub fn sun_map(device: &wgpu::Device, pipelines: &Pipelines) -> (wgpu::TextureVi
     (map, bind_group)
 }
 
-fn view(
+/// A texture, as a view of all of it.
+pub fn texture_view(
     device: &wgpu::Device,
     label: &str,
     format: wgpu::TextureFormat,

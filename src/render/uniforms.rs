@@ -3,9 +3,14 @@
 use bytemuck::{Pod, Zeroable};
 use glam::{Mat4, Vec3, Vec4};
 
-use crate::frame::View;
+use crate::frame::{DrawItem, Frame};
 use crate::render::light::{SunBox, towards_sun_in_world};
 use crate::render::look;
+use crate::render::renderer::Viewport;
+use crate::scene::MeshKind;
+
+/// The ground's height where there is none, in scene units.
+const NO_GROUND: f32 = -1e6;
 
 /// `Globals` in WGSL.
 #[repr(C)]
@@ -16,27 +21,31 @@ pub struct Globals {
     map_from_world: Mat4,
     /// In world space; w is the size of a pixel at distance 1.
     eye_in_world: Vec4,
-    /// The view ray at the picture's centre.
-    ray_ahead_in_world: Vec4,
-    /// From the centre to the right border; w is the viewport's width in pixels.
+    /// The view ray at the target's top left corner.
+    first_ray_in_world: Vec4,
+    /// The ray's change from a pixel to its right neighbour; w is the viewport's width in pixels.
     ray_right_in_world: Vec4,
-    /// From the centre to the upper border; w is the viewport's height in pixels.
-    ray_up_in_world: Vec4,
+    /// The ray's change from a pixel to the one below; w is the viewport's height in pixels.
+    ray_down_in_world: Vec4,
     /// Unit direction; w is a shadow texel's side in scene units.
     towards_sun_in_world: Vec4,
     /// Linear light; w is the outline's width in pixels.
     horizon: Vec4,
-    /// Linear light.
+    /// Linear light; w is the ground's height in scene units.
     zenith: Vec4,
     /// Linear light.
     accent: Vec4,
 }
 
 impl Globals {
-    /// The globals of a picture of so many pixels.
-    pub fn new(view: &View, sun: Option<&SunBox>, size_px: [u32; 2]) -> Self {
-        let size = [size_px[0] as f32, size_px[1] as f32];
+    /// The globals of a picture that fills a viewport.
+    pub fn new(frame: &Frame, sun: Option<&SunBox>, viewport: Viewport) -> Self {
+        let view = &frame.view;
+        let [x, y, width, height] = [viewport.x, viewport.y, viewport.width, viewport.height].map(|side| side as f32);
         let up = (view.vertical_fov * 0.5).tan();
+        let right = up * view.aspect;
+        let (right_step, down_step) = (2.0 * right / width, -2.0 * up / height);
+        let first = Vec3::new(-right - x * right_step, up - y * down_step, -1.0);
         let ray = |in_eye: Vec3, w: f32| view.world_from_eye.transform_vector3(in_eye).extend(w);
         let eye_in_world = Vec3::from(view.world_from_eye.translation);
         // With no shadows everything is nearer the sun than anything in the map.
@@ -44,14 +53,23 @@ impl Globals {
         Self {
             clip_from_world: view.clip_from_eye * Mat4::from(view.eye_from_world),
             map_from_world: sun.map_or(no_shadow, |sun| sun.map_from_world),
-            eye_in_world: eye_in_world.extend(2.0 * up / size[1]),
-            ray_ahead_in_world: ray(Vec3::NEG_Z, 0.0),
-            ray_right_in_world: ray(Vec3::X * up * view.aspect, size[0]),
-            ray_up_in_world: ray(Vec3::Y * up, size[1]),
+            eye_in_world: eye_in_world.extend(2.0 * up / height),
+            first_ray_in_world: ray(first, 0.0),
+            ray_right_in_world: ray(Vec3::X * right_step, width),
+            ray_down_in_world: ray(Vec3::Y * down_step, height),
             towards_sun_in_world: towards_sun_in_world().extend(sun.map_or(0.0, |sun| sun.texel)),
             horizon: look::linear(look::HORIZON).extend(look::OUTLINE_PX),
-            zenith: look::linear(look::ZENITH).extend(0.0),
+            zenith: look::linear(look::ZENITH).extend(ground_height(frame)),
             accent: look::linear(look::ACCENT).extend(0.0),
         }
     }
+}
+
+/// Height of the highest level plane; far below everything where there is none.
+fn ground_height(frame: &Frame) -> f32 {
+    let is_level = |item: &&DrawItem| {
+        let up = item.world_from_shape.matrix3.y_axis.normalize_or_zero();
+        item.mesh == MeshKind::Plane && up.y > 0.99
+    };
+    frame.items.iter().filter(is_level).map(|item| item.world_from_shape.translation.y).fold(NO_GROUND, f32::max)
 }

@@ -66,6 +66,7 @@ fn contents(ui: &mut Ui, bindings: &[Binding], is_wide: bool, commands: &mut Vec
         }
     };
     let mut right = |ui: &mut Ui| {
+        group(ui, bindings, Group::Timeline);
         group(ui, bindings, Group::View);
         group(ui, bindings, Group::File);
         ui.add_space(16.0);

@@ -19,7 +19,11 @@ pub fn ask(purpose: PathPurpose, current: &Path, proxy: EventLoopProxy<Happening
     let name = current.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
     thread::spawn(move || {
         let start = now();
-        let mut dialog = FileDialog::new().add_filter("Keyframe files", &["json"]).add_filter("All files", &["*"]);
+        let mut dialog = FileDialog::new().add_filter("Keyframe files", &["json"]);
+        if purpose == PathPurpose::Open {
+            dialog = dialog.add_filter("Keyframes as text", &["txt", "csv"]);
+        }
+        dialog = dialog.add_filter("All files", &["*"]);
         if let Some(folder) = folder {
             dialog = dialog.set_directory(folder);
         }

@@ -1,0 +1,98 @@
+//! `inbetween convert`: keyframes from any layout of text to a keyframe file, and from either to a layout of text.
+
+use std::fmt::Display;
+use std::path::Path;
+
+use super::{CliError, output};
+use crate::cli::arguments::ConvertArguments;
+use crate::keyframe::{Keyframe, KeyframeFile, KeyframesJson, LARGEST_FILE_BYTES};
+use crate::scene::SceneGraph;
+use crate::storage;
+use crate::text_layouts::{Certainty, Finding, Imported, JointList, KeyframeText, Layout, Options, Report, import};
+
+/// The largest list of joints that is read: 16 MiB.
+const LARGEST_LIST_BYTES: u64 = 16 << 20;
+
+/// Reads IN, writes the output, and prints what was inferred: a line of what was read and one for each finding.
+///
+/// # Errors
+/// [`CliError::BadInput`], with nothing written; [`CliError::Unwritten`].
+pub fn run(arguments: &ConvertArguments, scene: &SceneGraph) -> Result<(), CliError> {
+    let place = arguments.input.display();
+    let joints = arguments.joints.as_deref().map(|file| joint_list(file, scene)).transpose()?;
+    let options = Options { order: arguments.order, joints, salvage: arguments.salvage };
+    let imported = {
+        let bytes =
+            storage::read(&arguments.input, LARGEST_FILE_BYTES).map_err(|error| CliError::bad_input(&place, error))?;
+        import(&bytes, scene, &options).map_err(|error| CliError::BadInput {
+            sentences: error.sentences().iter().map(|sentence| format!("{place}: {sentence}")).collect(),
+        })?
+    };
+    let report = match imported {
+        Imported::KeyframeFile(file) => {
+            let report = keyframe_file_report(&file, scene, &options, arguments.to);
+            write_keyframes(arguments, scene, file)?;
+            report
+        }
+        Imported::Text(file, report) => {
+            write_keyframes(arguments, scene, file)?;
+            report
+        }
+        Imported::Scene(text, report) => {
+            if let Some(layout) = arguments.to {
+                let problem =
+                    format!("keys of a control node, which the layout {} cannot hold: leave out --to", layout.name());
+                return Err(CliError::bad_input(&place, problem));
+            }
+            write(&arguments.output, &text)?;
+            report
+        }
+    };
+    output::print(|output| writeln!(output, "{place}: {report}"))
+}
+
+fn joint_list(file: &Path, scene: &SceneGraph) -> Result<JointList, CliError> {
+    let place = file.display();
+    let bytes = storage::read(file, LARGEST_LIST_BYTES).map_err(|error| CliError::bad_input(&place, error))?;
+    JointList::from_text(&bytes, scene).map_err(|error| CliError::bad_input(&place, error))
+}
+
+fn keyframe_file_report(file: &KeyframeFile, scene: &SceneGraph, options: &Options, to: Option<Layout>) -> Report {
+    let (keyframes, nodes) = (file.keyframes.len(), scene.rbt_count());
+    let plural = if keyframes == 1 { "" } else { "s" };
+    let mut findings = Vec::new();
+    if options.order.is_some() || options.joints.is_some() || options.salvage {
+        let text =
+            "a keyframe file names its nodes and fields: --order, --joints and --salvage are for texts".to_owned();
+        findings.push(Finding { certainty: Certainty::Note, text });
+    }
+    let has_settings = file.interpolation.is_some() || file.ms_between_keyframes.is_some();
+    if to.is_some() && (has_settings || file.keyframes.iter().any(Keyframe::has_extras)) {
+        let text = "a text has poses alone: interpolation, times, names and easings are left out".to_owned();
+        findings.push(Finding { certainty: Certainty::Note, text });
+    }
+    Report { summary: format!("{keyframes} keyframe{plural} of {nodes} nodes, keyframe file"), findings }
+}
+
+fn write_keyframes(arguments: &ConvertArguments, scene: &SceneGraph, file: KeyframeFile) -> Result<(), CliError> {
+    let Some(layout) = arguments.to else {
+        let (keyframes, interpolation, ms_between_keyframes) = file.into_parts();
+        return write(
+            &arguments.output,
+            &KeyframesJson { scene, keyframes: &keyframes, interpolation, ms_between_keyframes },
+        );
+    };
+    if file.keyframes.is_empty() && !layout.can_be_empty() {
+        let names: Vec<&str> =
+            Layout::WRITTEN.into_iter().filter(|layout| layout.can_be_empty()).map(Layout::name).collect();
+        let problem = format!("there are no keyframes, and only {} can say so", names.join(", "));
+        return Err(CliError::bad_input(arguments.input.display(), problem));
+    }
+    let text = KeyframeText { keyframes: &file.keyframes, nodes: scene.rbt_count(), layout, is_exact: arguments.exact };
+    write(&arguments.output, &text)
+}
+
+/// Writes what is displayed as it is made, so that no text of the output's size is held.
+fn write(path: &Path, text: &impl Display) -> Result<(), CliError> {
+    storage::write_with(path, |file| write!(file, "{text}")).map_err(|reason| CliError::unwritten(path, reason))
+}

@@ -1,0 +1,342 @@
+//! Which row of a keyframe is which node: students built the joints of a robot in different orders.
+//!
+//! The offsets of keyframe 0 tell by their signs, and by the parent that a node follows. Nodes right under the root (the sky camera, the
+//! ground, the robots) can stand anywhere, so they keep the scene's places, and so does the block of rows of each.
+
+use glam::Vec3;
+
+use super::Options;
+use super::error::{TextError, TextProblem, quoted};
+use super::plan::Plan;
+use super::report::{Certainty, counted};
+use crate::pose::RbtIndex;
+use crate::scene::SceneGraph;
+
+/// What is this much smaller than an offset's largest coordinate counts as 0.
+const ZERO_FRACTION: f32 = 0.1;
+/// Larger robots than this are not searched for an order.
+const MOST_JOINTS: usize = 128;
+/// How many rows are tried in all before the search is given up.
+const MOST_TRIES: usize = 5_000;
+
+/// Which node each row of a keyframe is, as a user's list says it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct JointList {
+    nodes: Vec<Option<RbtIndex>>,
+}
+
+impl JointList {
+    /// Reads a list: a path a line for each row of a keyframe, `-` for a row that is not used. Blank lines and what follows a `#` are
+    /// passed over.
+    ///
+    /// # Errors
+    /// A path that is not the scene's or stands twice, and nodes of the scene that are missing.
+    pub fn from_text(bytes: &[u8], scene: &SceneGraph) -> Result<Self, TextError> {
+        let error = |at, found: String, expected: String| {
+            TextError::new(bytes, at, TextProblem::Unexpected { found, expected })
+        };
+        let mut nodes = Vec::new();
+        let mut is_named = vec![false; scene.rbt_count()];
+        let mut at = if bytes.starts_with(b"\xef\xbb\xbf") { 3 } else { 0 };
+        for line in bytes[at..].split(|&byte| byte == b'\n') {
+            let path = line.split(|&byte| byte == b'#').next().unwrap_or_default().trim_ascii();
+            let node = std::str::from_utf8(path).ok().and_then(|path| scene.find_rbt(path));
+            match node {
+                _ if path.is_empty() => {}
+                None if path == b"-" => nodes.push(None),
+                None => return Err(error(at, quoted(path), "a path that `inbetween nodes` prints, or -".to_owned())),
+                Some(node) => {
+                    if std::mem::replace(&mut is_named[node.get()], true) {
+                        return Err(error(
+                            at,
+                            format!("{} for the second time", quoted(path)),
+                            "each path once".to_owned(),
+                        ));
+                    }
+                    nodes.push(Some(node));
+                }
+            }
+            at += line.len() + 1;
+        }
+        if let Some(missing) = is_named.iter().position(|is_named| !is_named) {
+            let path = scene.rbt_path(RbtIndex::new(missing));
+            return Err(error(bytes.len(), "the end of the list".to_owned(), format!("{path:?} in it")));
+        }
+        Ok(Self { nodes })
+    }
+
+    /// How many rows it names.
+    #[must_use]
+    pub fn rows(&self) -> usize {
+        self.nodes.len()
+    }
+}
+
+/// For each row of a keyframe the place of its node in the scene, if it is used. `offsets` are the translations of keyframe 0; none where
+/// there is no keyframe. What was inferred is added to the plan.
+pub(super) fn match_joints(
+    offsets: &[Vec3],
+    scene: &SceneGraph,
+    options: &Options,
+    plan: &mut Plan,
+) -> Vec<Option<usize>> {
+    let own = scene.rbt_count();
+    if plan.nodes > own {
+        plan.find(
+            Certainty::Note,
+            format!("nodes: {} more than the scene has: {}", plan.nodes - own, rest_named(own, plan.nodes)),
+        );
+    }
+    if let Some(joints) = &options.joints {
+        plan.find(Certainty::Sure, "joints: as the list says");
+        let listed = joints.nodes.iter().map(|node| node.map(RbtIndex::get));
+        return listed.chain(std::iter::repeat(None)).take(plan.nodes).collect();
+    }
+    let mut node_of_row: Vec<Option<usize>> = (0..plan.nodes).map(|row| (row < own).then_some(row)).collect();
+    if offsets.len() < own {
+        return node_of_row;
+    }
+    let robots = robots(scene);
+    let found: Vec<Found> = robots.iter().map(|robot| robot.find(offsets)).collect();
+    let mut differs = 0.0_f32;
+    let mut said: Vec<(Vec<&str>, Certainty, String)> = Vec::new();
+    for (robot, found_here) in robots.iter().zip(&found) {
+        let mut say = |certainty: Certainty, text: String| match said.iter_mut().find(|(_, _, other)| *other == text) {
+            Some((names, ..)) => names.push(robot.name),
+            None => said.push((vec![robot.name], certainty, text)),
+        };
+        let order = match found_here {
+            Found::Same => {
+                say(Certainty::Sure, "in the scene's order, as the offsets of keyframe 0 show".to_owned());
+                None
+            }
+            Found::Order(order) => {
+                say(Certainty::Sure, format!("matched by the offsets of keyframe 0: {}", robot.names(order)));
+                Some(order.clone())
+            }
+            Found::ByOrder(order) => {
+                say(
+                    Certainty::Likely,
+                    format!("matched by the signs of keyframe 0's offsets alone: {}", robot.names(order)),
+                );
+                Some(order.clone())
+            }
+            Found::Nothing => {
+                let like = robots.iter().zip(&found).find_map(|(other, found)| match found {
+                    Found::Order(order) | Found::ByOrder(order) if other.is_like(robot) => Some((other, order)),
+                    _ => None,
+                });
+                let why = "the offsets of keyframe 0 match no order";
+                say(
+                    Certainty::Warning,
+                    match like {
+                        Some((other, _)) => {
+                            format!("{why}: taken as those of {}; --joints FILE decides otherwise", other.name)
+                        }
+                        None => format!("{why}: taken in the scene's order; --joints FILE decides otherwise"),
+                    },
+                );
+                like.map(|(_, order)| order.clone())
+            }
+        };
+        for row in 0..robot.wanted.len() {
+            let node = order.as_ref().map_or(row, |order| order[row]);
+            node_of_row[robot.first + row] = Some(robot.first + node);
+            if !matches!(found_here, Found::Nothing) {
+                differs = differs.max((offsets[robot.first + row].length() - robot.wanted[node].length()).abs());
+            }
+        }
+    }
+    for (names, certainty, text) in said {
+        plan.find(certainty, format!("joints of {}: {text}", names.join(", ")));
+    }
+    if differs > 1e-3 {
+        plan.find(
+            Certainty::Note,
+            format!(
+                "offsets differ from the scene's by up to {} in length, and stay as the file has them",
+                (differs * 1e4).round() / 1e4
+            ),
+        );
+    }
+    node_of_row
+}
+
+/// The nodes of the course's later assignments.
+fn rest_named(own: usize, nodes: usize) -> String {
+    let (first, second) = (own, own + 1);
+    let used = format!("the first {own} are used, not {first} and {second}");
+    match nodes - own {
+        2 => format!("{used} (two lights)"),
+        3 => format!("{used} (two lights) and {} (a mesh or a bunny)", own + 2),
+        4 => format!("{used} (two lights), {} and {} (a mesh and a bunny)", own + 2, own + 3),
+        more => format!("the first {own} are used, not {first} and the {} after it", counted(more - 1, "node")),
+    }
+}
+
+/// What the offsets of keyframe 0 say of a robot.
+enum Found {
+    /// They fit the scene's order.
+    Same,
+    /// They fit another order, in which children follow their parents. For each row, the joint.
+    Order(Vec<usize>),
+    /// They fit by sign alone; what has the same signs goes by the order of its parents.
+    ByOrder(Vec<usize>),
+    /// They fit no order.
+    Nothing,
+}
+
+/// The joints below a node that stands right under the root.
+struct Robot<'a> {
+    name: &'a str,
+    scene: &'a SceneGraph,
+    /// The place of the first joint in a pose.
+    first: usize,
+    /// The rest offsets in the parent's space.
+    wanted: Vec<Vec3>,
+    /// Each joint's parent among the joints; `None` where that is the robot itself.
+    parents: Vec<Option<usize>>,
+}
+
+/// All nodes right under the root that have joints.
+fn robots(scene: &SceneGraph) -> Vec<Robot<'_>> {
+    let parent = |rbt: RbtIndex| {
+        let parent = scene.node(scene.rbt_node(rbt)).parent?;
+        scene.carrying_rbt(parent)
+    };
+    let mut robots: Vec<Robot<'_>> = Vec::new();
+    for rbt in scene.rbt_indices() {
+        let Some(parent) = parent(rbt) else {
+            robots.push(Robot {
+                name: scene.rbt_path(rbt),
+                scene,
+                first: rbt.get() + 1,
+                wanted: vec![],
+                parents: vec![],
+            });
+            continue;
+        };
+        if let Some(robot) = robots.last_mut() {
+            robot.wanted.push(scene.rest_pose().get(rbt).translation);
+            robot.parents.push(parent.get().checked_sub(robot.first));
+        }
+    }
+    robots.retain(|robot| !robot.wanted.is_empty());
+    robots
+}
+
+/// The signs of an offset, 0 for coordinates that are small beside the largest.
+fn signs(offset: Vec3) -> [i8; 3] {
+    let zero = offset.abs().max_element() * ZERO_FRACTION;
+    offset.to_array().map(|coordinate| {
+        if coordinate > zero {
+            1
+        } else if coordinate < -zero {
+            -1
+        } else {
+            0
+        }
+    })
+}
+
+impl Robot<'_> {
+    fn is_like(&self, other: &Self) -> bool {
+        self.parents == other.parents && self.wanted == other.wanted
+    }
+
+    fn names(&self, order: &[usize]) -> String {
+        let names = order.iter().map(|&joint| {
+            let path = self.scene.rbt_path(RbtIndex::new(self.first + joint));
+            path.rsplit('/').next().unwrap_or(path)
+        });
+        names.collect::<Vec<_>>().join(", ")
+    }
+
+    fn find(&self, offsets: &[Vec3]) -> Found {
+        let found: Vec<[i8; 3]> =
+            offsets[self.first..self.first + self.wanted.len()].iter().copied().map(signs).collect();
+        let wanted: Vec<[i8; 3]> = self.wanted.iter().copied().map(signs).collect();
+        if found == wanted {
+            return Found::Same;
+        }
+        if found.len() > MOST_JOINTS {
+            return Found::Nothing;
+        }
+        let mut walk = Walk { robot: self, found: &found, wanted: &wanted, order: Vec::new(), tries: 0 };
+        if walk.go_on(&mut vec![None]) {
+            return Found::Order(walk.order);
+        }
+        self.by_signs(&found, &wanted).map_or(Found::Nothing, Found::ByOrder)
+    }
+
+    /// Joints to rows by their signs; joints with the same signs in the order of their parents' rows.
+    fn by_signs(&self, found: &[[i8; 3]], wanted: &[[i8; 3]]) -> Option<Vec<usize>> {
+        let mut row_of: Vec<Option<usize>> = vec![None; wanted.len()];
+        let depth = |joint: usize| std::iter::successors(Some(joint), |&joint| self.parents[joint]).count();
+        let mut joints: Vec<usize> = (0..wanted.len()).collect();
+        joints.sort_by_key(|&joint| depth(joint));
+        let mut is_taken = vec![false; found.len()];
+        while let Some(&next) = joints.first() {
+            let mut alike: Vec<usize> = joints.iter().copied().filter(|&joint| wanted[joint] == wanted[next]).collect();
+            joints.retain(|&joint| wanted[joint] != wanted[next]);
+            alike.sort_by_key(|&joint| self.parents[joint].and_then(|parent| row_of[parent]));
+            for joint in alike {
+                let row = (0..found.len()).find(|&row| !is_taken[row] && found[row] == wanted[joint])?;
+                is_taken[row] = true;
+                row_of[joint] = Some(row);
+            }
+        }
+        let mut order = vec![0; found.len()];
+        for (joint, row) in row_of.iter().enumerate() {
+            order[(*row)?] = joint;
+        }
+        Some(order)
+    }
+}
+
+/// A search for an order in which the rows are a walk of the robot, children right after their parents.
+struct Walk<'a> {
+    robot: &'a Robot<'a>,
+    found: &'a [[i8; 3]],
+    wanted: &'a [[i8; 3]],
+    order: Vec<usize>,
+    tries: usize,
+}
+
+impl Walk<'_> {
+    /// Finds joints for the rows that are left. `above` are the joints that the walk is under; the robot itself is `None`.
+    fn go_on(&mut self, above: &mut Vec<Option<usize>>) -> bool {
+        let row = self.order.len();
+        if row == self.found.len() {
+            return true;
+        }
+        self.tries += 1;
+        if self.tries > MOST_TRIES {
+            return false;
+        }
+        let is_left =
+            |walk: &Self, joint: &usize, parent| walk.robot.parents[*joint] == parent && !walk.order.contains(joint);
+        let kept = above.clone();
+        while let Some(&parent) = above.last() {
+            let left: Vec<usize> = (0..self.found.len()).filter(|joint| is_left(self, joint, parent)).collect();
+            if left.is_empty() {
+                above.pop();
+                continue;
+            }
+            for joint in left {
+                if self.wanted[joint] == self.found[row] {
+                    self.order.push(joint);
+                    above.push(Some(joint));
+                    if self.go_on(above) {
+                        return true;
+                    }
+                    self.order.pop();
+                    above.pop();
+                }
+            }
+            break;
+        }
+        *above = kept;
+        false
+    }
+}

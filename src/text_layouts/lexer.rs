@@ -1,0 +1,115 @@
+//! A text as numbers, separators, line ends and words. Nothing is kept: whoever needs a text twice goes through it twice.
+
+use super::error::{TextError, TextProblem, quoted};
+
+/// A part of a text.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Token<'a> {
+    /// A number; infinite where the text's is beyond single precision.
+    Number(f32),
+    /// `,` or `;`.
+    Separator(u8),
+    /// The end of a line.
+    LineEnd,
+    /// Anything else up to the next blank or separator.
+    Word(&'a [u8]),
+}
+
+/// A part of a text with its place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Piece<'a> {
+    /// The byte at which it begins.
+    pub(super) at: usize,
+    /// What it is.
+    pub(super) token: Token<'a>,
+}
+
+/// Goes through a text.
+#[derive(Clone, Debug)]
+pub(super) struct Lexer<'a> {
+    bytes: &'a [u8],
+    at: usize,
+}
+
+impl<'a> Lexer<'a> {
+    /// From a byte of a text on.
+    pub(super) fn new(bytes: &'a [u8], at: usize) -> Self {
+        let mark = if at == 0 && bytes.starts_with(b"\xef\xbb\xbf") { 3 } else { 0 };
+        Self { bytes, at: at + mark }
+    }
+
+    /// What is still to come.
+    pub(super) fn rest(&self) -> &'a [u8] {
+        &self.bytes[self.at..]
+    }
+
+    /// Passes over the rest of the line and gives it, its end not included.
+    pub(super) fn rest_of_line(&mut self) -> &'a [u8] {
+        let rest = &self.bytes[self.at..];
+        let length = rest.iter().position(|&byte| byte == b'\n').unwrap_or(rest.len());
+        self.at += length;
+        &rest[..length]
+    }
+}
+
+impl<'a> Iterator for Lexer<'a> {
+    type Item = Piece<'a>;
+
+    fn next(&mut self) -> Option<Piece<'a>> {
+        let rest = &self.bytes[self.at..];
+        let blanks = rest.iter().position(|&byte| !is_blank(byte))?;
+        let (at, rest) = (self.at + blanks, &rest[blanks..]);
+        let (length, token) = match rest[0] {
+            b'\n' => (1, Token::LineEnd),
+            separator @ (b',' | b';') => (1, Token::Separator(separator)),
+            _ => {
+                let is_end = |&byte: &u8| is_blank(byte) || matches!(byte, b'\n' | b',' | b';');
+                let length = rest.iter().position(is_end).unwrap_or(rest.len());
+                let run = &rest[..length];
+                (length, number(run).map_or(Token::Word(run), Token::Number))
+            }
+        };
+        self.at = at + length;
+        Some(Piece { at, token })
+    }
+}
+
+/// The numbers of a text and where they stand, whatever else there is.
+pub(super) fn numbers(bytes: &[u8], from: usize) -> impl Iterator<Item = (usize, f32)> {
+    Lexer::new(bytes, from).filter_map(|piece| match piece.token {
+        Token::Number(value) => Some((piece.at, value)),
+        _ => None,
+    })
+}
+
+/// Why a number is not one that can be used, or a word stands where a number belongs.
+pub(super) fn not_a_number(bytes: &[u8], piece: Piece<'_>, expected: &str) -> TextError {
+    let rest = &bytes[piece.at..];
+    let is_end = |&byte: &u8| is_blank(byte) || matches!(byte, b'\n' | b',' | b';');
+    let length = rest.iter().position(is_end).unwrap_or(rest.len()).max(1).min(rest.len());
+    let run = &rest[..length];
+    let problem = if matches!(piece.token, Token::Number(_)) || is_not_finite(run) {
+        TextProblem::NotFinite { found: String::from_utf8_lossy(&run[..length.min(40)]).into_owned() }
+    } else if let Some(byte) = run.iter().find(|byte| byte.is_ascii_control()) {
+        TextProblem::Unexpected { found: format!("the byte {byte:#04x}"), expected: expected.to_owned() }
+    } else {
+        TextProblem::Unexpected { found: quoted(run), expected: expected.to_owned() }
+    };
+    TextError::new(bytes, piece.at, problem)
+}
+
+fn is_blank(byte: u8) -> bool {
+    matches!(byte, b' ' | b'\t' | b'\r' | 0x0b | 0x0c)
+}
+
+fn number(run: &[u8]) -> Option<f32> {
+    // The standard library reads `inf` and `nan` too.
+    let is_plain = run.iter().all(|byte| matches!(byte, b'0'..=b'9' | b'+' | b'-' | b'.' | b'e' | b'E'));
+    if is_plain { std::str::from_utf8(run).ok()?.parse().ok() } else { None }
+}
+
+/// What C and C++ programs print for numbers that are none: `nan`, `-nan(ind)`, `inf`, `1.#QNAN`, `-1.#IND`.
+fn is_not_finite(run: &[u8]) -> bool {
+    let unsigned = run.strip_prefix(b"-").or(run.strip_prefix(b"+")).unwrap_or(run).to_ascii_lowercase();
+    unsigned.starts_with(b"nan") || unsigned.starts_with(b"inf") || unsigned.starts_with(b"1.#")
+}

@@ -1,0 +1,119 @@
+//! The functions that make vectors and rotations, as the course's Python module has them.
+
+use glam::{Quat, Vec3};
+
+use crate::timed::rotation_from_euler_degrees;
+
+/// How far from unit length a quaternion may be.
+const UNIT_TOLERANCE: f32 = 0.01;
+
+/// All of them.
+pub(super) const FUNCTIONS: [&str; 4] = ["vec", "quaternion", "quaternion_from_euler", "quaternion_from_axis_angle"];
+
+/// What a function of these makes of its arguments.
+///
+/// # Errors
+/// What it expects instead of them.
+pub(super) fn call(function: &str, arguments: &Arguments<'_>) -> Result<Term, &'static str> {
+    let (made, expected) = match function {
+        "vec" => (vector(arguments), "numbers, as in vec(0, 1, 0)"),
+        "quaternion" => (quaternion(arguments), "x, y, z and w of a unit quaternion"),
+        "quaternion_from_euler" => (from_euler(arguments), "yaw, pitch and roll in degrees"),
+        _ => (
+            from_axis_angle(arguments),
+            "an axis that is not 0 and an angle in degrees, as in quaternion_from_axis_angle(vec(0, 1, 0), 90)",
+        ),
+    };
+    made.ok_or(expected)
+}
+
+/// An argument or a value before it is known what it is for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Term {
+    /// A number.
+    Number(f32),
+    /// Numbers, of which the first so many count.
+    Numbers([f32; 4], usize),
+    /// A unit quaternion.
+    Rotation(Quat),
+}
+
+/// The arguments of a call: up to four, and those with a name.
+#[derive(Default)]
+pub(super) struct Arguments<'a> {
+    pub(super) terms: Vec<(Option<&'a str>, Term)>,
+}
+
+impl Arguments<'_> {
+    /// The argument with one of these names, or in this place.
+    fn get(&self, place: usize, name: &str) -> Option<Term> {
+        let named = self.terms.iter().find(|(given, _)| *given == Some(name));
+        let placed = self.terms.get(place).filter(|(given, _)| given.is_none());
+        named.or(placed).map(|&(_, term)| term)
+    }
+
+    fn number(&self, place: usize, name: &str) -> Option<f32> {
+        match self.get(place, name) {
+            Some(Term::Number(number)) => Some(number),
+            _ => None,
+        }
+    }
+}
+
+fn vector(arguments: &Arguments<'_>) -> Option<Term> {
+    if let [(None, term @ Term::Numbers(..))] = arguments.terms.as_slice() {
+        return Some(*term);
+    }
+    let mut numbers = [0.0; 4];
+    for (number, (name, term)) in numbers.iter_mut().zip(&arguments.terms) {
+        let (None, Term::Number(given)) = (name, term) else { return None };
+        *number = *given;
+    }
+    (!arguments.terms.is_empty()).then_some(Term::Numbers(numbers, arguments.terms.len()))
+}
+
+/// Components x, y, z, w; the first three may be a vector, and all may be missing.
+fn quaternion(arguments: &Arguments<'_>) -> Option<Term> {
+    let component = |place, name| match arguments.get(place, name) {
+        None => Some(if name == "w" { 1.0 } else { 0.0 }),
+        Some(Term::Number(number)) => Some(number),
+        Some(_) => None,
+    };
+    let [x, y, z, w] = match arguments.get(0, "x") {
+        Some(Term::Numbers([x, y, z, _], 3)) => {
+            [x, y, z, arguments.number(3, "w").or(arguments.number(1, "w")).unwrap_or(1.0)]
+        }
+        _ => [component(0, "x")?, component(1, "y")?, component(2, "z")?, component(3, "w")?],
+    };
+    let rotation = Quat::from_xyzw(x, y, z, w);
+    ((rotation.length() - 1.0).abs() <= UNIT_TOLERANCE).then(|| Term::Rotation(rotation.normalize()))
+}
+
+fn from_euler(arguments: &Arguments<'_>) -> Option<Term> {
+    let degrees = match arguments.get(usize::MAX, "radians") {
+        Some(Term::Numbers([yaw, pitch, roll, _], 3)) => [yaw, pitch, roll].map(f32::to_degrees),
+        Some(_) => return None,
+        None => {
+            let angle = |place, name| match arguments.get(place, name) {
+                None => Some(0.0),
+                Some(Term::Number(number)) => Some(number),
+                Some(_) => None,
+            };
+            [angle(0, "yaw")?, angle(1, "pitch")?, angle(2, "roll")?]
+        }
+    };
+    let rotation = rotation_from_euler_degrees(degrees);
+    rotation.is_finite().then(|| Term::Rotation(rotation.normalize()))
+}
+
+fn from_axis_angle(arguments: &Arguments<'_>) -> Option<Term> {
+    let Some(Term::Numbers([x, y, z, _], 3)) = arguments.get(0, "axis") else { return None };
+    let radians = match arguments.get(usize::MAX, "radians") {
+        Some(Term::Number(radians)) => radians,
+        Some(_) => return None,
+        None => arguments.number(1, "degrees").unwrap_or(0.0).to_radians(),
+    };
+    let axis = Vec3::new(x, y, z).as_dvec3().try_normalize()?.as_vec3();
+    let rotation = Quat::from_axis_angle(axis, radians);
+    rotation.is_finite().then(|| Term::Rotation(rotation.normalize()))
+}

@@ -1,0 +1,220 @@
+//! Rows to poses: which four numbers are the quaternion, and the keyframes.
+
+use glam::{Mat3, Quat, Vec3};
+
+use super::Options;
+use super::error::{TextError, TextProblem};
+use super::joints::match_joints;
+use super::layout::{FieldOrder, Layout};
+use super::lexer::numbers;
+use super::plan::{Plan, UNIT_TOLERANCE};
+use super::report::{Certainty, counted};
+use crate::keyframe::Keyframe;
+use crate::pose::Pose;
+use crate::rbt::Rbt;
+use crate::scene::SceneGraph;
+
+/// Rotations this near to unit length are kept bit for bit.
+const KEPT_TOLERANCE: f64 = 1e-6;
+/// How far from unit length a rotation may be where the order is given.
+const GIVEN_ORDER_TOLERANCE: f64 = 0.01;
+
+/// A row of the text and the byte at which it begins.
+type Row<const WIDTH: usize> = (usize, [f32; WIDTH]);
+
+/// The rows of all whole keyframes.
+fn rows<'a, const WIDTH: usize>(bytes: &'a [u8], plan: &Plan) -> impl Iterator<Item = Row<WIDTH>> + use<'a, WIDTH> {
+    let mut numbers = numbers(&bytes[..plan.end], plan.from).skip(plan.skip);
+    let lead = plan.lead;
+    std::iter::from_fn(move || {
+        for _ in 0..lead {
+            numbers.next()?;
+        }
+        let mut row = [0.0; WIDTH];
+        let (at, first) = numbers.next()?;
+        row[0] = first;
+        for number in &mut row[1..] {
+            *number = numbers.next()?.1;
+        }
+        Some((at, row))
+    })
+    .take(plan.keyframes * plan.nodes)
+}
+
+/// Makes keyframes of the rows, and adds what was inferred to the plan.
+///
+/// # Errors
+/// Rows that are no rigid body transforms; when salvaging, only where not one keyframe is whole.
+pub(super) fn keyframes(
+    bytes: &[u8],
+    plan: &mut Plan,
+    named_order: Option<FieldOrder>,
+    scene: &SceneGraph,
+    options: &Options,
+) -> Result<Vec<Keyframe>, TextError> {
+    if plan.layout == Layout::Matrices {
+        check_matrices(bytes, plan, options)?;
+        Ok(build(bytes, plan, scene, options, |matrix| rigid(&matrix).unwrap_or(Rbt::IDENTITY)))
+    } else {
+        let order = field_order(bytes, plan, named_order, options)?;
+        if (plan.layout, order) == (Layout::Header, FieldOrder::QuaternionFirst) {
+            plan.layout = Layout::HeaderQuaternionFirst;
+        }
+        Ok(build(bytes, plan, scene, options, |row| rbt(row, order)))
+    }
+}
+
+fn build<const WIDTH: usize>(
+    bytes: &[u8],
+    plan: &mut Plan,
+    scene: &SceneGraph,
+    options: &Options,
+    decode: impl Fn([f32; WIDTH]) -> Rbt,
+) -> Vec<Keyframe> {
+    let first: Vec<Vec3> = rows(bytes, plan).take(plan.nodes).map(|(_, row)| decode(row).translation).collect();
+    let place_of_row = match_joints(&first, scene, options, plan);
+    // So many were counted in the text.
+    let mut keyframes: Vec<Keyframe> = Vec::with_capacity(plan.keyframes);
+    let mut pose = scene.rest_pose().as_slice().to_vec();
+    for (place, (_, row)) in rows(bytes, plan).enumerate() {
+        let row_of_keyframe = place % plan.nodes;
+        if let Some(node) = place_of_row[row_of_keyframe] {
+            pose[node] = decode(row);
+        }
+        if row_of_keyframe + 1 == plan.nodes {
+            // Poses that do not change share their storage.
+            let same = keyframes.last().filter(|last| last.pose.as_slice() == pose).map(|last| last.pose.clone());
+            keyframes.push(Keyframe::new(same.unwrap_or_else(|| Pose::from_shared(pose.as_slice().into()))));
+        }
+    }
+    keyframes
+}
+
+fn rbt([a, b, c, d, e, f, g]: [f32; 7], order: FieldOrder) -> Rbt {
+    let (translation, [w, x, y, z]) = match order {
+        FieldOrder::TranslationFirst => ([a, b, c], [d, e, f, g]),
+        FieldOrder::QuaternionFirst => ([e, f, g], [a, b, c, d]),
+    };
+    Rbt::new(translation.into(), near_unit(Quat::from_xyzw(x, y, z, w)))
+}
+
+/// The rotation itself where it is unit, else normalised; the sign is kept.
+fn near_unit(rotation: Quat) -> Quat {
+    let exact = rotation.as_dquat();
+    if (exact.length() - 1.0).abs() <= KEPT_TOLERANCE { rotation } else { exact.normalize().as_quat() }
+}
+
+/// A row whose four numbers are no unit quaternion.
+#[derive(Clone, Copy)]
+struct NotUnit {
+    row: usize,
+    at: usize,
+    length: f64,
+}
+
+/// The first row of each order whose quaternion is not unit.
+fn first_not_unit(bytes: &[u8], plan: &Plan, tolerance: f64) -> [Option<NotUnit>; 2] {
+    let mut found = [None; 2];
+    for (row, (at, numbers)) in rows::<7>(bytes, plan).enumerate() {
+        for (four, first) in [&numbers[3..], &numbers[..4]].into_iter().zip(&mut found) {
+            let length = four.iter().map(|&number| f64::from(number).powi(2)).sum::<f64>().sqrt();
+            if first.is_none() && (length - 1.0).abs() > tolerance {
+                *first = Some(NotUnit { row, at, length });
+            }
+        }
+        if found.iter().all(Option::is_some) {
+            break;
+        }
+    }
+    found
+}
+
+fn field_order(
+    bytes: &[u8],
+    plan: &mut Plan,
+    named: Option<FieldOrder>,
+    options: &Options,
+) -> Result<FieldOrder, TextError> {
+    let tolerance = if options.order.is_some() { GIVEN_ORDER_TOLERANCE } else { UNIT_TOLERANCE };
+    let not_unit = first_not_unit(bytes, plan, tolerance);
+    let is_possible = not_unit.map(|row| row.is_none());
+    let rows = counted(plan.keyframes * plan.nodes, "row");
+    let order = match (options.order, is_possible) {
+        (Some(order), _) => order,
+        (None, [true, true]) => named.unwrap_or(FieldOrder::TranslationFirst),
+        (None, [true, false]) => FieldOrder::TranslationFirst,
+        (None, [false, true]) => FieldOrder::QuaternionFirst,
+        // The order that holds for longer.
+        (None, [false, false]) => {
+            let until = not_unit.map(|row| row.map_or(0, |row| row.row));
+            if until[1] > until[0] { FieldOrder::QuaternionFirst } else { FieldOrder::TranslationFirst }
+        }
+    };
+    if let Some(NotUnit { row, at, length }) = not_unit[order as usize] {
+        let (keyframe, row) = (row / plan.nodes, row % plan.nodes);
+        let four = if order == FieldOrder::TranslationFirst { "last" } else { "first" };
+        let hint = if options.order.is_some() { "" } else { "; nor are the other four unit in all rows" };
+        #[expect(clippy::cast_possible_truncation, reason = "it is for a message")]
+        let length = length as f32;
+        let error = TextError::new(bytes, at, TextProblem::NotUnit { keyframe, row, four, length, hint });
+        salvage(plan, keyframe, error, options)?;
+    }
+    let words = order.words();
+    if options.order.is_some() {
+        plan.find(Certainty::Sure, format!("order: {words}, as --order says"));
+    } else if plan.keyframes == 0 {
+    } else if is_possible == [true, true] {
+        match named {
+            Some(_) => plan.find(Certainty::Sure, format!("order: {words}, as the header names the columns")),
+            None => plan.find(
+                Certainty::Warning,
+                format!(
+                    "order: either four numbers are unit in all {rows}: taken as {words}; --order decides otherwise"
+                ),
+            ),
+        }
+    } else {
+        plan.find(Certainty::Sure, format!("order: {words}: only those four numbers are unit in all {rows}"));
+        if named.is_some_and(|named| named != order) {
+            plan.find(Certainty::Warning, "order: the header names the columns the other way round");
+        }
+    }
+    Ok(order)
+}
+
+/// Leaves out what begins with a broken keyframe, if that is wanted and anything is left.
+fn salvage(plan: &mut Plan, broken: usize, error: TextError, options: &Options) -> Result<(), TextError> {
+    if !options.salvage || broken == 0 {
+        return Err(error);
+    }
+    plan.keyframes = broken;
+    plan.find(Certainty::Warning, format!("salvaged: keyframe {broken} and those after it are left out: {error}"));
+    Ok(())
+}
+
+fn check_matrices(bytes: &[u8], plan: &mut Plan, options: &Options) -> Result<(), TextError> {
+    let broken = rows::<16>(bytes, plan).enumerate().find(|(_, (_, matrix))| rigid(matrix).is_none());
+    let Some((place, (at, _))) = broken else { return Ok(()) };
+    let (keyframe, row) = (place / plan.nodes, place % plan.nodes);
+    let error = TextError::new(bytes, at, TextProblem::NotRigid { keyframe, row });
+    salvage(plan, keyframe, error, options)
+}
+
+/// The transform of a column-major matrix, if it is rigid to within the tolerance.
+fn rigid(matrix: &[f32; 16]) -> Option<Rbt> {
+    let near = |number: f64, expected: f64| (number - expected).abs() <= UNIT_TOLERANCE;
+    let bottom = [3, 7, 11, 15].map(|place| f64::from(matrix[place]));
+    if !bottom.into_iter().zip([0.0, 0.0, 0.0, 1.0]).all(|(number, expected)| near(number, expected)) {
+        return None;
+    }
+    let column = |place: usize| Vec3::new(matrix[place], matrix[place + 1], matrix[place + 2]);
+    let [x, y, z] = [0, 4, 8].map(column);
+    let exact = [x, y, z].map(|column: Vec3| column.as_dvec3());
+    let is_unit = exact.iter().all(|column| near(column.length(), 1.0));
+    let is_orthogonal = [(0, 1), (1, 2), (2, 0)].iter().all(|&(a, b)| near(exact[a].dot(exact[b]), 0.0));
+    if !is_unit || !is_orthogonal || exact[0].cross(exact[1]).dot(exact[2]) < 0.0 {
+        return None;
+    }
+    let rotation = Quat::from_mat3(&Mat3::from_cols(x, y, z)).as_dquat().normalize().as_quat();
+    Some(Rbt::new(column(12), rotation))
+}

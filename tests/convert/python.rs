@@ -1,0 +1,92 @@
+//! Python dictionaries of keys, to a scene with a control node.
+
+use glam::{Quat, Vec3};
+use inbetween::scene::{NodeKind, scene_from_json};
+use inbetween::text_layouts::{Imported, Options, import};
+use inbetween::timed::{TransformKeyframes, rotation_from_euler_degrees};
+
+use super::refusal;
+use super::samples::{PYTHON, scene};
+
+#[track_caller]
+fn keys(text: &str) -> TransformKeyframes {
+    match import(text.as_bytes(), &scene(), &Options::default()) {
+        Ok(Imported::Scene(text, _)) => {
+            let scene = scene_from_json(&text).unwrap();
+            match &scene.node(scene.find("keyed").unwrap()).kind {
+                NodeKind::Control(keys) => keys.clone(),
+                other => panic!("{other:?}"),
+            }
+        }
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn all_three_kinds() {
+    for text in [PYTHON.to_owned(), PYTHON.replace('\n', "\r\n"), format!("\u{feff}{PYTHON}")] {
+        let keys = keys(&text);
+        assert_eq!(keys.translation.value_at(1.0), Vec3::new(0.5, 0.5, 0.0));
+        assert_eq!(keys.translation.value_at(9.0), Vec3::new(0.0, -0.85, 0.0));
+        assert!(keys.rotation.value_at(2.0).dot(rotation_from_euler_degrees([180.0, 45.0, 90.0])).abs() > 0.999_999);
+        assert!(keys.rotation.value_at(3.0).dot(Quat::from_rotation_y(std::f32::consts::FRAC_PI_2)).abs() > 0.999_999);
+        assert_eq!(keys.rotation.value_at(4.0), Quat::from_xyzw(0.0, 0.0, 0.6, 0.8));
+        assert_eq!(keys.scale.value_at(2.0), Vec3::new(0.5, 1.0, 2.0));
+        assert_eq!(keys.scale.len(), 3);
+    }
+}
+
+#[test]
+fn a_dictionary_without_a_name_is_told_by_its_values() {
+    assert_eq!(keys("{0: vec(0, 0, 0), 2: vec(1, 1, 0)}").translation.len(), 2);
+    assert_eq!(keys("{ 0 : 1, 2: .5, }").scale.value_at(2.0), Vec3::splat(0.5));
+    assert_eq!(keys("{0: quaternion(), -1: quaternion(w=1)}").rotation.len(), 2);
+    assert_eq!(keys("translate_keys={0: (0, 1, 2), 1: [0, 1, 2]}, scale_keys={}").translation.len(), 2);
+    let radians = keys("{0: quaternion_from_axis_angle((0, 0, 2), radians=1.5707963)}").rotation.value_at(0.0);
+    assert!(radians.dot(Quat::from_rotation_z(std::f32::consts::FRAC_PI_2)) > 0.999_999);
+}
+
+#[test]
+fn what_is_wrong_has_its_place() {
+    for (text, sentence) in [
+        ("{0: vec(0, 0)}", "line 1 column 5: found \"vec(0, 0)}\", expected a translation, as in vec(0, 1, 0)"),
+        (
+            "{0: vec(0, 0, 0) 1: vec(0, 0, 0)}",
+            "line 1 column 18: found \"1: vec(0, 0, 0)}\", expected \",\" or \"}\" after the value",
+        ),
+        ("{0: vec(0, 0, 0),\n 0.0: vec(1, 0, 0)}", "line 2 column 2: a second key at 0 s, expected one at each time"),
+        ("{0: vec(0, nan, 0)}", "line 1 column 12: \"nan\" is not finite, expected a number"),
+        ("{0: vec(0, 1e99, 0)}", "line 1 column 12: \"1e99\" is not finite, expected a number"),
+        ("{0: vec(0, 0, 0)", "line 1 column 17: found the end of the file, expected \",\" or \"}\" after the value"),
+        ("{0: 1, 1: 0}", "line 1 column 11: found \"0}\", expected a scale above 0, at most 1e6"),
+        (
+            "{0: quaternion(1, 1, 0, 0)}",
+            "line 1 column 5: found \"quaternion(1, 1, 0, 0)}\", expected x, y, z and w of a unit quaternion",
+        ),
+        (
+            "{0: quaternion(), 1: 2}",
+            "line 1 column 22: found \"2}\", expected a rotation: quaternion, quaternion_from_euler or quaternion_from_axis_angle",
+        ),
+        (
+            "keys = {0: 1}",
+            "line 1 column 1: found \"keys = {0: 1}\", expected translate_keys, rotate_keys or scale_keys",
+        ),
+        (
+            "scale_keys = {}",
+            "line 1 column 16: found the end of the file, expected translate_keys, rotate_keys or scale_keys with at least one key",
+        ),
+        (
+            "{0: lambda()}",
+            "line 1 column 5: found \"lambda()}\", expected vec, quaternion, quaternion_from_euler, quaternion_from_axis_angle, or a number",
+        ),
+        (
+            "{0: 1}\n{0: 2}",
+            "line 2 column 1: found a second dictionary of the same kind, expected one each of translate_keys, rotate_keys and scale_keys",
+        ),
+    ] {
+        assert_eq!(refusal(text), sentence);
+    }
+    assert!(refusal(format!("{{0: {}", "(".repeat(1_000_000))).contains("fewer parentheses"));
+    let many = "{0: 1".to_owned() + &", 0: 1".repeat(20_000);
+    assert!(refusal(many).contains("more than 20000 keys"));
+}
