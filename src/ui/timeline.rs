@@ -58,6 +58,8 @@ pub struct Timeline {
     view: Option<View>,
     /// What is in sight as long as nobody does: kept while a drag goes on, so that nothing moves under the pointer.
     untouched: Option<View>,
+    /// For how many keyframes and what width that is.
+    fitted_to: (usize, f32),
     scroll: f32,
     drag: Option<Drag>,
     hovered: Option<Hit>,
@@ -104,6 +106,7 @@ impl Timeline {
             scale: &scale,
             columns: &columns,
             range: played(editor),
+            has_rows: self.tab == Tab::Keyframes,
             rows: shown_rows,
             scroll: self.scroll,
         };
@@ -127,7 +130,7 @@ impl Timeline {
         self.columns = columns;
     }
 
-    fn paint(&self, ui: &Ui, look: &Look<'_>, rows: &[rows::Row]) {
+    fn paint(&mut self, ui: &Ui, look: &Look<'_>, rows: &[rows::Row]) {
         let layout = look.target.layout;
         let painter = ui.painter().with_clip_rect(layout.scaled().intersect(ui.clip_rect()));
         let side = layout.header.union(layout.labels);
@@ -156,7 +159,10 @@ impl Timeline {
         let width = layout.tracks.width();
         let (first, last) = columns.ends();
         let is_still = self.drag.is_none() && !self.graphs.is_dragging();
-        if self.untouched.is_none() || is_still {
+        let fitted_to = (columns.len(), width);
+        if is_still && self.fitted_to != fitted_to {
+            // More keyframes, or another width: what nobody zoomed fits itself. Retiming leaves it alone.
+            self.fitted_to = fitted_to;
             let fresh = View::at_first(first, last, width);
             let same_zoom = self.untouched.filter(|view| view.points_per_unit == fresh.points_per_unit);
             self.untouched = Some(same_zoom.unwrap_or(fresh));

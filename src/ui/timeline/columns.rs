@@ -34,12 +34,6 @@ impl Columns {
         self.times.len()
     }
 
-    /// Whether there is none.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.times.is_empty()
-    }
-
     /// When a keyframe of the list is reached.
     #[must_use]
     pub fn time(&self, place: usize) -> f64 {

@@ -96,6 +96,8 @@ pub struct Target<'a> {
     pub columns: &'a Columns,
     /// The first and the last keyframe that play; `None` where none does.
     pub range: Option<(usize, usize)>,
+    /// Whether there are rows; where there are graphs instead, the tracks scrub as the ruler does.
+    pub has_rows: bool,
     /// How many rows of nodes there are.
     pub rows: usize,
     /// How far the rows of nodes are scrolled.
@@ -109,6 +111,9 @@ impl Target<'_> {
         let layout = self.layout;
         if layout.ruler.contains(at) {
             return self.range_handle(at).unwrap_or(Hit::Ruler);
+        }
+        if !self.has_rows {
+            return Hit::Ruler;
         }
         let row_middle = if layout.summary.contains(at) {
             Some(layout.summary.center().y)
@@ -221,6 +226,7 @@ mod tests {
             scale: &scale,
             columns: &columns,
             range: Some((1, 4)),
+            has_rows: true,
             rows: 3,
             scroll: 0.0,
         };

@@ -64,6 +64,10 @@ impl View {
     #[must_use]
     pub fn showing(self, time: f64, width: f32) -> Self {
         let seen = f64::from(width) / self.points_per_unit;
+        let edge = (MARGIN / 2.0 / self.points_per_unit).min(seen / 4.0);
+        if (self.start + edge..=self.start + seen - edge).contains(&time) {
+            return self;
+        }
         let room = (2.0 * MARGIN / self.points_per_unit).min(seen / 4.0);
         let start = self.start.clamp(time + room - seen, time - room);
         Self { start, ..self }
