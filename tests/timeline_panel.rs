@@ -4,7 +4,10 @@
 mod common;
 
 use common::{apply, editor_with, press, shown};
-use egui::{CursorIcon, Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, Pos2, TouchPhase, Vec2, pos2, vec2};
+use egui::{
+    CursorIcon, Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, Pos2, Role, TouchPhase, Vec2,
+    pos2, vec2,
+};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use inbetween::editor::{Command, Edit, Editor, PlayMode, PlaybackCommand, TimelineEdit, ViewCommand};
@@ -69,7 +72,7 @@ fn durations(harness: &Timeline) -> Vec<f64> {
 
 /// Where a keyframe's diamond is.
 fn at(harness: &Timeline, place: usize) -> Pos2 {
-    harness.get_by_label(&format!("Keyframe {place}")).rect().center()
+    harness.get_by_role_and_label(Role::ListBoxOption, &format!("Keyframe {place}")).rect().center()
 }
 
 fn ruler(harness: &Timeline, place: usize) -> Pos2 {
@@ -286,6 +289,9 @@ fn scroll(harness: &mut Timeline, at: Pos2, delta: Vec2, modifiers: Modifiers) {
     hold(harness, Modifiers::NONE);
 }
 
+/// Where the first and the last keyframe stand that fit: 24 points from the ends of the tracks.
+const FITTED: [f32; 2] = [216.0, 1248.0];
+
 #[test]
 fn the_wheel_zooms_about_the_pointer_and_pans() {
     let mut harness = six();
@@ -309,15 +315,15 @@ fn the_wheel_zooms_about_the_pointer_and_pans() {
     button(&mut harness, pointer + vec2(50.0, 0.0), PointerButton::Middle, false);
     assert!((at(&harness, 2).x - before - 50.0).abs() < 12.0);
     click(&mut harness, "Fit all");
-    assert!((at(&harness, 0).x - 208.0).abs() < 1.0 && (at(&harness, 5).x - 1256.0).abs() < 1.0);
+    assert_eq!([0, 5].map(|place| at(&harness, place).x.round()), FITTED);
     apply(&mut harness.state_mut().editor, Command::View(ViewCommand::SelectKeyframes(indices(&[1, 2, 3]))));
     click(&mut harness, "Fit selection");
-    assert!((at(&harness, 1).x - 208.0).abs() < 1.0 && (at(&harness, 3).x - 1256.0).abs() < 1.0);
+    assert_eq!([1, 3].map(|place| at(&harness, place).x.round()), FITTED);
     harness.hover_at(pointer);
     harness.run();
     harness.key_press(Key::F);
     harness.run();
-    assert!((at(&harness, 5).x - 1256.0).abs() < 1.0);
+    assert_eq!([0, 5].map(|place| at(&harness, place).x.round()), FITTED);
 }
 
 #[test]

@@ -58,6 +58,7 @@ pub enum Icon {
 }
 
 /// Draws an icon about a centre.
+#[expect(clippy::too_many_lines, reason = "it is one set")]
 pub fn paint(painter: &Painter, icon: Icon, centre: Pos2, colour: Color32) {
     let at = |x: f32, y: f32| centre + vec2(x, y);
     let stroke = Stroke::new(1.5, colour);

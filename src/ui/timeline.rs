@@ -288,7 +288,11 @@ impl Timeline {
         let area = Rect::from_min_size(pos2(x, target.layout.ruler.top() + 8.0), vec2(NAME_FIELD, ROW + 2.0));
         let id = Id::unique("name of a keyframe");
         let hint = format!("Name of keyframe {place}");
-        let field = TextEdit::singleline(&mut renaming.typed).id(id).hint_text(&hint).char_limit(100);
+        let field = TextEdit::singleline(&mut renaming.typed)
+            .id(id)
+            .hint_text(&hint)
+            .char_limit(100)
+            .align(egui::Align2::LEFT_CENTER);
         let response = ui.put(area, field);
         response.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, &hint));
         if std::mem::take(&mut renaming.is_new) {
@@ -357,9 +361,8 @@ fn diamonds(timeline: &mut Timeline, ui: &Ui, look: &Look<'_>, commands: &mut Ve
         let response = ui.interact(area, id, Sense::focusable_noninteractive());
         let index = KeyframeIndex::new(place);
         let is_current = editor.document().keyframes.current() == Some(index);
-        response.widget_info(|| {
-            WidgetInfo::selected(Role::ListBoxOption, true, is_current, format!("Keyframe {place}"))
-        });
+        response
+            .widget_info(|| WidgetInfo::selected(Role::ListBoxOption, true, is_current, format!("Keyframe {place}")));
         let is_asked = ui.input(|input| input.has_accesskit_action_request(id, egui::accesskit::Action::Click));
         if is_asked {
             timeline.pick(place, editor, egui::Modifiers::NONE, commands);

@@ -70,8 +70,7 @@ pub fn combined(before: &[KeyframeIndex], taken: std::ops::Range<usize>, mode: M
         Mode::Replace => Vec::new(),
         Mode::Add | Mode::Toggle => before.iter().filter(|index| !is_taken(index)).copied().collect(),
     };
-    let keeps =
-        |index: &KeyframeIndex| mode != Mode::Toggle || before.binary_search(index).is_err();
+    let keeps = |index: &KeyframeIndex| mode != Mode::Toggle || before.binary_search(index).is_err();
     selected.extend(taken.clone().map(KeyframeIndex::new).filter(keeps));
     selected.sort_unstable();
     selected
@@ -359,8 +358,7 @@ fn ranging(target: &Target<'_>, x: f32, is_start: bool) -> Option<Command> {
     let (first, last) = target.range?;
     let most = target.columns.len().checked_sub(2)?;
     let place = target.columns.nearest(target.scale.time_at(x))?;
-    let range =
-        if is_start { (place.clamp(1, last - 1), last) } else { (first, place.clamp(first + 1, most)) };
+    let range = if is_start { (place.clamp(1, last - 1), last) } else { (first, place.clamp(first + 1, most)) };
     let range_or_all = (range != (1, most)).then_some(range);
     (range != (first, last)).then_some(Command::Playback(PlaybackCommand::SetRange(range_or_all)))
 }

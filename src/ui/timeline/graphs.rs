@@ -1,8 +1,8 @@
 //! Graphs of the chosen node over time: the interpolation in force strong, the other faint. Dots of the translation can be dragged.
 
 use egui::{
-    Align2, Color32, CursorIcon, FontFamily, FontId, Key, Painter, PointerButton, Pos2, Rect, Response, Role, Sense, Shape,
-    Stroke, Ui, WidgetInfo, pos2, vec2,
+    Align2, Color32, CursorIcon, FontFamily, FontId, Key, Painter, PointerButton, Pos2, Rect, Response, Role, Sense,
+    Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
 };
 use glam::Vec3;
 
@@ -164,7 +164,8 @@ impl Graphs {
         let warned = warnings(look, rbt).into_iter().find(|&(x, ..)| warning_place(look, x).distance(at) <= 9.0);
         let Some((_, place, degrees)) = warned else { return false };
         let heading = format!("Keyframe {place} to {} turns by {degrees:.1}°", place + 1);
-        let body = "So near to half a turn, which way round it goes is a matter of luck. A keyframe between them decides it.";
+        let body =
+            "So near to half a turn, which way round it goes is a matter of luck. A keyframe between them decides it.";
         response.clone().on_hover_ui_at_pointer(|ui| tip(ui, &heading, body, look));
         true
     }
@@ -229,8 +230,12 @@ impl Graphs {
             painter.text(tracks.center(), Align2::CENTER_CENTER, text, FontId::proportional(12.0), look.tokens.dim);
             return;
         };
-        let shown: Vec<Quantity> =
-            Quantity::ALL.into_iter().zip(self.shown).filter(|&(_, is_on)| is_on).map(|(quantity, _)| quantity).collect();
+        let shown: Vec<Quantity> = Quantity::ALL
+            .into_iter()
+            .zip(self.shown)
+            .filter(|&(_, is_on)| is_on)
+            .map(|(quantity, _)| quantity)
+            .collect();
         #[expect(clippy::cast_precision_loss, reason = "there are at most four")]
         let height = tracks.height() / shown.len().max(1) as f32;
         for (place, quantity) in shown.into_iter().enumerate() {
@@ -273,7 +278,8 @@ impl Graphs {
         }
         let in_sight = columns.within(&scale.in_sight(0.0));
         let dots = if axes == 3 && in_sight.len() < 400 { in_sight } else { 0..0 };
-        let own = dots.clone().flat_map(|place| document.keyframes.as_slice()[place].pose.get(rbt).translation.to_array());
+        let own =
+            dots.clone().flat_map(|place| document.keyframes.as_slice()[place].pose.get(rbt).translation.to_array());
         let all = curves.iter().flat_map(|(_, _, values)| values.iter().flat_map(|value| value[..axes].to_vec()));
         let least = if matches!(quantity, Quantity::Translation | Quantity::Speed) { 0.1 } else { 2.0 };
         let (low, high) = room(all.chain(own), least);
@@ -286,7 +292,8 @@ impl Graphs {
             for axis in 0..axes {
                 let colour = colour_of(look, quantity, axis);
                 let colour = if *is_in_force { colour } else { colour.gamma_multiply(0.35) };
-                let points = times.iter().zip(values).map(|(&time, value)| pos2(scale.x_of(time), lane.y_of(value[axis])));
+                let points =
+                    times.iter().zip(values).map(|(&time, value)| pos2(scale.x_of(time), lane.y_of(value[axis])));
                 painter.line(points.collect(), Stroke::new(if *is_in_force { 1.6 } else { 1.0 }, colour));
             }
         }

@@ -36,7 +36,8 @@ pub fn header(timeline: &mut Timeline, ui: &Ui, layout: &Layout, columns: &Colum
             timeline.tab = tab;
         }
     }
-    let at = |place: f32| Rect::from_center_size(pos2(layout.header.right() - 16.0 - 24.0 * place, middle), vec2(24.0, ROW));
+    let at =
+        |place: f32| Rect::from_center_size(pos2(layout.header.right() - 16.0 - 24.0 * place, middle), vec2(24.0, ROW));
     if button_at(ui, at(1.0), Icon::FitAll, "Fit all", "F over the timeline", true, false) {
         timeline.fit_all(layout, columns);
     }
@@ -67,15 +68,7 @@ pub fn rows(timeline: &mut Timeline, ui: &Ui, look: &Look<'_>, rows: &[Row], com
     }
 }
 
-fn name(
-    ui: &Ui,
-    painter: &Painter,
-    look: &Look<'_>,
-    row: &Row,
-    seen: Rect,
-    rect: Rect,
-    commands: &mut Vec<Command>,
-) {
+fn name(ui: &Ui, painter: &Painter, look: &Look<'_>, row: &Row, seen: Rect, rect: Rect, commands: &mut Vec<Command>) {
     let tokens = look.tokens;
     let scene = look.editor.scene();
     let is_chosen = look.editor.session().chosen == Some(row.rbt);

@@ -1,6 +1,8 @@
 //! The context menu of the timeline, with little pictures of the easings.
 
-use egui::{Button, DragValue, Popup, PopupCloseBehavior, Response, RichText, Role, Sense, Stroke, Ui, WidgetInfo, vec2};
+use egui::{
+    Button, DragValue, Popup, PopupCloseBehavior, Response, RichText, Role, Sense, Stroke, Ui, WidgetInfo, vec2,
+};
 
 use super::drag_of_number;
 use super::hit::{Hit, Target};
@@ -128,13 +130,16 @@ impl Timeline {
 
 fn caption(ui: &mut Ui, text: &str) {
     ui.horizontal(|ui| {
-        ui.add_space(8.0);
+        ui.add_space(2.0);
         ui.label(RichText::new(text).small().color(Tokens::of(ui).dim));
     });
 }
 
 fn row(ui: &mut Ui, label: &str, key: &str, is_enabled: bool) -> bool {
-    let button = Button::new(label).shortcut_text(RichText::new(key).monospace()).min_size(vec2(0.0, ROW));
+    let mut button = Button::new(label).min_size(vec2(0.0, ROW));
+    if !key.is_empty() {
+        button = button.shortcut_text(RichText::new(key).monospace());
+    }
     was_pressed(&ui.add_enabled(is_enabled, button))
 }
 
@@ -153,9 +158,14 @@ fn duration(ui: &mut Ui, keyframe: KeyframeIndex, duration: f64, editor: &Editor
     let is_last = editor.document().keyframes.last() == Some(keyframe);
     ui.add_enabled_ui(!editor.is_playing() && !is_last, |ui| {
         ui.horizontal(|ui| {
-            ui.add_space(8.0);
+            ui.add_space(2.0);
             ui.label("Duration");
             ui.add_space(2.0 * GRID);
+            // A field is a little sunken.
+            let tokens = Tokens::of(ui);
+            let inactive = &mut ui.visuals_mut().widgets.inactive;
+            inactive.weak_bg_fill = tokens.window;
+            inactive.bg_stroke.color = tokens.line;
             let mut steps = duration;
             let number = DragValue::new(&mut steps)
                 .range(DURATION_RANGE)
@@ -186,7 +196,7 @@ pub fn easings(ui: &mut Ui, current: Easing) -> Option<Easing> {
     ui.spacing_mut().item_spacing = vec2(GRID, GRID);
     ui.add_space(GRID);
     egui::Grid::new("easings").spacing(vec2(GRID, GRID)).min_col_width(PICTURE.x).show(ui, |ui| {
-        for (place, heading) in ["", "in", "out", "in and out"].into_iter().enumerate() {
+        for (place, heading) in ["", "in", "out", "in-out"].into_iter().enumerate() {
             if place == 0 {
                 ui.label("");
             } else {

@@ -291,7 +291,13 @@ pub fn nodes(painter: &Painter, look: &Look<'_>, rows: &[Row]) {
             };
             let centre = pos2(*x, y);
             if moves {
-                diamond(&painter, centre, most, if group.steers { tokens.window } else { colour }, Stroke::new(1.2, colour));
+                diamond(
+                    &painter,
+                    centre,
+                    most,
+                    if group.steers { tokens.window } else { colour },
+                    Stroke::new(1.2, colour),
+                );
             } else {
                 diamond(&painter, centre, most - 0.8, Color32::TRANSPARENT, Stroke::new(1.0, colour));
             }
@@ -306,7 +312,8 @@ pub fn playhead(painter: &Painter, look: &Look<'_>) {
     let x = look.target.scale.x_of(look.target.columns.time_of_key(key_time));
     let colour = look.tokens.accent;
     let top = layout.ruler.top();
-    painter.vline(x, top + 8.0..=layout.tracks.bottom(), Stroke::new(1.5, colour));
+    // The line leaves out the number of a keyframe that it stands at.
+    painter.vline(x, top + 27.0..=layout.tracks.bottom(), Stroke::new(1.5, colour));
     let at = |dx: f32, dy: f32| pos2(x + dx, top + dy);
     let corners = vec![at(-5.5, 0.0), at(5.5, 0.0), at(5.5, 6.0), at(0.0, 12.0), at(-5.5, 6.0)];
     painter.add(Shape::convex_polygon(corners, colour, Stroke::NONE));
@@ -359,7 +366,9 @@ fn insertion(painter: &Painter, look: &Look<'_>, grabbed: usize, at: Pos2) {
         let (first, last) = columns.ends();
         let (before, after) = (to.checked_sub(1), (to < columns.len()).then_some(to));
         let x = match (before, after) {
-            (Some(before), Some(after)) => f32::midpoint(scale.x_of(columns.time(before)), scale.x_of(columns.time(after))),
+            (Some(before), Some(after)) => {
+                f32::midpoint(scale.x_of(columns.time(before)), scale.x_of(columns.time(after)))
+            }
             (None, _) => scale.x_of(first) - 14.0,
             (_, None) => scale.x_of(last) + 14.0,
         };

@@ -46,7 +46,8 @@ impl Rows {
                 continue;
             }
             let below = scene.subtree(id);
-            let count = scene.nodes()[below.clone()].iter().filter(|node| matches!(node.kind, NodeKind::Rbt(_))).count();
+            let count =
+                scene.nodes()[below.clone()].iter().filter(|node| matches!(node.kind, NodeKind::Rbt(_))).count();
             let has_children = count > 1;
             let is_unfolded = self.unfolded.contains(&rbt);
             if !is_unfolded {

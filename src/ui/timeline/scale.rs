@@ -77,11 +77,7 @@ impl View {
     #[must_use]
     pub fn paged(self, time: f64, width: f32) -> Self {
         let seen = f64::from(width) / self.points_per_unit;
-        if (self.start..=self.start + seen).contains(&time) {
-            self
-        } else {
-            Self { start: time - seen * 0.1, ..self }
-        }
+        if (self.start..=self.start + seen).contains(&time) { self } else { Self { start: time - seen * 0.1, ..self } }
     }
 }
 

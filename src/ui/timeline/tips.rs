@@ -62,8 +62,7 @@ fn keyframe(look: &Look<'_>, place: usize) -> (String, String) {
     if steers {
         lines.push("It only steers the spline: it is not played.".to_owned());
     } else if count >= 4 {
-        let seconds =
-            look.target.columns.time(place) * f64::from(look.editor.document().ms_between_keyframes) / 1000.0;
+        let seconds = look.target.columns.time(place) * f64::from(look.editor.document().ms_between_keyframes) / 1000.0;
         lines.push(format!("Key time {} · {seconds:.2} s", place - 1));
     }
     if place + 1 < count {
