@@ -1,13 +1,16 @@
 //! The command line: arguments in, text, files and an exit status out. One file a command.
 //!
 //! Exit statuses: 0 done, 1 bad input, 2 wrong usage, 3 no display or no GPU adapter. Where the status is 1, what is wrong stands on
-//! standard error, a sentence a line, and nothing on standard output.
+//! standard error, a sentence a line, and nothing on standard output. Commands that compare end with 0 within the tolerance, 1 beyond,
+//! 2 where they cannot tell.
 
 mod animation;
 mod arguments;
 mod check;
+mod compare;
 mod convert;
 mod error;
+mod interrupt;
 mod nodes;
 mod output;
 mod picture;
@@ -18,6 +21,7 @@ mod sample;
 mod scene;
 mod script;
 mod times;
+mod verify;
 mod window;
 
 use std::ffi::OsString;
@@ -41,6 +45,8 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
             let _ = error.print();
             ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2))
         }
+        // What is beyond is said on standard output already.
+        Err(CliError::Beyond) => ExitCode::from(1),
         Err(error) => {
             output::complain(&error.to_string());
             ExitCode::from(error.exit_status())
@@ -59,6 +65,8 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>) -> Result<(), CliErro
         Some(Subcommand::Nodes) => nodes::run(&scene::load(scene)?),
         Some(Subcommand::Sample(arguments)) => sample::run(&arguments, &scene::load(scene)?),
         Some(Subcommand::Render(arguments)) => render::run(&arguments, scene),
+        Some(Subcommand::Verify(arguments)) => verify::run(&arguments, scene),
+        Some(Subcommand::Compare(arguments)) => compare::run(&arguments),
         Some(Subcommand::Script(arguments)) => script::run(&arguments, scene::load(scene)?),
     }
 }

@@ -32,6 +32,7 @@
 //! | 3 | [`editor`] | no wgpu, egui, winit, file system |
 //! | 4 | [`frame`] | |
 //! | 5 | [`render`], [`ui`] | wgpu; egui |
+//! | 6 | [`compare`], [`film`] | pictures in, numbers and bytes out |
 //! | 6 | [`storage`] | the file system |
 //! | 7 | [`window`], [`cli`] | winit; clap |
 //!
@@ -63,7 +64,9 @@
 pub mod camera;
 pub mod cli;
 pub mod clock;
+pub mod compare;
 pub mod editor;
+pub mod film;
 pub mod frame;
 pub mod interpolation;
 pub mod json;

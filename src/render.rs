@@ -9,6 +9,7 @@
 
 mod bounds;
 mod gpu;
+mod identity;
 mod image;
 mod instances;
 mod light;
@@ -16,12 +17,15 @@ mod look;
 mod mesh;
 mod offscreen;
 mod pipelines;
+mod read;
 mod renderer;
 mod targets;
 mod uniforms;
 mod warm_up;
 
 pub use gpu::{Gpu, GpuError};
+pub use identity::node_picture;
 pub use image::Image;
 pub use offscreen::Offscreen;
+pub use read::ImageReadError;
 pub use renderer::{Background, Renderer, Viewport, default_samples};

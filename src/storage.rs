@@ -88,6 +88,17 @@ pub fn write_with(path: &Path, write: impl FnOnce(&mut dyn io::Write) -> io::Res
     Ok(())
 }
 
+/// As [`write`], but without waiting for the disk: for pictures that can be made again. After a power cut they may be gone; an
+/// interrupted program leaves them whole or not at all.
+///
+/// # Errors
+/// [`StorageError::System`]; the file is as it was then.
+pub fn write_unsynced(path: &Path, bytes: &[u8]) -> Result<(), StorageError> {
+    let foreign = Foreign::new(path)?;
+    fs::write(foreign.path(), bytes)?;
+    Ok(fs::rename(foreign.path(), &foreign.target)?)
+}
+
 /// Copies a file, if it exists, to the first free name of `NAME.bak`, `NAME.bak2` and on, and says which.
 ///
 /// # Errors
@@ -133,4 +144,108 @@ pub fn create_folder(path: &Path) -> Result<(), StorageError> {
 #[must_use]
 pub fn exists(path: &Path) -> bool {
     path.exists()
+}
+
+/// A file that is being written, piece by piece, beside the one whose place it takes at the end. Dropped before, it leaves nothing.
+#[derive(Debug)]
+pub struct Draft {
+    file: io::BufWriter<AtomicWriteFile>,
+}
+
+impl Draft {
+    /// An empty file for that place. A symbolic link stays one; the file it leads to is replaced.
+    ///
+    /// # Errors
+    /// [`StorageError::System`]
+    pub fn new(path: &Path) -> Result<Self, StorageError> {
+        let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+        if target.is_dir() {
+            return Err(io::Error::from(io::ErrorKind::IsADirectory).into());
+        }
+        Ok(Self { file: io::BufWriter::with_capacity(1 << 18, AtomicWriteFile::open(target)?) })
+    }
+
+    /// Syncs what was written and puts it in its place.
+    ///
+    /// # Errors
+    /// [`StorageError::System`]; what stood there before is as it was.
+    pub fn commit(self) -> Result<(), StorageError> {
+        Ok(self.file.into_inner().map_err(io::IntoInnerError::into_error)?.commit()?)
+    }
+}
+
+impl io::Write for Draft {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.file.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.file.flush()
+    }
+}
+
+/// A file that another program writes beside the one whose place it takes at the end. Dropped before, it is removed.
+#[derive(Debug)]
+pub struct Foreign {
+    beside: PathBuf,
+    target: PathBuf,
+}
+
+impl Foreign {
+    /// A name beside that place, which nothing has yet.
+    ///
+    /// # Errors
+    /// [`StorageError::System`]: the place is a folder, or lies in none.
+    pub fn new(path: &Path) -> Result<Self, StorageError> {
+        let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+        if target.is_dir() {
+            return Err(io::Error::from(io::ErrorKind::IsADirectory).into());
+        }
+        let mut name = std::ffi::OsString::from(".");
+        name.push(target.file_name().ok_or(io::ErrorKind::InvalidInput).map_err(io::Error::from)?);
+        name.push(format!(".{}.part", std::process::id()));
+        let beside = target.with_file_name(name);
+        // Made now, so that a folder that is missing or cannot be written is found out before the work.
+        fs::File::create_new(&beside)?;
+        Ok(Self { beside, target })
+    }
+
+    /// Where the other program writes: an empty file stands there.
+    #[must_use]
+    pub fn path(&self) -> &Path {
+        &self.beside
+    }
+
+    /// Puts what was written in its place.
+    ///
+    /// # Errors
+    /// [`StorageError::System`]; what stood there before is as it was.
+    pub fn commit(self) -> Result<(), StorageError> {
+        fs::File::open(&self.beside)?.sync_all()?;
+        Ok(fs::rename(&self.beside, &self.target)?)
+    }
+}
+
+impl Drop for Foreign {
+    fn drop(&mut self) {
+        // After a commit there is nothing to remove.
+        let _ = fs::remove_file(&self.beside);
+    }
+}
+
+/// Whether a folder stands there.
+#[must_use]
+pub fn is_folder(path: &Path) -> bool {
+    path.is_dir()
+}
+
+/// Removes a file, if it is there.
+///
+/// # Errors
+/// [`StorageError::System`]
+pub fn remove(path: &Path) -> Result<(), StorageError> {
+    match fs::remove_file(path) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error.into()),
+        _ => Ok(()),
+    }
 }

@@ -105,7 +105,7 @@ fn no_shared_mutable_state() {
 }
 
 /// Rooms in the order of the architecture: each may name only rooms of a lower number, and itself.
-const ROOMS: [(&str, u8, &[&str]); 19] = [
+const ROOMS: [(&str, u8, &[&str]); 21] = [
     ("rbt", 0, &[]),
     ("timed", 1, &[]),
     ("interpolation", 0, &["rbt"]),
@@ -120,6 +120,8 @@ const ROOMS: [(&str, u8, &[&str]); 19] = [
     ("frame", 4, &[]),
     ("render", 5, &[]),
     ("ui", 5, &[]),
+    ("compare", 6, &[]),
+    ("film", 6, &[]),
     ("storage", 6, &[]),
     ("window", 7, &[]),
     ("cli", 7, &["window"]),

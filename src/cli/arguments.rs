@@ -5,7 +5,11 @@ use std::path::PathBuf;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, ValueEnum};
 
+use crate::compare::DEFAULT_TOLERANCE;
+use crate::film::Grid;
 use crate::interpolation::Interpolation;
+use crate::render::Background;
+use crate::scene::Colour;
 use crate::text_layouts::{FieldOrder, Layout};
 
 /// The keyframe file where none is named.
@@ -43,8 +47,12 @@ pub enum Subcommand {
     Nodes,
     /// Print poses as JSON or CSV: of an animation at key times, or the scene's rest pose.
     Sample(SampleArguments),
-    /// Render PNG images: of an animation, or of the scene's rest pose. Needs no display.
+    /// Render images and films: of an animation, or of the scene's rest pose. Needs no display.
     Render(RenderArguments),
+    /// Render what DIR/pictures.json lists and compare it with the references beside it. Exit status: 1 on a difference or a missing reference.
+    Verify(VerifyArguments),
+    /// Compare two PNG images by what an eye would notice (FLIP). Exit status: 0 within the tolerance, 1 beyond, 2 trouble.
+    Compare(CompareArguments),
     /// Run a script of hotkeys and gestures with no window.
     #[command(long_about = SCRIPT_HELP)]
     Script(ScriptArguments),
@@ -159,8 +167,8 @@ pub enum Space {
 pub struct RenderArguments {
     /// The keyframe file; without it, the scene's rest pose is rendered.
     pub file: Option<PathBuf>,
-    /// The PNG to write; with --fps, a folder for frame-00000.png and on.
-    #[arg(short, long, value_name = "OUT.png|DIR")]
+    /// What to write: OUT.png is one image; OUT.gif, .apng, .y4m and .mp4 (through ffmpeg) are films; a folder gets frame-00000.png and on.
+    #[arg(short, long, value_name = "OUT.png|OUT.gif|…|DIR")]
     pub output: PathBuf,
     /// The key time to render, from 0 to N - 3 [default: 0].
     #[arg(long, value_name = "KEY_TIME", requires = "file", conflicts_with_all = ["keyframe", "fps"], allow_hyphen_values = true, value_parser = key_time)]
@@ -168,21 +176,78 @@ pub struct RenderArguments {
     /// The keyframe of the list to render, from 0 to N - 1.
     #[arg(long, value_name = "INDEX", requires = "file", conflicts_with = "fps", allow_negative_numbers = true)]
     pub keyframe: Option<i64>,
-    /// Render the whole playing range at so many frames a second, 1 to 1000, and its end.
-    #[arg(long, value_name = "N", requires = "file", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    /// Frames a second, 1 to 1000: of the whole playing range and its end [default: 25 in a GIF, else 30; a folder must be told].
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
     pub fps: Option<u32>,
-    /// How far the keys at their own times are, in seconds; with --fps, where they begin.
+    /// The key time at which a film or contact sheet begins [default: 0].
+    #[arg(long, value_name = "KEY_TIME", requires = "file", conflicts_with_all = ["at", "keyframe"], allow_hyphen_values = true, value_parser = key_time)]
+    pub from: Option<f64>,
+    /// The key time at which a film or contact sheet ends [default: N - 3].
+    #[arg(long, value_name = "KEY_TIME", requires = "file", conflicts_with_all = ["at", "keyframe"], allow_hyphen_values = true, value_parser = key_time)]
+    pub to: Option<f64>,
+    /// A contact sheet: so many columns and rows of images, each of --size (by default 320x240), evenly from --from to --to.
+    #[arg(long, value_name = "COLUMNSxROWS", conflicts_with_all = ["at", "keyframe", "fps"], value_parser = grid)]
+    pub sheet: Option<Grid>,
+    /// Show what moves as it is in the N played keyframes before (warm) and the N after (cool), translucent.
+    #[arg(long, value_name = "N", requires = "file", value_parser = clap::value_parser!(u8).range(0..=20))]
+    pub ghosts: Option<u8>,
+    /// Which eye sees it: one of the scene's, by its path, or turntable, which goes once around the world's centre in a film [default: the scene's first].
+    #[arg(long, value_name = "EYE|turntable")]
+    pub camera: Option<String>,
+    /// What is behind everything: sky, a colour, or transparent (in films: GIF and APNG).
+    #[arg(long, value_name = "sky|#rrggbb|transparent", default_value = "sky", value_parser = background)]
+    pub background: Background,
+    /// How far the keys at their own times are, in seconds; in films, where they begin.
     #[arg(long, value_name = "S", default_value_t = 0.0, allow_negative_numbers = true, value_parser = seconds)]
     pub seconds: f64,
-    /// Width and height in pixels.
-    #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "640x480", value_parser = size)]
-    pub size: Size,
+    /// Width and height in pixels [default: 640x480].
+    #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = size)]
+    pub size: Option<Size>,
     /// Samples a pixel, 1 or 4 [default: 4; 1 on a software adapter].
     #[arg(long, value_name = "1|4", value_parser = samples())]
     pub samples: Option<u32>,
     /// Interpolate so, whatever the file says.
     #[arg(long, value_name = "NAME", value_parser = interpolation())]
     pub interpolation: Option<Interpolation>,
+    /// Instead of colours write which node each pixel shows, in a 16-bit grey PNG: 0 is none, else the node's place in the scene file's pre-order, plus 1.
+    #[arg(long, conflicts_with_all = ["fps", "sheet", "ghosts", "samples"])]
+    pub id: bool,
+    /// Also write a JSON file that says with which adapter, driver and versions, and each written file's SHA-256.
+    #[arg(long, value_name = "FILE")]
+    pub manifest: Option<PathBuf>,
+}
+
+/// Arguments of `verify`.
+#[derive(Debug, Args)]
+pub struct VerifyArguments {
+    /// The folder with pictures.json and the references.
+    pub folder: PathBuf,
+    /// Take what is drawn now as the references.
+    #[arg(long)]
+    pub update: bool,
+    /// Where to write what was drawn, and the differences [default: DIR/actual].
+    #[arg(short, long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+}
+
+/// Arguments of `compare`.
+#[derive(Debug, Args)]
+pub struct CompareArguments {
+    /// The one image.
+    #[arg(value_name = "A.png")]
+    pub first: PathBuf,
+    /// The other image, of the same size.
+    #[arg(value_name = "B.png")]
+    pub second: PathBuf,
+    /// The largest score, 0 to 1, that counts as the same.
+    #[arg(long, value_name = "T", default_value_t = DEFAULT_TOLERANCE, value_parser = tolerance)]
+    pub tolerance: f32,
+    /// Write a PNG of the differences: black where there is none, brighter where there is more.
+    #[arg(short, long, value_name = "DIFF.png")]
+    pub output: Option<PathBuf>,
+    /// Print the result as JSON.
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// Arguments of `script`.
@@ -235,6 +300,31 @@ fn key_time(text: &str) -> Result<f64, String> {
 fn seconds(text: &str) -> Result<f64, String> {
     let seconds: f64 = text.trim().parse().map_err(|_| format!("{text:?} is not a number of seconds"))?;
     if seconds.is_finite() { Ok(seconds) } else { Err(format!("{text:?} is not a finite number of seconds")) }
+}
+
+fn tolerance(text: &str) -> Result<f32, String> {
+    text.trim()
+        .parse()
+        .ok()
+        .filter(|tolerance| (0.0..=1.0).contains(tolerance))
+        .ok_or_else(|| format!("{text:?} is not a number from 0 to 1"))
+}
+
+fn grid(text: &str) -> Result<Grid, String> {
+    let side = |text: &str| text.parse().ok().filter(|side| (1..=32).contains(side));
+    text.split_once('x')
+        .and_then(|(columns, rows)| Some(Grid { columns: side(columns)?, rows: side(rows)? }))
+        .ok_or_else(|| "expected COLUMNSxROWS, as in 4x3, each from 1 to 32".to_owned())
+}
+
+fn background(text: &str) -> Result<Background, String> {
+    match text {
+        "sky" => Ok(Background::Sky),
+        "transparent" => Ok(Background::Transparent),
+        colour => Colour::from_hex(colour)
+            .map(|colour| Background::Colour(colour.to_linear()))
+            .ok_or_else(|| "expected sky, transparent or a colour such as #aebfce".to_owned()),
+    }
 }
 
 /// Sides are at most 65536 here; what the GPU adapter takes may be less.

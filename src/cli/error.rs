@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use thiserror::Error;
 
 use crate::editor::CommandError;
+use crate::film::FilmError;
 use crate::render::GpuError;
 use crate::storage::StorageError;
 use crate::window::WindowError;
@@ -19,6 +20,15 @@ pub enum CliError {
     /// What was given to work on is bad: a sentence for each problem.
     #[error("{}", .sentences.join("\n"))]
     BadInput {
+        /// The sentences, each with its place; never empty.
+        sentences: Vec<String>,
+    },
+    /// What was compared differs by more than the tolerance; the command has said so on standard output.
+    #[error("beyond the tolerance")]
+    Beyond,
+    /// What was to be compared could not be: a sentence for each problem.
+    #[error("{}", .sentences.join("\n"))]
+    Trouble {
         /// The sentences, each with its place; never empty.
         sentences: Vec<String>,
     },
@@ -43,6 +53,18 @@ pub enum CliError {
     /// A picture could not be made a PNG.
     #[error("the picture cannot be encoded: {0}")]
     Png(#[from] png::EncodingError),
+    /// A film could not be written.
+    #[error("{}: {reason}", path.display())]
+    Film {
+        /// Which file.
+        path: PathBuf,
+        /// Why.
+        #[source]
+        reason: FilmError,
+    },
+    /// Ctrl+C, or the system asked the program to end.
+    #[error("interrupted: what was not finished is not kept")]
+    Interrupted,
     /// Standard output does not take what is written to it.
     #[error("standard output: {0}")]
     StandardOutput(#[source] io::Error),
@@ -62,13 +84,16 @@ impl CliError {
     /// The exit status of the process.
     pub fn exit_status(&self) -> u8 {
         match self {
-            Self::Usage(_) | Self::Gpu(GpuError::Size { .. }) => 2,
+            Self::Usage(_) | Self::Trouble { .. } | Self::Gpu(GpuError::Size { .. }) => 2,
+            Self::Interrupted => 130,
             Self::Gpu(_) | Self::Window(WindowError::NoDisplay { .. } | WindowError::Gpu(_)) => 3,
             Self::BadInput { .. }
+            | Self::Beyond
             | Self::Unwritten { .. }
             | Self::ScriptEnded(_)
             | Self::Window(WindowError::Ended { .. })
             | Self::Png(_)
+            | Self::Film { .. }
             | Self::StandardOutput(_) => 1,
         }
     }

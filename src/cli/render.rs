@@ -1,82 +1,112 @@
-//! `inbetween render`: images with no window.
+//! `inbetween render`: images and films with no window.
+
+mod film;
+mod identities;
+mod manifest;
+mod moments;
+mod pipeline;
+mod stage;
+mod target;
 
 use std::mem::ManuallyDrop;
 use std::path::Path;
 
 use super::animation::Animation;
-use super::arguments::RenderArguments;
+use super::arguments::{RenderArguments, Size};
+use super::interrupt::Interrupt;
 use super::picture::Painter;
-use super::progress::Progress;
-use super::times::frame_times;
 use super::{CliError, misuse, scene};
-use crate::camera::Camera;
-use crate::frame::Frame;
-use crate::keyframe::KeyframeIndex;
-use crate::pose::Pose;
-use crate::scene::SceneGraph;
+use crate::film::{Grid, contact_sheet};
+use crate::render::{Background, Image};
 use crate::storage;
+use manifest::Manifest;
+use moments::Moments;
+use target::Target;
 
-/// Renders what the arguments say, as the scene's first eye sees it. The GPU adapter is acquired before any file is read.
+pub use moments::{Moment, Source};
+pub use stage::{Stage, View};
+
+/// The size of images and films where none is named.
+pub const DEFAULT_SIZE: Size = Size { width: 640, height: 480 };
+/// The size of a contact sheet's images where none is named.
+const SHEET_SIZE: Size = Size { width: 320, height: 240 };
+
+/// Renders what the arguments say. The GPU adapter is acquired before any file is read.
 ///
 /// # Errors
 /// [`CliError`]
 pub fn run(arguments: &RenderArguments, scene: Option<&Path>) -> Result<(), CliError> {
-    if arguments.fps.is_some() && arguments.output.extension().is_some_and(|extension| extension == "png") {
-        return Err(misuse("with --fps, --output names a folder for the numbered images"));
+    let target = Target::of(arguments)?;
+    let is_seen_through = arguments.background == Background::Transparent;
+    if is_seen_through && matches!(target, Target::Mp4 | Target::Film(crate::film::Format::Y4m)) {
+        return Err(misuse("these films have no opacity: --background transparent is for PNG, GIF and APNG"));
+    }
+    let size = arguments.size.unwrap_or(if arguments.sheet.is_some() { SHEET_SIZE } else { DEFAULT_SIZE });
+    if target == Target::Mp4 {
+        if size.width % 2 == 1 || size.height % 2 == 1 {
+            return Err(misuse("an MP4 needs an even width and height"));
+        }
+        film::find_ffmpeg(&arguments.output)?;
     }
     // The system takes back in no time what a driver takes milliseconds to give back, and the process ends after this.
-    let mut painter = ManuallyDrop::new(Painter::new(arguments.size, arguments.samples)?);
+    let mut painter = ManuallyDrop::new(Painter::new(size, arguments.samples)?);
+    painter.set_background(arguments.background);
     let scene = scene::load(scene)?;
-    let Some(file) = &arguments.file else {
-        return write(&mut painter, &scene, scene.rest_pose(), arguments.seconds, &arguments.output);
-    };
-    let animation = Animation::load(file, &scene, arguments.interpolation)?;
-    if let Some(index) = arguments.keyframe {
-        let pose = keyframe(&animation, index).map_err(|problem| CliError::bad_input(file.display(), problem))?;
-        return write(&mut painter, &scene, pose, arguments.seconds, &arguments.output);
+    let animation =
+        arguments.file.as_deref().map(|file| Animation::load(file, &scene, arguments.interpolation)).transpose()?;
+    let view = View::named(arguments.camera.as_deref(), &scene)?;
+    let source = Source { scene: &scene, animation: animation.as_ref(), file: arguments.file.as_deref() };
+    let stage = Stage::new(source, view, arguments.ghosts.unwrap_or(0), painter.size_px());
+    let mut manifest = Manifest::new(&painter);
+    let output = &arguments.output;
+    match (target, arguments.sheet) {
+        (Target::Image, Some(grid)) => {
+            let png = sheet(arguments, grid, source, &stage, &mut painter)?.to_png()?;
+            write(output, &png, &mut manifest)?;
+        }
+        (Target::Image, None) => {
+            let frame = stage.frame(&source.still(arguments)?)?;
+            let png = if arguments.id { identities::png(&painter, &frame)? } else { painter.png(&frame)? };
+            write(output, &png, &mut manifest)?;
+        }
+        (Target::Folder, _) => {
+            let moments =
+                Moments::of_film(arguments, source, view, arguments.fps.unwrap_or(target::FRAMES_PER_SECOND))?;
+            // Hashing costs time.
+            let listed = arguments.manifest.is_some().then_some(&mut manifest);
+            film::write_folder(output, &stage, &moments, &mut painter, listed)?;
+        }
+        (Target::Film(_) | Target::Mp4, _) => {
+            let fps = arguments.fps.unwrap_or(target.usual_frames_per_second());
+            let moments = Moments::of_film(arguments, source, view, fps)?;
+            let plan = moments.plan(size, fps, !is_seen_through)?;
+            film::write_film(output, target, plan, &stage, &moments, &mut painter)?;
+            if arguments.manifest.is_some() {
+                manifest.add_file(output)?;
+            }
+        }
     }
-    let range = animation.play_range(file)?;
-    let pose_at = |key_time| {
-        range.pose_at(key_time, animation.interpolation).map_err(|error| CliError::bad_input(file.display(), error))
-    };
-    let Some(fps) = arguments.fps else {
-        return write(
-            &mut painter,
-            &scene,
-            &pose_at(arguments.at.unwrap_or(0.0))?,
-            arguments.seconds,
-            &arguments.output,
-        );
-    };
-    let folder = &arguments.output;
-    storage::create_folder(folder).map_err(|reason| CliError::unwritten(folder, reason))?;
-    let times = frame_times(fps, animation.ms_between_keyframes, range.timing());
-    let mut progress = Progress::new("frame", times.len());
-    for (number, time) in times.enumerate() {
-        let path = folder.join(format!("frame-{number:05}.png"));
-        write(&mut painter, &scene, &pose_at(time.key_time)?, arguments.seconds + time.ms / 1000.0, &path)?;
-        progress.step();
-    }
+    arguments.manifest.as_deref().map_or(Ok(()), |path| manifest.write(path))
+}
+
+fn sheet(
+    arguments: &RenderArguments,
+    grid: Grid,
+    source: Source<'_>,
+    stage: &Stage<'_>,
+    painter: &mut Painter,
+) -> Result<Image, CliError> {
+    let moments = Moments::of_sheet(arguments, source, grid)?;
+    let mut pictures = Vec::new();
+    pipeline::draw(&moments, stage, painter, &Interrupt::listen(), |_, image| {
+        pictures.push(image);
+        Ok(())
+    })?;
+    Ok(contact_sheet(grid, &pictures))
+}
+
+fn write(path: &Path, png: &[u8], manifest: &mut Manifest) -> Result<(), CliError> {
+    storage::write(path, png).map_err(|reason| CliError::unwritten(path, reason))?;
+    manifest.add(path, png);
     Ok(())
-}
-
-fn keyframe(animation: &Animation, index: i64) -> Result<&Pose, String> {
-    usize::try_from(index)
-        .ok()
-        .and_then(|place| animation.keyframes.get(KeyframeIndex::new(place)))
-        .map(|keyframe| &keyframe.pose)
-        .ok_or_else(|| match animation.keyframes.last() {
-            None => format!("there is no keyframe {index}: the list is empty"),
-            Some(last) => format!("there is no keyframe {index}: they are 0 to {}", last.get()),
-        })
-}
-
-fn write(painter: &mut Painter, scene: &SceneGraph, pose: &Pose, seconds: f64, path: &Path) -> Result<(), CliError> {
-    let camera = Camera {
-        world_from_eye: scene.world_from_rbt(pose, seconds, scene.eyes()[0]),
-        vertical_fov: scene.vertical_fov(),
-        size_px: painter.size_px(),
-    };
-    let png = painter.png(&Frame::new(scene, pose, seconds, &camera, None))?;
-    storage::write(path, &png).map_err(|reason| CliError::unwritten(path, reason))
 }

@@ -1,0 +1,229 @@
+//! Which moments are rendered: of an animation, of a scene that moves by itself, or of a still one that the camera goes around.
+
+use std::path::Path;
+
+use num_rational::BigRational;
+use num_traits::FromPrimitive as _;
+
+use super::super::animation::Animation;
+use super::super::arguments::{RenderArguments, Size};
+use super::super::times::{FrameTime, frame_times};
+use super::super::{CliError, misuse};
+use super::View;
+use crate::film::{Grid, Plan};
+use crate::keyframe::{KeyframeIndex, PlayRange};
+use crate::scene::SceneGraph;
+
+/// How long the turntable takes where nothing else moves, in milliseconds.
+const TURN_MS: u32 = 4000;
+
+/// Where moments come from.
+#[derive(Clone, Copy)]
+pub struct Source<'a> {
+    /// The scene.
+    pub scene: &'a SceneGraph,
+    /// The keyframes, where a file is named.
+    pub animation: Option<&'a Animation>,
+    /// The file.
+    pub file: Option<&'a Path>,
+}
+
+/// Which pose a moment shows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Shown {
+    /// The scene's rest pose.
+    Rest,
+    /// A keyframe of the list.
+    Keyframe(KeyframeIndex),
+    /// A sample of the playing range.
+    KeyTime(f64),
+}
+
+/// One picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Moment {
+    /// Its pose.
+    pub shown: Shown,
+    /// Seconds into the keys at their own times.
+    pub seconds: f64,
+    /// When it appears in a film, in milliseconds.
+    pub start_ms: f64,
+    /// How far around the turntable has gone, 0 to 1.
+    pub turn: f64,
+}
+
+/// The pictures of a film or a contact sheet.
+pub struct Moments {
+    /// In their order.
+    pub all: Vec<Moment>,
+    end_ms: f64,
+}
+
+impl Source<'_> {
+    /// Bad input with the file's name, or the scene's where there is no file.
+    pub fn bad_input(&self, problem: impl std::fmt::Display) -> CliError {
+        match self.file {
+            Some(file) => CliError::bad_input(file.display(), problem),
+            None => CliError::bad_input(format!("scene \"{}\"", self.scene.name()), problem),
+        }
+    }
+
+    /// The one moment that the arguments name.
+    ///
+    /// # Errors
+    /// [`CliError::BadInput`]: it is not there.
+    pub fn still(&self, arguments: &RenderArguments) -> Result<Moment, CliError> {
+        let shown = self.shown(arguments.at, arguments.keyframe)?;
+        Ok(Moment { shown, seconds: arguments.seconds, start_ms: 0.0, turn: 0.0 })
+    }
+
+    /// The pose at a key time or of a keyframe; at the start of the playing range where neither is named.
+    ///
+    /// # Errors
+    /// [`CliError::BadInput`]: it is not there.
+    pub fn shown(&self, at: Option<f64>, keyframe: Option<i64>) -> Result<Shown, CliError> {
+        let Some(animation) = self.animation else { return Ok(Shown::Rest) };
+        if let Some(index) = keyframe {
+            let place = usize::try_from(index).ok().filter(|&place| place < animation.keyframes.len());
+            return place.map(|place| Shown::Keyframe(KeyframeIndex::new(place))).ok_or_else(|| {
+                self.bad_input(match animation.keyframes.last() {
+                    None => format!("there is no keyframe {index}: the list is empty"),
+                    Some(last) => format!("there is no keyframe {index}: they are 0 to {}", last.get()),
+                })
+            });
+        }
+        let key_time = at.unwrap_or(0.0);
+        self.range(animation)?.check(key_time).map_err(|error| self.bad_input(error))?;
+        Ok(Shown::KeyTime(key_time))
+    }
+
+    fn range<'b>(&self, animation: &'b Animation) -> Result<PlayRange<'b>, CliError> {
+        PlayRange::new(&animation.keyframes).map_err(|error| self.bad_input(error))
+    }
+
+    /// The key times between which the arguments want pictures.
+    #[expect(clippy::cast_precision_loss, reason = "no list has 2^52 keyframes")]
+    fn span(&self, arguments: &RenderArguments, animation: &Animation) -> Result<[f64; 2], CliError> {
+        let range = self.range(animation)?;
+        let span = [arguments.from.unwrap_or(0.0), arguments.to.unwrap_or(range.last_key_time() as f64)];
+        for key_time in span {
+            range.check(key_time).map_err(|error| self.bad_input(error))?;
+        }
+        if span[0] > span[1] {
+            return Err(misuse("--from is after --to"));
+        }
+        Ok(span)
+    }
+}
+
+impl Moments {
+    /// The pictures of a film: picture k is k · 1000/fps ms after the start while that is short of the end, and the end.
+    ///
+    /// # Errors
+    /// [`CliError`]: a range that is not there, or nothing that moves.
+    pub fn of_film(arguments: &RenderArguments, source: Source<'_>, view: View, fps: u32) -> Result<Self, CliError> {
+        let seconds_at = |ms: f64| arguments.seconds + ms / 1000.0;
+        let still = |start_ms| Moment { shown: Shown::Rest, seconds: seconds_at(start_ms), start_ms, turn: 0.0 };
+        let mut all: Vec<Moment> = if let Some(animation) = source.animation {
+            let [from, to] = source.span(arguments, animation)?;
+            let (ms, timing) = (animation.ms_between_keyframes, source.range(animation)?.timing());
+            let moment = |key_time: f64, start_ms| Moment { shown: Shown::KeyTime(key_time), ..still(start_ms) };
+            if arguments.from.is_none() && arguments.to.is_none() {
+                frame_times(fps, ms, timing).map(|time| moment(time.key_time, time.ms)).collect()
+            } else {
+                let [start, end] = [from, to].map(|key_time| FrameTime::at_key_time(key_time, ms, timing).ms);
+                let key_time = |start_ms: f64| {
+                    let elapsed = BigRational::from_f64((start + start_ms) / f64::from(ms)).unwrap_or_default();
+                    timing.key_time_at(&elapsed).clamp(from, to)
+                };
+                let mut all: Vec<Moment> =
+                    starts(end - start, fps).map(|start_ms| moment(key_time(start_ms), start_ms)).collect();
+                // The ends as they were named, to the bit.
+                let last = all.len() - 1;
+                (all[last].shown, all[0].shown) = (Shown::KeyTime(to), Shown::KeyTime(from));
+                all
+            }
+        } else if let Some(last_second) = source.scene.last_second().filter(|&second| second > arguments.seconds) {
+            starts((last_second - arguments.seconds) * 1000.0, fps).map(still).collect()
+        } else if view == View::Turntable {
+            // The end would be the start again.
+            starts(f64::from(TURN_MS), fps).take((TURN_MS * fps / 1000) as usize).map(still).collect()
+        } else {
+            return Err(source.bad_input("nothing moves: name a keyframe file, or --camera turntable"));
+        };
+        let count = to_f64(all.len());
+        for (place, moment) in all.iter_mut().enumerate() {
+            moment.turn = to_f64(place) / count;
+        }
+        let end_ms = all.last().map_or(0.0, |last| last.start_ms) + 1000.0 / f64::from(fps);
+        Ok(Self { all, end_ms })
+    }
+
+    /// The pictures of a contact sheet, evenly spread, both ends included.
+    ///
+    /// # Errors
+    /// [`CliError`]: a range that is not there, or nothing that moves.
+    pub fn of_sheet(arguments: &RenderArguments, source: Source<'_>, grid: Grid) -> Result<Self, CliError> {
+        let count = grid.columns * grid.rows;
+        let fractions = (0..count).map(|place| f64::from(place) / f64::from((count - 1).max(1)));
+        let still = Moment { shown: Shown::Rest, seconds: arguments.seconds, start_ms: 0.0, turn: 0.0 };
+        let all = if let Some(animation) = source.animation {
+            let [from, to] = source.span(arguments, animation)?;
+            let (ms, timing) = (animation.ms_between_keyframes, source.range(animation)?.timing());
+            fractions
+                .map(|fraction| {
+                    let key_time = (from + (to - from) * fraction).min(to);
+                    let seconds = arguments.seconds + FrameTime::at_key_time(key_time, ms, timing).ms / 1000.0;
+                    Moment { shown: Shown::KeyTime(key_time), seconds, turn: fraction, ..still }
+                })
+                .collect()
+        } else if let Some(last_second) = source.scene.last_second() {
+            let length = (last_second - arguments.seconds).max(0.0);
+            fractions
+                .map(|fraction| Moment { seconds: arguments.seconds + length * fraction, turn: fraction, ..still })
+                .collect()
+        } else {
+            (0..count).map(|place| Moment { turn: f64::from(place) / f64::from(count), ..still }).collect()
+        };
+        Ok(Self { all, end_ms: 0.0 })
+    }
+
+    /// When a picture disappears, in milliseconds.
+    pub fn end_ms(&self, place: usize) -> f64 {
+        self.all.get(place + 1).map_or(self.end_ms, |next| next.start_ms)
+    }
+
+    /// What a film of these is.
+    ///
+    /// # Errors
+    /// Wrong usage: more pictures than a film can count.
+    pub fn plan(&self, size: Size, frames_per_second: u32, is_opaque: bool) -> Result<Plan, CliError> {
+        let frames = u32::try_from(self.all.len()).map_err(|_| misuse("a film has fewer than 2^32 frames"))?;
+        Ok(Plan { width: size.width, height: size.height, frames, frames_per_second, is_opaque })
+    }
+}
+
+/// 0, 1000/fps, … ms while short of the end, and the end.
+fn starts(end_ms: f64, fps: u32) -> impl Iterator<Item = f64> {
+    let start_ms = move |frame: u32| f64::from(frame) * 1000.0 / f64::from(fps);
+    // A start that rounding alone keeps short of the end is the end.
+    (0..).map(start_ms).take_while(move |&start_ms| start_ms < end_ms - 1e-6).chain(std::iter::once(end_ms))
+}
+
+#[expect(clippy::cast_precision_loss, reason = "there are fewer than 2^52 frames")]
+fn to_f64(count: usize) -> f64 {
+    count as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::starts;
+
+    #[test]
+    fn starts_run_to_the_end() {
+        assert_eq!(starts(100.0, 20).collect::<Vec<_>>(), [0.0, 50.0, 100.0]);
+        assert_eq!(starts(120.0, 20).collect::<Vec<_>>(), [0.0, 50.0, 100.0, 120.0]);
+        assert_eq!(starts(0.0, 20).collect::<Vec<_>>(), [0.0]);
+        assert_eq!(starts(1000.0, 30).count(), 31);
+    }
+}

@@ -1,0 +1,140 @@
+//! How different two pictures look: a number, and a picture of where.
+//!
+//! Pixels in, numbers out; nothing here knows where a picture came from. The measure is LDR-FLIP (Andersson, Nilsson,
+//! Akenine-Möller, Oskarsson, Åström, Fairchild: "FLIP: A Difference Evaluator for Alternating Images", Proc. ACM Comput. Graph.
+//! Interact. Tech. 3(2), 2020): what a person would notice who flips between two pictures on a screen, 67 pixels to a degree.
+//! Colours are blurred as the eye does, compared in a uniform colour space, and weighed up where edges or points differ.
+//!
+//! A verdict needs one number. FLIP's mean over the picture takes a moved hand for less than a shift of all colours by one level
+//! that nobody sees; so the [`Comparison::score`] is the mean over the worst thousandth of the pixels, which rises where
+//! something is seen somewhere and not where nothing is seen anywhere.
+
+mod colour;
+mod features;
+mod filter;
+mod flip;
+mod heat;
+
+use thiserror::Error;
+
+use crate::render::Image;
+
+/// The score up to which two pictures are taken to look the same where nothing else is said.
+pub const DEFAULT_TOLERANCE: f32 = 0.06;
+
+/// Why two pictures cannot be compared.
+#[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
+pub enum CompareError {
+    /// They have different sizes.
+    #[error("the pictures have different sizes: {}x{} and {}x{}", .first[0], .first[1], .second[0], .second[1])]
+    Sizes {
+        /// Width and height of the first, in pixels.
+        first: [u32; 2],
+        /// Width and height of the second, in pixels.
+        second: [u32; 2],
+    },
+    /// They have no pixels.
+    #[error("the pictures have no pixels")]
+    Empty,
+}
+
+/// What the comparison of two pictures found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Comparison {
+    width: u32,
+    height: u32,
+    errors: Vec<f32>,
+    score: f32,
+    mean: f32,
+    largest: f32,
+}
+
+/// Compares two pictures of one size. Where either is translucent, both are laid over black and over white, and the larger error counts.
+/// The order of the two does not matter.
+///
+/// # Errors
+/// [`CompareError`]
+pub fn compare(first: &Image, second: &Image) -> Result<Comparison, CompareError> {
+    let (width, height) = (first.width, first.height);
+    if (width, height) != (second.width, second.height) {
+        return Err(CompareError::Sizes { first: [width, height], second: [second.width, second.height] });
+    }
+    if width == 0 || height == 0 {
+        return Err(CompareError::Empty);
+    }
+    let size = [width as usize, height as usize];
+    if first.rgba == second.rgba {
+        let errors = vec![0.0; size[0] * size[1]];
+        return Ok(Comparison { width, height, errors, score: 0.0, mean: 0.0, largest: 0.0 });
+    }
+    let is_opaque = |image: &Image| image.rgba.chunks_exact(4).all(|pixel| pixel[3] == u8::MAX);
+    let over = |backdrop| flip::errors(size, &first.rgba, &second.rgba, backdrop);
+    let errors = if is_opaque(first) && is_opaque(second) {
+        over(0.0)
+    } else {
+        over(0.0).into_iter().zip(over(1.0)).map(|(black, white)| black.max(white)).collect()
+    };
+    Ok(Comparison::of_errors(width, height, errors))
+}
+
+impl Comparison {
+    fn of_errors(width: u32, height: u32, errors: Vec<f32>) -> Self {
+        let mut ordered = errors.clone();
+        let worst = ordered.len().div_ceil(1000);
+        ordered.select_nth_unstable_by(worst - 1, |a, b| b.total_cmp(a));
+        let largest = ordered[..worst].iter().copied().fold(0.0, f32::max);
+        // In the picture's order and in f64: the same sum whatever the selection did.
+        let mut worst_errors = ordered[..worst].to_vec();
+        worst_errors.sort_by(f32::total_cmp);
+        Self { width, height, score: mean(&worst_errors), mean: mean(&errors), largest, errors }
+    }
+
+    /// How different the pictures look, from 0 (the same) to 1: the mean FLIP error of the worst thousandth of the pixels.
+    #[must_use]
+    pub fn score(&self) -> f32 {
+        self.score
+    }
+
+    /// FLIP's own number, 0 to 1: the mean error of all pixels.
+    #[must_use]
+    pub fn mean(&self) -> f32 {
+        self.mean
+    }
+
+    /// The largest error of a pixel, 0 to 1.
+    #[must_use]
+    pub fn largest(&self) -> f32 {
+        self.largest
+    }
+
+    /// The FLIP error of each pixel, 0 to 1, rows from the top.
+    #[must_use]
+    pub fn errors(&self) -> &[f32] {
+        &self.errors
+    }
+
+    /// Whether the pictures look the same, up to a tolerance of the score.
+    #[must_use]
+    pub fn is_within(&self, tolerance: f32) -> bool {
+        self.score <= tolerance
+    }
+
+    /// A picture of the errors: black where there is none, through violet and orange to pale yellow where it is 1.
+    #[must_use]
+    pub fn difference(&self) -> Image {
+        heat::picture(self.width, self.height, &self.errors)
+    }
+}
+
+#[expect(
+    clippy::cast_precision_loss,
+    clippy::cast_possible_truncation,
+    reason = "a picture has far fewer than 2^52 pixels"
+)]
+fn mean(errors: &[f32]) -> f32 {
+    let sum: f64 = errors.iter().copied().map(f64::from).sum();
+    (sum / errors.len() as f64) as f32
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,109 @@
+//! Animated GIFs. Each picture after the first holds the rectangle that changed, and in it only the pixels that did.
+
+use std::borrow::Cow;
+use std::io::Write;
+
+use gif::{DisposalMethod, Encoder, Frame, Repeat};
+
+use super::palette::{MOST_COLOURS, Mapping};
+use super::{FilmError, Palette, Plan};
+use crate::render::Image;
+
+/// The shortest time that programs show a picture for, in hundredths of a second: less they take for ten.
+const SHORTEST: u32 = 2;
+
+/// A GIF that is being written.
+pub struct GifFilm<W: Write> {
+    plan: Plan,
+    sides: [u16; 2],
+    encoder: Encoder<W>,
+    mapping: Mapping,
+    /// The picture so far, as places in the palette.
+    shown: Vec<u8>,
+    next: Vec<u8>,
+    /// Hundredths of a second given out so far.
+    given: u32,
+}
+
+impl<W: Write> GifFilm<W> {
+    pub(super) fn new(plan: Plan, palette: Palette, output: W) -> Result<Self, FilmError> {
+        let too_large = |_| FilmError::TooLarge { width: plan.width, height: plan.height };
+        let sides = [u16::try_from(plan.width).map_err(too_large)?, u16::try_from(plan.height).map_err(too_large)?];
+        let mut colours: Vec<u8> = palette.colours().concat();
+        colours.resize(3 * (MOST_COLOURS + 1), 0);
+        let mut encoder = Encoder::new(output, sides[0], sides[1], &colours)?;
+        encoder.set_repeat(Repeat::Infinite)?;
+        let mapping = Mapping::new(palette);
+        Ok(Self { plan, sides, encoder, mapping, shown: Vec::new(), next: Vec::new(), given: 0 })
+    }
+
+    pub(super) fn plan(&self) -> Plan {
+        self.plan
+    }
+
+    pub(super) fn push(&mut self, image: &Image, _start_ms: f64, end_ms: f64) -> Result<(), FilmError> {
+        self.mapping.places(image, &mut self.next);
+        let transparent = u8::MAX;
+        let (rectangle, buffer) = if self.shown.is_empty() || !self.plan.is_opaque {
+            ([0, 0, self.sides[0], self.sides[1]], Cow::Borrowed(&self.next[..]))
+        } else {
+            changes(&self.shown, &self.next, self.sides[0])
+        };
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "films are far shorter than 2^31 hundredths"
+        )]
+        let end = (end_ms / 10.0).round() as u32;
+        let delay = end.saturating_sub(self.given).max(SHORTEST);
+        self.given += delay;
+        let [left, top, width, height] = rectangle;
+        self.encoder.write_frame(&Frame {
+            delay: u16::try_from(delay).unwrap_or(u16::MAX),
+            // Where pixels are transparent the picture before must go; else it stays beneath.
+            dispose: if self.plan.is_opaque { DisposalMethod::Keep } else { DisposalMethod::Background },
+            transparent: Some(transparent),
+            left,
+            top,
+            width,
+            height,
+            buffer,
+            ..Frame::default()
+        })?;
+        std::mem::swap(&mut self.shown, &mut self.next);
+        Ok(())
+    }
+
+    pub(super) fn finish(self) -> Result<(), FilmError> {
+        self.encoder.into_inner()?.flush()?;
+        Ok(())
+    }
+}
+
+/// The smallest rectangle (left, top, width, height) in which two pictures differ, at least one pixel, and the second's pixels in it,
+/// transparent where they are as before.
+fn changes(before: &[u8], after: &[u8], picture_width: u16) -> ([u16; 4], Cow<'static, [u8]>) {
+    let width = usize::from(picture_width);
+    let (mut left, mut right, mut top, mut bottom) = (width, 0, usize::MAX, 0);
+    for (y, (before, after)) in before.chunks_exact(width).zip(after.chunks_exact(width)).enumerate() {
+        if before == after {
+            continue;
+        }
+        let differs = |x: &usize| before[*x] != after[*x];
+        left = left.min((0..width).find(differs).unwrap_or(width));
+        right = right.max((0..width).rev().find(differs).unwrap_or(0));
+        top = top.min(y);
+        bottom = y;
+    }
+    if top == usize::MAX {
+        return ([0, 0, 1, 1], Cow::Owned(vec![u8::MAX]));
+    }
+    let mut pixels = Vec::with_capacity((right - left + 1) * (bottom - top + 1));
+    for y in top..=bottom {
+        let row = y * width + left..=y * width + right;
+        let pairs = before[row.clone()].iter().zip(&after[row]);
+        pixels.extend(pairs.map(|(before, after)| if before == after { u8::MAX } else { *after }));
+    }
+    let side = |length: usize| u16::try_from(length).expect("it lies in the picture");
+    ([side(left), side(top), side(right - left + 1), side(bottom - top + 1)], Cow::Owned(pixels))
+}

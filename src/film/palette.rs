@@ -1,0 +1,145 @@
+//! At most 255 colours for a whole film, and the way to them that does not flicker.
+//!
+//! One palette serves all pictures, and the dither depends on a pixel's place and colour alone: what does not move does not change.
+
+use std::collections::BTreeSet;
+
+use color_quant::NeuQuant;
+
+use crate::render::Image;
+
+/// Colours in a palette; the one after them is transparent.
+pub const MOST_COLOURS: usize = 255;
+/// About so many pixels of the sampled pictures are looked at.
+const SAMPLED_PIXELS: usize = 120_000;
+/// At least about so many pixels are learned from.
+const LEARNED_PIXELS: usize = 60_000;
+/// How far a dithered channel is moved at most, in levels of 256.
+const DITHER_LEVELS: i32 = 9;
+/// Bits a channel of the table of nearest colours.
+const TABLE_BITS: u32 = 6;
+
+/// Bayer's matrix of order 8: each number of 0 to 63 once, neighbours far apart.
+const BAYER: [[u8; 8]; 8] = {
+    let mut matrix = [[0; 8]; 8];
+    let mut y = 0;
+    while y < 8 {
+        let mut x = 0;
+        while x < 8 {
+            let mut value = 0;
+            let mut bit = 0;
+            while bit < 3 {
+                let (x_bit, y_bit) = ((x >> bit) & 1, (y >> bit) & 1);
+                value |= ((x_bit ^ y_bit) << (5 - 2 * bit)) | (y_bit << (4 - 2 * bit));
+                bit += 1;
+            }
+            matrix[y][x] = value as u8;
+            x += 1;
+        }
+        y += 1;
+    }
+    matrix
+};
+
+/// Colours of a film.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Palette {
+    colours: Vec<[u8; 3]>,
+    /// Whether they are all the colours there were, so that no dither is needed.
+    is_exact: bool,
+}
+
+impl Palette {
+    /// The palette of pictures that stand for a film: their own colours where they are few, else 255 that NeuQuant finds.
+    /// Pixels that are more transparent than not have no colour.
+    #[must_use]
+    pub fn of(pictures: &[Image]) -> Self {
+        let pixels =
+            || pictures.iter().flat_map(|picture| picture.rgba.chunks_exact(4)).filter(|pixel| pixel[3] >= 128);
+        let mut few = BTreeSet::new();
+        for pixel in pixels() {
+            few.insert([pixel[0], pixel[1], pixel[2]]);
+            if few.len() > MOST_COLOURS {
+                return Self { colours: Self::found(pixels()), is_exact: false };
+            }
+        }
+        Self { colours: few.into_iter().collect(), is_exact: true }
+    }
+
+    fn found<'a>(pixels: impl Iterator<Item = &'a [u8]> + Clone) -> Vec<[u8; 3]> {
+        // A step that is odd and no multiple of usual widths looks at every column.
+        let step = (pixels.clone().count() / SAMPLED_PIXELS).max(1) | 1;
+        let sample: Vec<u8> = pixels.step_by(step).flat_map(|pixel| [pixel[0], pixel[1], pixel[2], u8::MAX]).collect();
+        // The network learns by repetition: few pixels are shown often.
+        let sample = sample.repeat((LEARNED_PIXELS * 4 / sample.len().max(1)).max(1));
+        let found = NeuQuant::new(3, MOST_COLOURS, &sample).color_map_rgb();
+        let mut colours: Vec<[u8; 3]> = found.chunks_exact(3).map(|colour| [colour[0], colour[1], colour[2]]).collect();
+        colours.sort_unstable();
+        colours.dedup();
+        colours
+    }
+
+    /// The colours.
+    #[must_use]
+    pub fn colours(&self) -> &[[u8; 3]] {
+        &self.colours
+    }
+
+    fn nearest(&self, colour: [i32; 3]) -> u8 {
+        // Green is seen best, blue least.
+        let distance = |other: &[u8; 3]| {
+            let [r, g, b] = [0, 1, 2].map(|channel| i32::from(other[channel]) - colour[channel]);
+            3 * r * r + 6 * g * g + 2 * b * b
+        };
+        let place = (0..self.colours.len()).min_by_key(|&place| distance(&self.colours[place]));
+        place.and_then(|place| u8::try_from(place).ok()).unwrap_or_default()
+    }
+}
+
+/// Colours to places in a palette, remembered.
+pub struct Mapping {
+    palette: Palette,
+    /// The place of the colour nearest to the middle of each cell, plus one; 0 where it was not looked for.
+    table: Vec<u16>,
+}
+
+impl Mapping {
+    /// Nothing looked for yet.
+    pub fn new(palette: Palette) -> Self {
+        Self { palette, table: vec![0; 1 << (3 * TABLE_BITS)] }
+    }
+
+    /// The places of a picture's pixels in the palette, and [`MOST_COLOURS`] for those more transparent than not.
+    pub fn places(&mut self, image: &Image, out: &mut Vec<u8>) {
+        out.clear();
+        let width = image.width as usize;
+        let transparent = u8::MAX;
+        for (y, row) in image.rgba.chunks_exact(4 * width).enumerate() {
+            let thresholds = &BAYER[y % 8];
+            for (x, pixel) in row.chunks_exact(4).enumerate() {
+                out.push(if pixel[3] < 128 {
+                    transparent
+                } else {
+                    self.place([pixel[0], pixel[1], pixel[2]], thresholds[x % 8])
+                });
+            }
+        }
+    }
+
+    fn place(&mut self, colour: [u8; 3], threshold: u8) -> u8 {
+        if self.palette.is_exact
+            && let Ok(place) = self.palette.colours.binary_search(&colour)
+        {
+            return place.to_le_bytes()[0];
+        }
+        let moved = (2 * i32::from(threshold) - 63) * DITHER_LEVELS / 126;
+        let shift = 8 - TABLE_BITS;
+        let cells = colour.map(|channel| (i32::from(channel) + moved).clamp(0, 255) >> shift);
+        let cell = cells.iter().fold(0, |cell, &part| (cell << TABLE_BITS) | part.unsigned_abs() as usize);
+        if self.table[cell] == 0 {
+            let middle = 1 << (shift - 1);
+            self.table[cell] = u16::from(self.palette.nearest(cells.map(|part| (part << shift) + middle))) + 1;
+        }
+        self.table[cell].wrapping_sub(1).to_le_bytes()[0]
+    }
+}

@@ -1,0 +1,157 @@
+//! Films of a few made pictures, read back.
+
+use std::io::Cursor;
+
+use super::*;
+
+/// A gradient with a block so many pixels from the left, of full opacity or none around the block.
+fn picture(left: u32, is_opaque: bool) -> Image {
+    let (width, height) = (31_u32, 18_u32);
+    let mut rgba = Vec::new();
+    for y in 0..height {
+        for x in 0..width {
+            let is_block = (left..left + 6).contains(&x) && (5..12).contains(&y);
+            let [shade, tint] = [(7 * x).to_le_bytes()[0], (13 * y).to_le_bytes()[0]];
+            rgba.extend(if is_block {
+                [220, 40, 30, 255]
+            } else {
+                [shade, tint, 128, if is_opaque { 255 } else { 0 }]
+            });
+        }
+    }
+    Image { width, height, rgba }
+}
+
+fn film(format: Format, is_opaque: bool) -> Vec<u8> {
+    let plan = Plan { width: 31, height: 18, frames: 4, frames_per_second: 30, is_opaque };
+    let pictures: Vec<Image> = [2, 5, 5, 9].map(|left| picture(left, is_opaque)).into();
+    let mut bytes = Vec::new();
+    let mut film = Film::new(format, plan, Palette::of(&pictures), &mut bytes).unwrap();
+    for (place, picture) in pictures.iter().enumerate() {
+        let ms = |place: usize| f64::from(u32::try_from(place).unwrap()) * 1000.0 / 30.0;
+        film.push(picture, ms(place), ms(place + 1)).unwrap();
+    }
+    film.finish().unwrap();
+    bytes
+}
+
+/// The pictures of a GIF, each whole, and their times in hundredths of a second.
+fn gif_pictures(bytes: &[u8]) -> (Vec<Vec<u8>>, Vec<u16>) {
+    let mut options = ::gif::DecodeOptions::new();
+    options.set_color_output(::gif::ColorOutput::RGBA);
+    let mut decoder = options.read_info(Cursor::new(bytes)).unwrap();
+    let (width, height) = (usize::from(decoder.width()), usize::from(decoder.height()));
+    let (mut canvas, mut pictures, mut delays) = (vec![0; 4 * width * height], Vec::new(), Vec::new());
+    while let Some(frame) = decoder.read_next_frame().unwrap() {
+        for (place, pixel) in frame.buffer.chunks_exact(4).enumerate() {
+            let (x, y) = (place % usize::from(frame.width), place / usize::from(frame.width));
+            let at = 4 * ((y + usize::from(frame.top)) * width + x + usize::from(frame.left));
+            if pixel[3] > 0 {
+                canvas[at..at + 4].copy_from_slice(pixel);
+            }
+        }
+        pictures.push(canvas.clone());
+        delays.push(frame.delay);
+        if frame.dispose == ::gif::DisposalMethod::Background {
+            canvas.fill(0);
+        }
+    }
+    (pictures, delays)
+}
+
+#[test]
+fn a_gif_shows_the_pictures_and_what_does_not_move_does_not_flicker() {
+    let bytes = film(Format::Gif, true);
+    assert_eq!(bytes, film(Format::Gif, true));
+    let (pictures, delays) = gif_pictures(&bytes);
+    assert_eq!(delays, [3, 4, 3, 3]);
+    assert_eq!(pictures[1], pictures[2]);
+    for (found, left) in pictures.iter().zip([2, 5, 5, 9]) {
+        let expected = picture(left, true);
+        for (place, (found, expected)) in found.chunks_exact(4).zip(expected.rgba.chunks_exact(4)).enumerate() {
+            let is_near = found.iter().zip(expected).all(|(a, b)| a.abs_diff(*b) < 40);
+            assert!(is_near, "pixel {place}: {found:?}, expected {expected:?}");
+        }
+        let still = |picture: &[u8]| picture[..4 * 31 * 4].to_vec();
+        assert_eq!(still(found), still(&pictures[0]));
+    }
+}
+
+#[test]
+fn a_gif_keeps_what_is_transparent() {
+    let (pictures, _) = gif_pictures(&film(Format::Gif, false));
+    for (found, left) in pictures.iter().zip([2, 5, 5, 9]) {
+        let expected = picture(left, false);
+        assert!(found.chunks_exact(4).zip(expected.rgba.chunks_exact(4)).all(|(a, b)| a[3] == b[3]));
+    }
+}
+
+#[test]
+fn few_colours_are_kept_exactly() {
+    let two = Image { width: 2, height: 1, rgba: vec![1, 2, 3, 255, 250, 251, 252, 255] };
+    let palette = Palette::of(std::slice::from_ref(&two));
+    assert_eq!(palette.colours(), [[1, 2, 3], [250, 251, 252]]);
+    let plan = Plan { width: 2, height: 1, frames: 1, frames_per_second: 25, is_opaque: true };
+    let mut bytes = Vec::new();
+    let mut film = Film::new(Format::Gif, plan, palette, &mut bytes).unwrap();
+    film.push(&two, 0.0, 40.0).unwrap();
+    film.finish().unwrap();
+    let (pictures, delays) = gif_pictures(&bytes);
+    assert_eq!((&pictures[0], &delays[..]), (&two.rgba, &[4][..]));
+}
+
+#[test]
+fn an_apng_holds_every_picture_to_the_bit() {
+    for is_opaque in [true, false] {
+        let bytes = film(Format::Apng, is_opaque);
+        let mut reader = png::Decoder::new(Cursor::new(&bytes)).read_info().unwrap();
+        assert_eq!(
+            reader.info().animation_control.map(|control| (control.num_frames, control.num_plays)),
+            Some((4, 0))
+        );
+        for left in [2, 5, 5, 9] {
+            let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+            reader.next_frame(&mut pixels).unwrap();
+            let control = reader.info().frame_control.unwrap();
+            assert_eq!((control.delay_num, control.delay_den), (1, 30));
+            let expected = picture(left, is_opaque).rgba;
+            let channels = if is_opaque { 3 } else { 4 };
+            assert!(expected.chunks_exact(4).zip(pixels.chunks_exact(channels)).all(|(a, b)| a[..channels] == *b));
+        }
+    }
+}
+
+#[test]
+fn a_y4m_has_its_header_and_so_many_bytes_a_picture() {
+    let bytes = film(Format::Y4m, true);
+    let header = b"YUV4MPEG2 W31 H18 F30:1 Ip A1:1 C420jpeg XCOLORRANGE=LIMITED\n";
+    assert!(bytes.starts_with(header));
+    assert_eq!(bytes.len(), header.len() + 4 * (6 + 31 * 18 + 2 * 16 * 9));
+    let grey = |level: u8| {
+        let plan = Plan { width: 2, height: 2, frames: 1, frames_per_second: 1, is_opaque: true };
+        let mut bytes = Vec::new();
+        let mut film = Film::new(Format::Y4m, plan, Palette::of(&[]), &mut bytes).unwrap();
+        film.push(&Image { width: 2, height: 2, rgba: [level, level, level, 255].repeat(4) }, 0.0, 1.0).unwrap();
+        film.finish().unwrap();
+        bytes[bytes.len() - 6..].to_vec()
+    };
+    assert_eq!(grey(0), [16, 16, 16, 16, 128, 128]);
+    assert_eq!(grey(255), [235, 235, 235, 235, 128, 128]);
+}
+
+#[test]
+fn a_contact_sheet_has_its_pictures_in_rows() {
+    let pictures = [2, 5, 9].map(|left| picture(left, true));
+    let sheet = contact_sheet(Grid { columns: 2, rows: 2 }, &pictures);
+    assert_eq!((sheet.width, sheet.height), (2 * 35 + 4, 2 * 22 + 4));
+    assert_eq!(sheet.pixel(4 + 9, 4 + 22 + 6), Some([220, 40, 30, 255]));
+    assert_eq!(sheet.pixel(4 + 35 + 9, 4 + 22 + 6), Some([0x1b, 0x1d, 0x21, 255]));
+}
+
+#[test]
+fn a_picture_of_another_size_is_refused() {
+    let plan = Plan { width: 3, height: 3, frames: 1, frames_per_second: 1, is_opaque: true };
+    let mut film = Film::new(Format::Y4m, plan, Palette::of(&[]), Vec::new()).unwrap();
+    let error = film.push(&picture(1, true), 0.0, 1.0).unwrap_err();
+    assert_eq!(error.to_string(), "a picture of 31x18 pixels in a film of 3x3");
+}

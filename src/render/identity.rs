@@ -1,0 +1,178 @@
+//! Pictures of which node each pixel shows: whole numbers, one sample a pixel, the same places as in pictures of colours.
+
+use std::mem::size_of;
+use std::sync::mpsc;
+
+use bytemuck::{cast_slice, pod_collect_to_vec};
+use wgpu::util::{BufferInitDescriptor, DeviceExt};
+
+use crate::frame::Frame;
+use crate::render::gpu::{Gpu, GpuError};
+use crate::render::instances::{INSTANCES_START, Instance, Packed};
+use crate::render::mesh::{Mesh, Vertex};
+use crate::render::pipelines::DEPTH_FORMAT;
+use crate::render::renderer::Viewport;
+use crate::render::uniforms::Globals;
+use crate::scene::MeshKind;
+
+const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R32Uint;
+
+/// Which node's shape is nearest in each pixel, plus 1, rows from the top; 0 where there is none. Ghosts and overlays do not count.
+///
+/// # Errors
+/// [`GpuError::Size`] where a side is 0 or longer than the adapter can draw; [`GpuError::ReadBack`].
+pub fn node_picture(gpu: &Gpu, frame: &Frame, width: u32, height: u32) -> Result<Vec<u32>, GpuError> {
+    let limit = gpu.largest_side_px();
+    if !(1..=limit).contains(&width) || !(1..=limit).contains(&height) {
+        return Err(GpuError::Size { width, height, limit });
+    }
+    let device = &gpu.device;
+    let mut packed = Packed::default();
+    packed.pack(frame, &Globals::new(frame, None, Viewport::whole(width, height)));
+    let usage = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::VERTEX;
+    // The globals' binding ends where instances begin, also where there are none.
+    let frame_buffer = device.create_buffer_init(&BufferInitDescriptor { label: None, contents: &packed.bytes, usage });
+    let pipeline = pipeline(device);
+    let globals = device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: Some("identity globals"),
+        layout: &pipeline.get_bind_group_layout(0),
+        entries: &[wgpu::BindGroupEntry {
+            binding: 0,
+            resource: wgpu::BindingResource::Buffer(wgpu::BufferBinding {
+                buffer: &frame_buffer,
+                offset: 0,
+                size: std::num::NonZeroU64::new(INSTANCES_START as u64),
+            }),
+        }],
+    });
+    let texture = |format, usage| {
+        device.create_texture(&wgpu::TextureDescriptor {
+            label: Some("identity"),
+            size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
+            mip_level_count: 1,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            format,
+            usage,
+            view_formats: &[],
+        })
+    };
+    let attachment = wgpu::TextureUsages::RENDER_ATTACHMENT;
+    let target = texture(FORMAT, attachment | wgpu::TextureUsages::COPY_SRC);
+    let whole = wgpu::TextureViewDescriptor::default();
+    let (view, depth) = (target.create_view(&whole), texture(DEPTH_FORMAT, attachment).create_view(&whole));
+    let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    {
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("identity"),
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                view: &view,
+                depth_slice: None,
+                resolve_target: None,
+                ops: wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT),
+                    store: wgpu::StoreOp::Store,
+                },
+            })],
+            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
+                view: &depth,
+                depth_ops: Some(wgpu::Operations { load: wgpu::LoadOp::Clear(0.0), store: wgpu::StoreOp::Discard }),
+                stencil_ops: None,
+            }),
+            ..Default::default()
+        });
+        pass.set_pipeline(&pipeline);
+        pass.set_bind_group(0, &globals, &[]);
+        for (kind, instances) in MeshKind::ALL.into_iter().zip(&packed.items) {
+            if instances.is_empty() {
+                continue;
+            }
+            let mesh = Mesh::unit(kind);
+            let buffer = |contents: &[u8], usage| {
+                device.create_buffer_init(&BufferInitDescriptor { label: None, contents, usage })
+            };
+            let vertices = buffer(cast_slice(&mesh.vertices), wgpu::BufferUsages::VERTEX);
+            let wide: Vec<u32> = mesh.indices.iter().map(|&index| u32::from(index)).collect();
+            let indices = buffer(cast_slice(&wide), wgpu::BufferUsages::INDEX);
+            pass.set_vertex_buffer(0, vertices.slice(..));
+            pass.set_vertex_buffer(1, frame_buffer.slice(INSTANCES_START as u64..));
+            pass.set_index_buffer(indices.slice(..), wgpu::IndexFormat::Uint32);
+            pass.draw_indexed(0..wide.len() as u32, 0, instances.clone());
+        }
+    }
+    read_back(gpu, encoder, &target)
+}
+
+fn read_back(gpu: &Gpu, mut encoder: wgpu::CommandEncoder, target: &wgpu::Texture) -> Result<Vec<u32>, GpuError> {
+    let failed = |reason: String| GpuError::ReadBack { adapter: gpu.info.name.clone(), reason };
+    let size = target.size();
+    let row_bytes = (4 * size.width).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
+    let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some("identity"),
+        size: u64::from(row_bytes) * u64::from(size.height),
+        usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+        mapped_at_creation: false,
+    });
+    let layout = wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(row_bytes), rows_per_image: None };
+    encoder.copy_texture_to_buffer(target.as_image_copy(), wgpu::TexelCopyBufferInfo { buffer: &buffer, layout }, size);
+    gpu.queue.submit([encoder.finish()]);
+    let (sender, receiver) = mpsc::channel();
+    buffer.map_async(wgpu::MapMode::Read, .., move |result| {
+        // Nobody listens where the wait failed.
+        let _ = sender.send(result);
+    });
+    gpu.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|error| failed(error.to_string()))?;
+    receiver.recv().map_err(|error| failed(error.to_string()))?.map_err(|error| failed(error.to_string()))?;
+    let padded = buffer.get_mapped_range(..).map_err(|error| failed(error.to_string()))?;
+    let rows = padded.chunks_exact(row_bytes as usize);
+    Ok(rows.flat_map(|row| pod_collect_to_vec::<u8, u32>(&row[..4 * size.width as usize])).collect())
+}
+
+fn pipeline(device: &wgpu::Device) -> wgpu::RenderPipeline {
+    let text = concat!(
+        include_str!("../../shaders/common.wgsl"),
+        include_str!("../../shaders/shape.wgsl"),
+        include_str!("../../shaders/identity.wgsl")
+    );
+    let module = &device.create_shader_module(wgpu::ShaderModuleDescriptor {
+        label: Some("identity"),
+        source: wgpu::ShaderSource::Wgsl(text.into()),
+    });
+    let corner = wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3];
+    let instance = wgpu::vertex_attr_array![
+        2 => Float32x4, 3 => Float32x4, 4 => Float32x4, 5 => Float32x4, 6 => Float32x3, 7 => Uint32, 8 => Float32
+    ];
+    let buffer = |array_stride: usize, step_mode, attributes| {
+        Some(wgpu::VertexBufferLayout { array_stride: array_stride as u64, step_mode, attributes })
+    };
+    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+        label: Some("identity"),
+        layout: None,
+        vertex: wgpu::VertexState {
+            module,
+            entry_point: Some("identity_vertex"),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            buffers: &[
+                buffer(size_of::<Vertex>(), wgpu::VertexStepMode::Vertex, &corner),
+                buffer(size_of::<Instance>(), wgpu::VertexStepMode::Instance, &instance),
+            ],
+        },
+        primitive: wgpu::PrimitiveState { cull_mode: Some(wgpu::Face::Back), ..Default::default() },
+        depth_stencil: Some(wgpu::DepthStencilState {
+            format: DEPTH_FORMAT,
+            depth_write_enabled: Some(true),
+            depth_compare: Some(wgpu::CompareFunction::GreaterEqual),
+            stencil: wgpu::StencilState::default(),
+            bias: wgpu::DepthBiasState::default(),
+        }),
+        multisample: wgpu::MultisampleState::default(),
+        fragment: Some(wgpu::FragmentState {
+            module,
+            entry_point: Some("identity_fragment"),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            targets: &[Some(FORMAT.into())],
+        }),
+        multiview_mask: None,
+        cache: None,
+    })
+}
