@@ -239,14 +239,15 @@ fn intervals(painter: &Painter, look: &Look<'_>, drag: Option<&Drag>) {
         Some(Drag::Retime(retime)) => Some(retime.place),
         _ => None,
     };
-    for place in seen.start.saturating_sub(1)..seen.end {
+    let before = seen.start.saturating_sub(1);
+    for (place, keyframe) in keyframes.iter().enumerate().take(seen.end).skip(before) {
         let Some(grip) = look.target.grip_x(place) else { continue };
         let is_hot = look.hovered == Some(Hit::Grip(place)) || dragged == Some(place);
         let colour = if is_hot { tokens.accent } else { tokens.strong_line };
         let bar = Rect::from_center_size(pos2(grip, y), if is_hot { vec2(3.0, 12.0) } else { vec2(2.0, 8.0) });
         painter.rect_filled(bar, 1.0, colour);
         let (from, to) = (scale.x_of(columns.time(place)), scale.x_of(columns.time(place + 1)));
-        let easing = keyframes[place].easing;
+        let easing = keyframe.easing;
         if easing != Easing::Linear && to - from >= LEAST_FOR_EASING {
             let middle = Rect::from_center_size(pos2(f32::midpoint(from, to), y), vec2(26.0, 14.0));
             painter.rect_filled(middle, CORNER, tokens.raised);
