@@ -1,4 +1,4 @@
-//! The panels: menus, node tree, inspector, transport, keyframe strip, status, help and dialogs.
+//! The panels: menus, node tree, inspector, transport, timeline, status, help and dialogs.
 //!
 //! Widgets read a shared [`Editor`] and push [`Command`]s; nothing here changes it. Only zoom, scroll, what is folded and what is being
 //! typed live in [`Ui`]. Nothing here knows the window, the GPU, files or the clock.
@@ -17,8 +17,8 @@ mod overlay;
 mod palette;
 mod program;
 mod status;
-mod strip;
 pub mod theme;
+mod timeline;
 mod transport;
 mod tree;
 pub mod words;
@@ -97,7 +97,7 @@ pub struct Ui {
     watched: BTreeMap<&'static str, PanelSize>,
     tree: tree::Tree,
     angles: angles::ShownAngles,
-    strip: strip::Strip,
+    timeline: timeline::Timeline,
     dialog: Option<Dialog>,
 }
 
@@ -130,10 +130,10 @@ impl Ui {
         self.has_dialog() || context.text_edit_focused()
     }
 
-    /// Whether Escape is for something of the panels: a field, a dialog, or an open menu.
+    /// Whether Escape is for something of the panels: a field, a dialog, a drag on the timeline, or an open menu.
     #[must_use]
     pub fn takes_escape(&self, context: &egui::Context) -> bool {
-        self.has_keyboard(context) || egui::Popup::is_any_open(context)
+        self.has_keyboard(context) || self.timeline.takes_escape() || egui::Popup::is_any_open(context)
     }
 
     /// Shows the panels in the whole window's `ui`.
@@ -168,9 +168,12 @@ impl Ui {
         Panel::bottom("status").exact_size(theme::STATUS).frame(plain(tokens.panel, 8, 2)).show(ui, |ui| {
             status::show(ui, editor);
         });
-        Panel::bottom("strip").exact_size(theme::STRIP).frame(plain(tokens.window, 0, 0)).show(ui, |ui| {
-            self.strip.show(ui, editor, &self.keymap, commands);
-        });
+        Panel::bottom("timeline")
+            .default_size(theme::TIMELINE)
+            .size_range(96.0..=560.0)
+            .resizable(true)
+            .frame(Frame::new())
+            .show(ui, |ui| self.timeline.show(ui, editor, self.keymap.bindings(), commands));
         Panel::bottom("transport").exact_size(theme::TRANSPORT).frame(plain(tokens.panel, 8, 4)).show(ui, |ui| {
             transport::show(ui, editor, self.keymap.bindings(), commands);
         });

@@ -116,7 +116,9 @@ fn a_menu_item_is_its_command() {
 fn a_clicked_keyframe_becomes_current() {
     let mut harness = harness(editor(5));
     click(&mut harness, "Keyframe 2");
-    assert_eq!(harness.state().commands, [Command::Edit(Edit::GoTo(KeyframeIndex::new(2)))]);
+    let index = KeyframeIndex::new(2);
+    let selects = Command::View(ViewCommand::SelectKeyframes(vec![index]));
+    assert_eq!(harness.state().commands, [selects, Command::Edit(Edit::GoTo(index))]);
     assert_eq!(harness.state().editor.document().keyframes.current(), Some(KeyframeIndex::new(2)));
 }
 
@@ -128,7 +130,7 @@ fn ten_thousand_keyframes_cost_only_what_is_seen() {
 }
 
 #[test]
-fn the_empty_strip_teaches() {
+fn the_empty_timeline_teaches() {
     let harness = harness(editor(0));
     harness
         .get_by_label("No keyframes yet: pose the robots, press n to keep a pose. Four make an animation; y plays it.");
@@ -264,7 +266,7 @@ fn without_panels_the_scene_has_all_of_the_window() {
     harness.run();
     let without = harness.state().viewport;
     assert!((without.width() - with_panels.width() - theme::SIDE).abs() <= 1.0, "{without} and {with_panels}");
-    let bars = theme::MENU_BAR + theme::TRANSPORT + theme::STRIP + theme::STATUS;
+    let bars = theme::MENU_BAR + theme::TRANSPORT + theme::TIMELINE + theme::STATUS;
     assert!((without.height() - with_panels.height() - bars).abs() <= 1.0, "{without} and {with_panels}");
 }
 

@@ -183,6 +183,7 @@ impl Editor {
             let pose = document.live_pose.clone();
             document.keyframes.insert_after_current(Keyframe::new(pose));
         });
+        self.session.selected.clear();
         match after {
             Some(after) => format!("{}: created after keyframe {}.", self.where_we_are(), after.get()),
             None => format!("{}: created the first keyframe.", self.where_we_are()),
@@ -207,12 +208,17 @@ impl Editor {
             return Err(CommandError::NoSuchKeyframe { index: index.get(), count });
         }
         self.show_keyframe("step to another keyframe", index);
+        // A selection is what the next edit is for: one that was left behind would surprise.
+        if !self.session.selected.contains(&index) {
+            self.session.selected.clear();
+        }
         Ok(format!("{}: copied to the scene.", self.where_we_are()))
     }
 
     fn delete_current(&mut self) -> Outcome {
         self.end_scrub();
         let deleted = self.document.keyframes.current().ok_or(CommandError::NothingToDelete)?;
+        self.session.selected.clear();
         self.record("deletion of a keyframe", None, |document| {
             document.keyframes.delete_current();
             if let Some(keyframe) = document.keyframes.current_keyframe() {
@@ -269,10 +275,8 @@ impl Editor {
                 self.refuse_while_playing("move a node")?;
                 self.commit_gesture();
                 self.history.end_run();
+                // What was scrubbed to stays on screen until the drag moves a node.
                 self.gesture = Some(self.document.clone());
-                if let Some(pose) = self.end_scrub() {
-                    self.document.live_pose = pose;
-                }
             }
             GestureCommand::Move(motion) => {
                 if self.gesture.is_none() {
@@ -316,7 +320,9 @@ impl Editor {
             return Err(CommandError::DuringDrag);
         }
         self.end_scrub();
+        let before = self.document.keyframes.clone();
         let label = self.history.undo(&mut self.document).ok_or(CommandError::NothingToUndo)?;
+        self.drop_stale_selection(&before);
         Ok(format!("Undone: {label}."))
     }
 
@@ -326,8 +332,19 @@ impl Editor {
             return Err(CommandError::DuringDrag);
         }
         self.end_scrub();
+        let before = self.document.keyframes.clone();
         let label = self.history.redo(&mut self.document).ok_or(CommandError::NothingToRedo)?;
+        self.drop_stale_selection(&before);
         Ok(format!("Redone: {label}."))
+    }
+
+    /// Selects nothing where the list has become another one, in which the same places are other keyframes.
+    fn drop_stale_selection(&mut self, before: &KeyframeList) {
+        let after = &self.document.keyframes;
+        let is_same_pose = |(a, b): (&Keyframe, &Keyframe)| a.pose.same_as(&b.pose);
+        if before.len() != after.len() || !before.as_slice().iter().zip(after.as_slice()).all(is_same_pose) {
+            self.session.selected.clear();
+        }
     }
 
     fn cancel(&mut self) -> String {

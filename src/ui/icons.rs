@@ -39,11 +39,28 @@ pub enum Icon {
     Tick,
     /// One more.
     More,
-    /// Something went wrong.
+    /// Play from the playhead.
+    PlayFromPlayhead,
+    /// Play once.
+    Once,
+    /// Play in a loop.
+    Loop,
+    /// Play forwards and backwards.
+    PingPong,
+    /// Drags record.
+    AutoKey,
+    /// The poses of neighbouring keyframes.
+    Ghosts,
+    /// All of it in sight.
+    FitAll,
+    /// What is selected in sight.
+    FitSelection,
+    /// Something may go wrong.
     Warning,
 }
 
 /// Draws an icon about a centre.
+#[expect(clippy::too_many_lines, reason = "it is one set")]
 pub fn paint(painter: &Painter, icon: Icon, centre: Pos2, colour: Color32) {
     let at = |x: f32, y: f32| centre + vec2(x, y);
     let stroke = Stroke::new(1.5, colour);
@@ -111,6 +128,64 @@ pub fn paint(painter: &Painter, icon: Icon, centre: Pos2, colour: Color32) {
             painter.circle_stroke(at(-2.5, 2.5), 2.2, stroke);
             line(at(-0.9, 0.9), at(4.5, -4.5));
         }
+        Icon::PlayFromPlayhead => {
+            bar(-6.0, -6.0, 1.8, 12.0);
+            fill(vec![at(-2.0, -5.0), at(6.0, 0.0), at(-2.0, 5.0)]);
+        }
+        Icon::Once => {
+            line(at(-6.5, 0.0), at(3.5, 0.0));
+            line(at(0.0, -3.5), at(3.5, 0.0));
+            line(at(0.0, 3.5), at(3.5, 0.0));
+            line(at(6.0, -5.0), at(6.0, 5.0));
+        }
+        Icon::Loop => {
+            let arc = |from: f32, to: f32| {
+                (0..=12u8).map(move |step| {
+                    let angle = (from + (to - from) * f32::from(step) / 12.0).to_radians();
+                    at(5.5 * angle.cos(), 5.5 * angle.sin())
+                })
+            };
+            painter.line(arc(-60.0, 230.0).collect(), stroke);
+            fill(vec![at(-5.5, -7.0), at(0.5, -5.5), at(-3.8, -1.6)]);
+        }
+        Icon::PingPong => {
+            line(at(-6.0, 0.0), at(6.0, 0.0));
+            for side in [-1.0, 1.0] {
+                line(at(side * 2.8, -3.2), at(side * 6.3, 0.0));
+                line(at(side * 2.8, 3.2), at(side * 6.3, 0.0));
+            }
+        }
+        Icon::AutoKey => {
+            painter.circle_stroke(centre, 6.0, stroke);
+            painter.circle_filled(centre, 3.2, colour);
+        }
+        Icon::Ghosts => {
+            diamond(painter, at(-3.5, 0.0), 4.0, Color32::TRANSPARENT, Stroke::new(1.0, colour.gamma_multiply(0.6)));
+            diamond(painter, at(3.5, 0.0), 4.0, Color32::TRANSPARENT, Stroke::new(1.0, colour.gamma_multiply(0.6)));
+            diamond(painter, centre, 4.5, colour, Stroke::NONE);
+        }
+        Icon::FitAll => {
+            for side in [-1.0, 1.0] {
+                line(at(side * 7.0, -5.0), at(side * 7.0, 5.0));
+                line(at(side * 1.0, 0.0), at(side * 5.0, 0.0));
+                line(at(side * 2.6, -2.6), at(side * 5.2, 0.0));
+                line(at(side * 2.6, 2.6), at(side * 5.2, 0.0));
+            }
+        }
+        Icon::FitSelection => {
+            for side in [-1.0, 1.0] {
+                line(at(side * 7.0, -5.0), at(side * 7.0, 5.0));
+                line(at(side * 7.0, -5.0), at(side * 4.5, -5.0));
+                line(at(side * 7.0, 5.0), at(side * 4.5, 5.0));
+            }
+            diamond(painter, centre, 3.6, colour, Stroke::NONE);
+        }
+        Icon::Warning => {
+            let corners = [at(0.0, -5.5), at(6.0, 5.0), at(-6.0, 5.0)];
+            painter.add(Shape::closed_line(corners.to_vec(), stroke));
+            line(at(0.0, -1.8), at(0.0, 1.4));
+            painter.circle_filled(at(0.0, 3.3), 0.9, colour);
+        }
         Icon::Tick => {
             line(at(-3.5, 0.0), at(-1.0, 3.0));
             line(at(-1.0, 3.0), at(4.0, -3.5));
@@ -118,11 +193,6 @@ pub fn paint(painter: &Painter, icon: Icon, centre: Pos2, colour: Color32) {
         Icon::More => {
             line(at(-4.0, 0.0), at(4.0, 0.0));
             line(at(0.0, -4.0), at(0.0, 4.0));
-        }
-        Icon::Warning => {
-            painter.circle_stroke(centre, 6.5, stroke);
-            line(at(0.0, -3.5), at(0.0, 0.8));
-            painter.circle_filled(at(0.0, 3.2), 1.0, colour);
         }
         Icon::Eye => {
             let lid = |side: f32| {
@@ -151,8 +221,14 @@ pub fn diamond(painter: &Painter, centre: Pos2, radius: f32, fill: Color32, stro
 
 /// A button that shows an icon. `name` is what it does, `key` its hotkey; both stand in the tooltip, the name is what screen readers say.
 pub fn button(ui: &mut Ui, icon: Icon, name: &str, key: &str, is_enabled: bool, is_lit: bool) -> bool {
-    let (rect, response) = ui
-        .allocate_exact_size(Vec2::new(ROW + 6.0, ROW + 2.0), if is_enabled { Sense::click() } else { Sense::hover() });
+    let (_, rect) = ui.allocate_space(Vec2::new(ROW + 6.0, ROW + 2.0));
+    button_at(ui, rect, icon, name, key, is_enabled, is_lit)
+}
+
+/// Like [`button`], in a place of its own.
+pub fn button_at(ui: &Ui, rect: Rect, icon: Icon, name: &str, key: &str, is_enabled: bool, is_lit: bool) -> bool {
+    let sense = if is_enabled { Sense::click() } else { Sense::hover() };
+    let response = ui.interact(rect, ui.scope_id().with(("button", name)), sense);
     response.widget_info(|| WidgetInfo::labeled(Role::Button, is_enabled, name));
     let tokens = Tokens::of(ui);
     if is_enabled && (response.hovered() || response.has_focus()) {

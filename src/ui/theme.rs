@@ -12,8 +12,8 @@ pub const ROW: f32 = 22.0;
 pub const MENU_BAR: f32 = 24.0;
 /// Height of the transport, in points.
 pub const TRANSPORT: f32 = 32.0;
-/// Height of the keyframe strip, in points.
-pub const STRIP: f32 = 72.0;
+/// Height of the timeline at first, in points.
+pub const TIMELINE: f32 = 160.0;
 /// Height of the status line, in points.
 pub const STATUS: f32 = 22.0;
 /// Width of the right panel, in points.
@@ -30,7 +30,7 @@ pub const CORNER: u8 = 4;
 /// What each colour is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Tokens {
-    /// Behind everything: fields, the strip.
+    /// Behind everything: fields, what is not played.
     pub window: Color32,
     /// Panels, menus, dialogs.
     pub panel: Color32,
@@ -54,6 +54,8 @@ pub struct Tokens {
     pub information: Color32,
     /// Messages that say what was refused.
     pub error: Color32,
+    /// The curves of x, y and z.
+    pub axes: [Color32; 3],
     /// Behind text that stands over the scene.
     pub over_scene: Color32,
     /// Over everything that a dialog keeps waiting.
@@ -75,6 +77,11 @@ impl Tokens {
         accent_fill: Color32::from_rgb(0x48, 0x38, 0x21),
         information: Color32::from_rgb(0x5a, 0xa9, 0xe6),
         error: Color32::from_rgb(0xe9, 0x73, 0x6a),
+        axes: [
+            Color32::from_rgb(0xe9, 0x73, 0x6a),
+            Color32::from_rgb(0x7f, 0xc4, 0x6b),
+            Color32::from_rgb(0x5a, 0xa9, 0xe6),
+        ],
         over_scene: Color32::from_rgba_premultiplied(0x17, 0x19, 0x1c, 0xd8),
         shade: Color32::from_black_alpha(0x78),
     };
@@ -93,6 +100,11 @@ impl Tokens {
         accent_fill: Color32::from_rgb(0xfb, 0xe6, 0xc8),
         information: Color32::from_rgb(0x1b, 0x6f, 0xb3),
         error: Color32::from_rgb(0xc2, 0x3b, 0x30),
+        axes: [
+            Color32::from_rgb(0xc2, 0x3b, 0x30),
+            Color32::from_rgb(0x2f, 0x7d, 0x32),
+            Color32::from_rgb(0x1b, 0x6f, 0xb3),
+        ],
         over_scene: Color32::from_rgba_premultiplied(0xe4, 0xe5, 0xe7, 0xe6),
         shade: Color32::from_black_alpha(0x50),
     };

@@ -1,53 +1,99 @@
-//! The transport: step, play, stop, pause; the key time; the pace; the interpolation; the keyframe at hand.
+//! The transport: step, play, stop, pause, loop; auto-key; the key time; the pace; the interpolation; ghosts; the keyframe at hand.
 
 use egui::{ComboBox, DragValue, RichText, Role, Sense, Ui, WidgetInfo, vec2};
 
 use super::binding_of;
 use super::icons::{Icon, button};
 use super::theme::{GRID, ROW, Tokens};
-use super::words::Words;
 use crate::editor::keymap::Binding;
-use crate::editor::{Command, Edit, Editor, PlaybackCommand};
+use crate::editor::{Command, Edit, Editor, PlayMode, PlaybackCommand, SPEED_PERCENT_RANGE, ViewCommand};
 use crate::interpolation::Interpolation;
 use crate::keyframe::{KeyframeIndex, MS_BETWEEN_KEYFRAMES_RANGE, PlayRange};
 
+/// Narrower than this, in points, and the row leaves out what the keyboard and the menus have too.
+const ALL_FITS: f32 = 964.0;
+/// Narrower than this, and it leaves out speed and ghosts too.
+const MOST_FITS: f32 = 812.0;
+
 /// Shows the row.
 pub fn show(ui: &mut Ui, editor: &Editor, bindings: &[Binding], commands: &mut Vec<Command>) {
+    let width = ui.available_width();
     ui.horizontal_centered(|ui| {
         ui.spacing_mut().item_spacing.x = 2.0;
-        let words = Words::of(ui);
-        let playing = editor.is_playing();
-        let play = Command::Playback(PlaybackCommand::PlayOrStop);
-        let pause = Command::Playback(PlaybackCommand::PauseOrResume);
-        let mut press = |ui: &mut Ui, icon, command: Command, name: Option<&str>, is_lit: bool| {
-            let binding = binding_of(bindings, &command);
-            let name = name.or_else(|| binding.map(|binding| words.say(binding.name))).unwrap_or_default();
-            let key = binding.map(Binding::keys).unwrap_or_default();
-            if button(ui, icon, name, &key, editor.can(&command), is_lit) {
-                commands.push(command);
+        playing(ui, editor, bindings, commands);
+        divider(ui);
+        if width >= ALL_FITS {
+            for (icon, edit) in [
+                (Icon::NewKeyframe, Edit::CreateKeyframe),
+                (Icon::UpdateKeyframe, Edit::UpdateCurrent),
+                (Icon::DisplayKeyframe, Edit::DisplayCurrent),
+                (Icon::DeleteKeyframe, Edit::DeleteCurrent),
+            ] {
+                press(ui, editor, bindings, icon, Command::Edit(edit), None, false, commands);
             }
-        };
-        press(ui, Icon::Previous, Command::Edit(Edit::GoToPrevious), None, false);
-        let (icon, name) = if playing { (Icon::Stop, words.say("Stop")) } else { (Icon::Play, words.say("Play")) };
-        press(ui, icon, play, Some(name), playing);
-        let go_on = if editor.is_paused() { words.say("Go on") } else { words.say("Pause") };
-        press(ui, Icon::Pause, pause, Some(go_on), editor.is_paused());
-        press(ui, Icon::Next, Command::Edit(Edit::GoToNext), None, false);
-        divider(ui);
-        press(ui, Icon::NewKeyframe, Command::Edit(Edit::CreateKeyframe), None, false);
-        press(ui, Icon::UpdateKeyframe, Command::Edit(Edit::UpdateCurrent), None, false);
-        press(ui, Icon::DisplayKeyframe, Command::Edit(Edit::DisplayCurrent), None, false);
-        press(ui, Icon::DeleteKeyframe, Command::Edit(Edit::DeleteCurrent), None, false);
-        divider(ui);
+            divider(ui);
+        }
         readout(ui, editor);
         divider(ui);
-        pace(ui, editor, bindings, commands);
-        interpolation(ui, editor, bindings, commands);
+        pace(ui, editor, commands);
+        if width >= MOST_FITS {
+            speed(ui, editor, commands);
+        }
+        ui.add_space(GRID);
+        interpolation(ui, editor, commands);
+        if width >= MOST_FITS {
+            divider(ui);
+            ghosts(ui, editor, commands);
+        }
     });
 }
 
+#[expect(clippy::too_many_arguments, reason = "it is a button with all that it shows")]
+fn press(
+    ui: &mut Ui,
+    editor: &Editor,
+    bindings: &[Binding],
+    icon: Icon,
+    command: Command,
+    name: Option<&str>,
+    is_lit: bool,
+    commands: &mut Vec<Command>,
+) {
+    let binding = binding_of(bindings, &command);
+    let name = name.or_else(|| binding.map(|binding| binding.name)).unwrap_or_default();
+    let key = binding.map(Binding::keys).unwrap_or_default();
+    if button(ui, icon, name, &key, editor.can(&command), is_lit) {
+        commands.push(command);
+    }
+}
+
+fn playing(ui: &mut Ui, editor: &Editor, bindings: &[Binding], commands: &mut Vec<Command>) {
+    let is_playing = editor.is_playing();
+    let mut press = |ui: &mut Ui, icon, command, name: Option<&str>, is_lit| {
+        press(ui, editor, bindings, icon, command, name, is_lit, commands);
+    };
+    let playback = Command::Playback;
+    press(ui, Icon::Previous, Command::Edit(Edit::GoToPrevious), None, false);
+    let (icon, name) = if is_playing { (Icon::Stop, "Stop") } else { (Icon::Play, "Play") };
+    press(ui, icon, playback(PlaybackCommand::PlayOrStop), Some(name), is_playing);
+    let name = if editor.is_paused() { "Go on" } else { "Pause" };
+    press(ui, Icon::Pause, playback(PlaybackCommand::PauseOrResume), Some(name), editor.is_paused());
+    press(ui, Icon::Next, Command::Edit(Edit::GoToNext), None, false);
+    press(ui, Icon::PlayFromPlayhead, playback(PlaybackCommand::PlayFromPlayhead), None, false);
+    let mode = editor.session().play_mode;
+    let (icon, name) = match mode {
+        PlayMode::Once => (Icon::Once, "Plays once"),
+        PlayMode::Loop => (Icon::Loop, "Plays in a loop"),
+        PlayMode::PingPong => (Icon::PingPong, "Plays forwards and backwards"),
+    };
+    press(ui, icon, playback(PlaybackCommand::NextMode), Some(name), mode != PlayMode::Once);
+    let is_on = editor.session().auto_keys;
+    let name = if is_on { "Auto-key is on" } else { "Auto-key is off" };
+    press(ui, Icon::AutoKey, Command::View(ViewCommand::ToggleAutoKeys), Some(name), is_on);
+}
+
 fn divider(ui: &mut Ui) {
-    let (rect, _) = ui.allocate_exact_size(vec2(4.0 * GRID + 1.0, ROW), Sense::hover());
+    let (rect, _) = ui.allocate_exact_size(vec2(3.0 * GRID + 1.0, ROW), Sense::hover());
     let stroke = egui::Stroke::new(1.0, Tokens::of(ui).line);
     ui.painter().vline(rect.center().x, rect.y_range(), stroke);
 }
@@ -74,48 +120,70 @@ fn current_key_time(current: usize) -> f64 {
 
 fn readout(ui: &mut Ui, editor: &Editor) {
     let tokens = Tokens::of(ui);
-    let text = Words::of(ui).message(&key_time_text(editor));
-    let colour = if editor.is_playing() { tokens.accent } else { tokens.text };
-    let (rect, response) = ui.allocate_exact_size(vec2(104.0, ROW), Sense::hover());
+    let text = key_time_text(editor);
+    let colour = if editor.is_playing() || editor.is_scrubbed() { tokens.accent } else { tokens.text };
+    let (rect, response) = ui.allocate_exact_size(vec2(112.0, ROW), Sense::hover());
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &text));
     ui.painter().text(rect.left_center(), egui::Align2::LEFT_CENTER, text, super::theme::number_font(), colour);
     response.on_hover_text(
-        Words::of(ui)
-            .say("Key time and the last one. Key time 0 is keyframe 1: the first and the last keyframe only steer."),
+        "Key time and the last one. Key time 0 is keyframe 1: the first and the last keyframe only steer.",
     );
 }
 
-fn pace(ui: &mut Ui, editor: &Editor, bindings: &[Binding], commands: &mut Vec<Command>) {
-    let key = |edit| binding_of(bindings, &Command::Edit(edit)).map(Binding::menu_key).unwrap_or_default();
-    let keys = format!("{}  {}", key(Edit::Faster), key(Edit::Slower));
+fn pace(ui: &mut Ui, editor: &Editor, commands: &mut Vec<Command>) {
     let mut ms = editor.document().ms_between_keyframes;
     let number =
         DragValue::new(&mut ms).range(MS_BETWEEN_KEYFRAMES_RANGE).speed(10.0).suffix(" ms").update_while_editing(false);
-    let name = Words::of(ui).say("Milliseconds between keyframes");
-    let response = ui.add_sized(vec2(84.0, ROW), number);
-    response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, name));
-    if response.on_hover_text(format!("{name}  ·  {keys}")).changed() {
+    let response = ui.add_sized(vec2(80.0, ROW), number);
+    response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, "Milliseconds between keyframes"));
+    if response.on_hover_text("Milliseconds between keyframes  ·  + and −").changed() {
         commands.push(Command::Edit(Edit::SetMsBetweenKeyframes(ms)));
     }
-    ui.add_space(2.0 * GRID);
+    ui.add_space(GRID);
 }
 
-fn interpolation(ui: &mut Ui, editor: &Editor, bindings: &[Binding], commands: &mut Vec<Command>) {
-    let words = Words::of(ui);
+fn speed(ui: &mut Ui, editor: &Editor, commands: &mut Vec<Command>) {
+    let mut percent = editor.session().speed_percent;
+    let number =
+        DragValue::new(&mut percent).range(SPEED_PERCENT_RANGE).speed(1.0).suffix(" %").update_while_editing(false);
+    let response = ui.add_sized(vec2(60.0, ROW), number);
+    response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, "Speed in percent"));
+    if response.on_hover_text("Speed of playing; the file keeps its milliseconds").changed() {
+        commands.push(Command::Playback(PlaybackCommand::SetSpeedPercent(percent)));
+    }
+}
+
+fn interpolation(ui: &mut Ui, editor: &Editor, commands: &mut Vec<Command>) {
     let current = editor.document().interpolation;
     let response = ComboBox::from_id_salt("interpolation")
-        .selected_text(RichText::new(words.say(current.label())))
+        .selected_text(RichText::new(current.label()))
         .width(112.0)
         .show_ui(ui, |ui| {
             for interpolation in Interpolation::ALL {
-                if ui.selectable_label(current == interpolation, words.say(interpolation.label())).clicked() {
+                if ui.selectable_label(current == interpolation, interpolation.label()).clicked() {
                     commands.push(Command::Edit(Edit::SetInterpolation(interpolation)));
                 }
             }
         })
         .response;
-    response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, words.say("Interpolation")));
-    let key = binding_of(bindings, &Command::Edit(Edit::NextInterpolation)).map(Binding::menu_key).unwrap_or_default();
-    let response = response.on_hover_text(super::tip(words.say("Interpolation"), &key));
+    response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, "Interpolation"));
+    let response = response.on_hover_text("Interpolation  ·  t");
     let _ = super::icons::was_pressed(&response);
+}
+
+fn ghosts(ui: &mut Ui, editor: &Editor, commands: &mut Vec<Command>) {
+    let count = editor.session().ghosts;
+    let name = match count {
+        0 => "Ghosts: none".to_owned(),
+        count => format!("Ghosts: {count} on each side"),
+    };
+    let tip = format!("{name}. A click shows one more of the neighbouring keyframes, up to 3");
+    if button(ui, Icon::Ghosts, &tip, "", true, count > 0) {
+        commands.push(Command::View(ViewCommand::SetGhosts((count + 1) % 4)));
+    }
+    let (rect, _) = ui.allocate_exact_size(vec2(14.0, ROW), Sense::hover());
+    let tokens = Tokens::of(ui);
+    let colour = if count > 0 { tokens.accent } else { tokens.dim };
+    let font = super::theme::number_font();
+    ui.painter().text(rect.left_center(), egui::Align2::LEFT_CENTER, count, font, colour);
 }

@@ -1,0 +1,394 @@
+//! The timeline: a ruler, a row for all nodes and one for each, and a diamond for every keyframe; beside it, graphs.
+//!
+//! Areas, hits and what a drag asks for are worked out apart from painting. Only what is in sight is looked at.
+
+mod columns;
+mod curves;
+mod drag;
+mod graphs;
+mod hit;
+mod labels;
+mod menu;
+mod paint;
+mod rows;
+mod scale;
+mod tips;
+
+use egui::{Align2, FontId, Id, Key, Rect, Response, RichText, Role, Sense, TextEdit, Ui, WidgetInfo, pos2, vec2};
+
+use super::theme::{ROW, Tokens};
+use crate::editor::keymap::Binding;
+use crate::editor::{Command, Edit, Editor, GestureCommand, TimelineEdit};
+use crate::keyframe::{KeyframeIndex, PlayRange};
+use columns::Columns;
+use drag::Drag;
+use hit::{Hit, Layout, RADIUS, Target};
+use paint::Look;
+use rows::Rows;
+use scale::{MOST_POINTS, Scale, View};
+
+/// Width of the field that a name is typed into.
+const NAME_FIELD: f32 = 120.0;
+
+/// Which side of the timeline is shown.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Tab {
+    /// Diamonds.
+    #[default]
+    Keyframes,
+    /// Curves of the chosen node.
+    Graphs,
+}
+
+/// A name that is being typed.
+#[derive(Clone, Debug)]
+struct Renaming {
+    keyframe: KeyframeIndex,
+    typed: String,
+    is_new: bool,
+}
+
+/// Zoom, scroll, what is folded, and the drag that goes on.
+#[derive(Clone, Debug, Default)]
+pub struct Timeline {
+    tab: Tab,
+    columns: Columns,
+    rows: Rows,
+    /// What is in sight; `None` until somebody zooms or pans.
+    view: Option<View>,
+    /// What is in sight as long as nobody does: kept while a drag goes on, so that nothing moves under the pointer.
+    untouched: Option<View>,
+    /// For how many keyframes and what width that is.
+    fitted_to: (usize, f32),
+    scroll: f32,
+    drag: Option<Drag>,
+    hovered: Option<Hit>,
+    /// Where a selection with Shift begins.
+    anchor: Option<usize>,
+    renaming: Option<Renaming>,
+    /// What was last shown, so that the timeline scrolls only when that changes.
+    shown: Option<(Option<KeyframeIndex>, usize)>,
+    /// The keyframe that the context menu is for.
+    menu_for: Option<usize>,
+    graphs: graphs::Graphs,
+}
+
+impl Timeline {
+    /// Whether Escape is for the timeline: a drag goes on, which it ends.
+    #[must_use]
+    pub const fn takes_escape(&self) -> bool {
+        self.drag.is_some() || self.graphs.is_dragging()
+    }
+
+    /// Shows the timeline.
+    pub fn show(&mut self, ui: &mut Ui, editor: &Editor, bindings: &[Binding], commands: &mut Vec<Command>) {
+        let whole = ui.available_rect_before_wrap();
+        if editor.document().keyframes.is_empty() {
+            empty(ui);
+            return;
+        }
+        ui.advance_cursor_after_rect(whole);
+        let mut columns = std::mem::take(&mut self.columns);
+        columns.update(&editor.document().keyframes);
+        let layout = Layout::of(whole);
+        let response = ui.interact(layout.scaled(), ui.scope_id().with("tracks"), Sense::click_and_drag());
+        response.widget_info(|| WidgetInfo::labeled(Role::Group, true, "Timeline"));
+        self.choose_view(editor, &layout, &columns);
+        self.wheel(ui, &response, &layout, &columns);
+        self.keys(ui, &response, editor, &layout, &columns);
+
+        let rows = self.rows.of(editor.scene());
+        let shown_rows = if self.tab == Tab::Keyframes { rows.len() } else { 0 };
+        self.keep_scroll(shown_rows, &layout);
+        let scale = self.scale(&layout, &columns);
+        let target = Target {
+            layout: &layout,
+            scale: &scale,
+            columns: &columns,
+            range: played(editor),
+            has_rows: self.tab == Tab::Keyframes,
+            rows: shown_rows,
+            scroll: self.scroll,
+        };
+        let takes_part = self.tab == Tab::Graphs && self.graphs.pointer(ui, &response, &target, editor, commands);
+        if !takes_part {
+            self.pointer(ui, &response, &target, editor, commands);
+        }
+        let look = Look { editor, target: &target, tokens: Tokens::of(ui), hovered: self.hovered };
+        self.paint(ui, &look, &rows);
+        labels::header(self, ui, &layout, &columns, editor);
+        match self.tab {
+            Tab::Keyframes => {
+                labels::rows(self, ui, &look, &rows, commands);
+                diamonds(self, ui, &look, commands);
+            }
+            Tab::Graphs => self.graphs.legend(ui, &look),
+        }
+        self.tips(&response, &look);
+        self.menu(ui, &response, &target, editor, bindings, commands);
+        self.rename_field(ui, &target, editor, commands);
+        self.columns = columns;
+    }
+
+    fn paint(&mut self, ui: &Ui, look: &Look<'_>, rows: &[rows::Row]) {
+        let layout = look.target.layout;
+        let painter = ui.painter().with_clip_rect(layout.scaled().intersect(ui.clip_rect()));
+        let side = layout.header.union(layout.labels);
+        ui.painter().rect_filled(side, 0.0, look.tokens.panel);
+        paint::ground(&painter, look);
+        paint::ruler(&painter, look);
+        if self.tab == Tab::Keyframes {
+            paint::lines(&painter, look);
+            paint::nodes(&painter, look, rows);
+            paint::summary(&painter, look, self.drag.as_ref());
+            missing(ui, look);
+        } else {
+            self.graphs.paint(&painter, look);
+        }
+        paint::playhead(&painter, look);
+        if let (Some(drag), Some(at)) = (&self.drag, ui.input(|input| input.pointer.latest_pos())) {
+            paint::dragging(&painter, look, drag, self.box_at(look.target, at), at);
+        }
+        let line = egui::Stroke::new(1.0, look.tokens.line);
+        ui.painter().vline(side.right() - 0.5, side.y_range(), line);
+        ui.painter().hline(side.x_range(), layout.header.bottom() - 0.5, line);
+    }
+
+    /// The view in force, moved where the current keyframe or the playhead has left it.
+    fn choose_view(&mut self, editor: &Editor, layout: &Layout, columns: &Columns) {
+        let width = layout.tracks.width();
+        let (first, last) = columns.ends();
+        let is_still = self.drag.is_none() && !self.graphs.is_dragging();
+        let fitted_to = (columns.len(), width);
+        if is_still && self.fitted_to != fitted_to {
+            // More keyframes, or another width: what nobody zoomed fits itself. Retiming leaves it alone.
+            self.fitted_to = fitted_to;
+            let fresh = View::at_first(first, last, width);
+            let same_zoom = self.untouched.filter(|view| view.points_per_unit == fresh.points_per_unit);
+            self.untouched = Some(same_zoom.unwrap_or(fresh));
+        }
+        let now = (editor.document().keyframes.current(), columns.len());
+        let is_new = self.shown.replace(now) != Some(now);
+        if !is_still {
+            return;
+        }
+        let view = self.view.as_mut().or(self.untouched.as_mut());
+        let Some(view) = view else { return };
+        if editor.is_playing() {
+            if let Some(key_time) = editor.playhead() {
+                *view = view.paged(columns.time_of_key(key_time), width);
+            }
+        } else if let Some(current) = now.0.filter(|_| is_new) {
+            *view = view.showing(columns.time(current.get()), width);
+        }
+        *view = view.kept_near(first, last, width);
+    }
+
+    fn scale(&self, layout: &Layout, columns: &Columns) -> Scale {
+        let (first, last) = columns.ends();
+        let view = self.view.or(self.untouched);
+        Scale {
+            left: layout.tracks.left(),
+            right: layout.tracks.right(),
+            view: view.unwrap_or_else(|| View::at_first(first, last, layout.tracks.width())),
+        }
+    }
+
+    fn keep_scroll(&mut self, rows: usize, layout: &Layout) {
+        #[expect(clippy::cast_precision_loss, reason = "trees are not that long")]
+        let most = (rows as f32 * ROW - layout.nodes.height()).max(0.0);
+        self.scroll = self.scroll.clamp(0.0, most);
+    }
+
+    /// Changes what is in sight, from what it is.
+    fn set_view(&mut self, change: impl FnOnce(View) -> View, width: f32, columns: &Columns) {
+        let (first, last) = columns.ends();
+        let view = self.view.or(self.untouched).unwrap_or_else(|| View::at_first(first, last, width));
+        self.view = Some(change(view).kept_near(first, last, width));
+    }
+
+    fn pan(&mut self, by: f32, target: &Target<'_>) {
+        let width = target.layout.tracks.width();
+        let (first, last) = target.columns.ends();
+        self.view = Some(target.scale.view.panned(by).kept_near(first, last, width));
+    }
+
+    fn wheel(&mut self, ui: &Ui, response: &Response, layout: &Layout, columns: &Columns) {
+        let Some(at) = ui.input(|input| input.pointer.hover_pos()) else { return };
+        let is_over_names = layout.labels.contains(at) && ui.ctx().layer_id_at(at) == Some(ui.layer_id());
+        if !(response.hovered() || is_over_names) {
+            return;
+        }
+        let (zoom, scrolled, modifiers) =
+            ui.input(|input| (input.zoom_delta(), input.smooth_scroll_delta(), input.modifiers));
+        let width = layout.tracks.width();
+        if zoom != 1.0 {
+            let (first, last) = columns.ends();
+            let least = (View::fitting(first, last, width).points_per_unit / 2.0).min(MOST_POINTS);
+            self.set_view(|view| view.zoomed(f64::from(zoom), at.x - layout.tracks.left(), least), width, columns);
+        } else if scrolled != egui::Vec2::ZERO {
+            if modifiers.shift || is_over_names {
+                self.scroll -= scrolled.x + scrolled.y;
+            } else {
+                self.set_view(|view| view.panned(scrolled.x + scrolled.y), width, columns);
+            }
+        }
+    }
+
+    fn keys(&mut self, ui: &Ui, response: &Response, editor: &Editor, layout: &Layout, columns: &Columns) {
+        if ui.ctx().text_edit_focused() || egui::Popup::is_any_open(ui.ctx()) {
+            return;
+        }
+        let pressed = |key| ui.input(|input| input.key_pressed(key));
+        let (plain, shift) = ui.input(|input| (input.modifiers.is_none(), input.modifiers.shift_only()));
+        if response.contains_pointer() && pressed(Key::F) && plain {
+            self.fit_all(layout, columns);
+        }
+        if response.contains_pointer() && pressed(Key::F) && shift {
+            self.fit_selection(editor, layout, columns);
+        }
+        if pressed(Key::F2) && plain && !editor.is_playing() {
+            self.start_renaming(editor, editor.document().keyframes.current());
+        }
+    }
+
+    /// Brings the whole list into sight.
+    fn fit_all(&mut self, layout: &Layout, columns: &Columns) {
+        let (first, last) = columns.ends();
+        self.view = Some(View::fitting(first, last, layout.tracks.width()));
+    }
+
+    /// Brings the keyframes at hand into sight, with their neighbours where it is one.
+    fn fit_selection(&mut self, editor: &Editor, layout: &Layout, columns: &Columns) {
+        let places = editor.keyframes_at_hand();
+        let (Some(&first), Some(&last)) = (places.first(), places.last()) else { return };
+        let last_place = columns.len().saturating_sub(1);
+        let (first, last) =
+            if first == last { (first.saturating_sub(1), (last + 1).min(last_place)) } else { (first, last) };
+        self.view = Some(View::fitting(columns.time(first), columns.time(last), layout.tracks.width()));
+    }
+
+    fn start_renaming(&mut self, editor: &Editor, keyframe: Option<KeyframeIndex>) {
+        let Some(index) = keyframe else { return };
+        let Some(keyframe) = editor.document().keyframes.get(index) else { return };
+        let typed = keyframe.name.as_deref().unwrap_or_default().to_owned();
+        self.renaming = Some(Renaming { keyframe: index, typed, is_new: true });
+    }
+
+    fn rename_field(&mut self, ui: &mut Ui, target: &Target<'_>, editor: &Editor, commands: &mut Vec<Command>) {
+        let Some(renaming) = &mut self.renaming else { return };
+        let place = renaming.keyframe.get();
+        if place >= target.columns.len() || editor.is_playing() {
+            self.renaming = None;
+            return;
+        }
+        let tracks = target.layout.tracks;
+        let x = target.scale.x_of(target.columns.time(place)) - 12.0;
+        let x = x.min(tracks.right() - NAME_FIELD - 4.0).max(tracks.left() + 4.0);
+        let area = Rect::from_min_size(pos2(x, target.layout.ruler.top() + 8.0), vec2(NAME_FIELD, ROW + 2.0));
+        let id = Id::unique("name of a keyframe");
+        let hint = format!("Name of keyframe {place}");
+        let field = TextEdit::singleline(&mut renaming.typed)
+            .id(id)
+            .hint_text(&hint)
+            .char_limit(100)
+            .align(egui::Align2::LEFT_CENTER);
+        let response = ui.put(area, field);
+        response.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, &hint));
+        if std::mem::take(&mut renaming.is_new) {
+            response.request_focus();
+            select_all(ui, id, renaming.typed.chars().count());
+            return;
+        }
+        if !response.lost_focus() {
+            return;
+        }
+        let is_cancelled = ui.input(|input| input.key_pressed(Key::Escape));
+        if let Some(Renaming { keyframe, typed, .. }) = self.renaming.take().filter(|_| !is_cancelled) {
+            let before = editor.document().keyframes.get(keyframe).and_then(|keyframe| keyframe.name.as_deref());
+            if before.unwrap_or_default() != typed.trim() {
+                commands.push(Command::Edit(Edit::Timeline(TimelineEdit::RenameKeyframe(keyframe, typed))));
+            }
+        }
+    }
+}
+
+fn select_all(ui: &Ui, id: Id, characters: usize) {
+    let mut state = egui::text_edit::TextEditState::load(ui.ctx(), id).unwrap_or_default();
+    let all = egui::text::CCursorRange::two(egui::text::CCursor::new(0), egui::text::CCursor::new(characters));
+    state.cursor.set_char_range(Some(all));
+    state.store(ui.ctx(), id);
+}
+
+/// The first and the last keyframe that play.
+fn played(editor: &Editor) -> Option<(usize, usize)> {
+    let keyframes = &editor.document().keyframes;
+    PlayRange::new(keyframes).ok()?;
+    Some(editor.session().play_range.unwrap_or((1, keyframes.len() - 2)))
+}
+
+fn empty(ui: &mut Ui) {
+    let tokens = Tokens::of(ui);
+    ui.painter().rect_filled(ui.available_rect_before_wrap(), 0.0, tokens.window);
+    let text = "No keyframes yet: pose the robots, press n to keep a pose. Four make an animation; y plays it.";
+    ui.centered_and_justified(|ui| ui.label(RichText::new(text).color(tokens.dim)));
+}
+
+/// Says what to do while there are too few to play.
+fn missing(ui: &Ui, look: &Look<'_>) {
+    let count = look.target.columns.len();
+    let text = match count {
+        1 | 2 => format!("{} more keyframes make an animation: pose, then press n.", 4 - count),
+        3 => "1 more keyframe makes an animation: pose, then press n.".to_owned(),
+        _ => return,
+    };
+    let (_, last) = look.target.columns.ends();
+    let at = pos2(look.target.scale.x_of(last) + 32.0, look.target.layout.summary.center().y);
+    let painter = ui.painter().with_clip_rect(look.target.layout.tracks.intersect(ui.clip_rect()));
+    painter.text(at, Align2::LEFT_CENTER, text, FontId::proportional(12.0), look.tokens.dim);
+}
+
+/// Makes the diamonds of the summary row known to the keyboard and to screen readers. The pointer meets the tracks instead.
+fn diamonds(timeline: &mut Timeline, ui: &Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
+    let Target { layout, scale, columns, .. } = *look.target;
+    let y = layout.summary.center().y;
+    let editor = look.editor;
+    for group in columns.groups(scale.in_sight(0.0), scale.units(2.0 * RADIUS)) {
+        let place = group.start;
+        let centre = pos2(scale.x_of(columns.time(place)), y);
+        let area = Rect::from_center_size(centre, vec2(2.0 * RADIUS, ROW - 2.0)).intersect(layout.summary);
+        let id = ui.scope_id().with(("keyframe", place));
+        let response = ui.interact(area, id, Sense::focusable_noninteractive());
+        let index = KeyframeIndex::new(place);
+        let is_current = editor.document().keyframes.current() == Some(index);
+        response
+            .widget_info(|| WidgetInfo::selected(Role::ListBoxOption, true, is_current, format!("Keyframe {place}")));
+        let is_asked = ui.input(|input| input.has_accesskit_action_request(id, egui::accesskit::Action::Click));
+        if is_asked {
+            timeline.pick(place, editor, egui::Modifiers::NONE, commands);
+        }
+        ui.ctx().accesskit_node_builder(id, |node| node.add_action(egui::accesskit::Action::Click));
+        if !response.has_focus() {
+            continue;
+        }
+        let stroke = egui::Stroke::new(1.0, look.tokens.accent);
+        ui.painter().rect_stroke(area, 3.0, stroke, egui::StrokeKind::Outside);
+        if ui.input(|input| input.key_pressed(Key::Enter) || input.key_pressed(Key::Space)) {
+            let modifiers = ui.input(|input| input.modifiers);
+            timeline.pick(place, editor, modifiers, commands);
+        }
+    }
+}
+
+/// A drag of a number in a menu, as one step of undo.
+fn drag_of_number(response: &Response, command: Command, commands: &mut Vec<Command>) {
+    if response.drag_started() {
+        commands.push(Command::Gesture(GestureCommand::Begin));
+    }
+    if response.changed() {
+        commands.push(command);
+    }
+    if response.drag_stopped() {
+        commands.push(Command::Gesture(GestureCommand::Commit));
+    }
+}

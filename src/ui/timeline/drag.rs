@@ -1,0 +1,402 @@
+//! What drags, clicks and the wheel do on the timeline.
+
+use egui::{CursorIcon, Modifiers, PointerButton, Pos2, Rect, Response, Ui};
+
+use super::Timeline;
+use super::hit::{Hit, Target};
+use crate::editor::{Command, Edit, Editor, GestureCommand, PlaybackCommand, TimelineEdit, ViewCommand};
+use crate::keyframe::{DURATION_RANGE, KeyframeIndex};
+
+/// Nearer than this to one unit, in points, a dragged interval lasts just that.
+const SNAP: f32 = 4.0;
+
+/// A drag that goes on.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Drag {
+    /// The playhead follows the pointer.
+    Scrub,
+    /// Selects what it surrounds, on top of what was selected.
+    Box { from_time: f64, from_y: f32, before: Vec<KeyframeIndex>, mode: Mode },
+    /// Moves the keyframes at hand to another place in the list.
+    Move { grabbed: usize },
+    /// Changes the length of the interval that begins at a keyframe.
+    Retime(Retime),
+    /// Moves the beginning of what plays, or its end.
+    Range { is_start: bool },
+    /// Moves what is in sight.
+    Pan,
+}
+
+/// How a selection takes in more keyframes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mode {
+    /// They replace it.
+    Replace,
+    /// They are added.
+    Add,
+    /// They change sides.
+    Toggle,
+}
+
+/// A drag of an interval's end.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Retime {
+    /// The keyframe where the interval begins.
+    pub place: usize,
+    /// Where the drag began.
+    from_x: f32,
+    /// How long the interval and the one after it were then.
+    before: (f64, Option<f64>),
+    /// What was asked for last.
+    pub asked: (f64, bool),
+}
+
+impl Retime {
+    /// The length that the interval has under a pointer that moved by so many units.
+    #[must_use]
+    pub fn duration(&self, moved: f64, snap: f64) -> f64 {
+        let moved = if self.place == 0 { -moved } else { moved };
+        let duration = self.before.0 + moved;
+        let rounded = if (duration - 1.0).abs() <= snap { 1.0 } else { (duration * 100.0).round() / 100.0 };
+        rounded.clamp(DURATION_RANGE.start() * 10.0, *DURATION_RANGE.end())
+    }
+}
+
+/// What a selection becomes; keyframes are in order in all three.
+#[must_use]
+pub fn combined(before: &[KeyframeIndex], taken: std::ops::Range<usize>, mode: Mode) -> Vec<KeyframeIndex> {
+    let is_taken = |index: &KeyframeIndex| taken.contains(&index.get());
+    let mut selected: Vec<KeyframeIndex> = match mode {
+        Mode::Replace => Vec::new(),
+        Mode::Add | Mode::Toggle => before.iter().filter(|index| !is_taken(index)).copied().collect(),
+    };
+    let keeps = |index: &KeyframeIndex| mode != Mode::Toggle || before.binary_search(index).is_err();
+    selected.extend(taken.clone().map(KeyframeIndex::new).filter(keeps));
+    selected.sort_unstable();
+    selected
+}
+
+/// Whether moving these keyframes to before a place changes anything.
+#[must_use]
+pub fn moves_anything(places: &[usize], to: usize) -> bool {
+    let (Some(&first), Some(&last)) = (places.first(), places.last()) else { return false };
+    let is_one_run = last - first + 1 == places.len();
+    !(is_one_run && (first..=last + 1).contains(&to))
+}
+
+const fn mode_of(modifiers: Modifiers) -> Mode {
+    if modifiers.command || modifiers.ctrl {
+        Mode::Toggle
+    } else if modifiers.shift {
+        Mode::Add
+    } else {
+        Mode::Replace
+    }
+}
+
+impl Timeline {
+    /// Takes in what the pointer does over ruler and tracks.
+    pub(super) fn pointer(
+        &mut self,
+        ui: &Ui,
+        response: &Response,
+        target: &Target<'_>,
+        editor: &Editor,
+        commands: &mut Vec<Command>,
+    ) {
+        let modifiers = ui.input(|input| input.modifiers);
+        let pressed_at = ui.input(|input| input.pointer.press_origin());
+        let at = ui.input(|input| input.pointer.latest_pos());
+        self.hovered = at.filter(|_| response.hovered() && self.drag.is_none()).map(|at| target.at(at));
+        if self.drag.is_some() && ui.input(|input| input.key_pressed(egui::Key::Escape)) {
+            self.abort(commands);
+            return;
+        }
+        self.begin(ui, response, target, editor, pressed_at.zip(Some(modifiers)), commands);
+        if let (Some(at), true) = (at, self.drag.is_some()) {
+            self.follow(ui, target, editor, at, modifiers, commands);
+        }
+        let is_over = !ui.input(|input| input.pointer.any_down());
+        if is_over && self.drag.is_some() {
+            self.finish(target, editor, at, commands);
+        } else if response.clicked()
+            && let Some(at) = response.interact_pointer_pos()
+        {
+            self.click(target, editor, at, modifiers, commands);
+        }
+        self.cursor(ui, response);
+    }
+
+    fn abort(&mut self, commands: &mut Vec<Command>) {
+        match self.drag.take() {
+            Some(Drag::Retime(_)) => commands.push(Command::Gesture(GestureCommand::Abort)),
+            Some(Drag::Box { before, .. }) => commands.push(Command::View(ViewCommand::SelectKeyframes(before))),
+            _ => {}
+        }
+    }
+
+    fn begin(
+        &mut self,
+        ui: &Ui,
+        response: &Response,
+        target: &Target<'_>,
+        editor: &Editor,
+        pressed: Option<(Pos2, Modifiers)>,
+        commands: &mut Vec<Command>,
+    ) {
+        let Some((at, modifiers)) = pressed else { return };
+        if response.drag_started_by(PointerButton::Middle) {
+            self.drag = Some(Drag::Pan);
+            return;
+        }
+        let presses = response.is_pointer_button_down_on() && ui.input(|input| input.pointer.primary_pressed());
+        let hit = target.at(at);
+        if presses && self.drag.is_none() {
+            // What moves in time follows from the first touch; all else waits until it cannot be a click any more.
+            match hit {
+                Hit::Ruler => self.drag = Some(Drag::Scrub),
+                Hit::RangeStart => self.drag = Some(Drag::Range { is_start: true }),
+                Hit::RangeEnd => self.drag = Some(Drag::Range { is_start: false }),
+                Hit::Diamond(_) | Hit::Grip(_) | Hit::Empty => {}
+            }
+        }
+        if !response.drag_started_by(PointerButton::Primary) || self.drag.is_some() {
+            return;
+        }
+        let selected = &editor.session().selected;
+        match hit {
+            Hit::Ruler | Hit::RangeStart | Hit::RangeEnd => {}
+            Hit::Empty => {
+                let mode = mode_of(modifiers);
+                let from_time = target.scale.time_at(at.x);
+                self.drag = Some(Drag::Box { from_time, from_y: at.y, before: selected.clone(), mode });
+            }
+            Hit::Diamond(_) | Hit::Grip(_) if editor.is_playing() => {}
+            Hit::Diamond(place) => {
+                let index = KeyframeIndex::new(place);
+                if selected.binary_search(&index).is_err() {
+                    commands.push(Command::View(ViewCommand::SelectKeyframes(vec![index])));
+                }
+                self.drag = Some(Drag::Move { grabbed: place });
+            }
+            Hit::Grip(place) => {
+                let duration = |place: usize| {
+                    editor.document().keyframes.get(KeyframeIndex::new(place)).map(|keyframe| keyframe.duration)
+                };
+                let Some(own) = duration(place) else { return };
+                let before = (own, duration(place + 1));
+                commands.push(Command::Gesture(GestureCommand::Begin));
+                self.drag = Some(Drag::Retime(Retime { place, from_x: at.x, before, asked: (own, false) }));
+            }
+        }
+    }
+
+    fn follow(
+        &mut self,
+        ui: &Ui,
+        target: &Target<'_>,
+        editor: &Editor,
+        at: Pos2,
+        modifiers: Modifiers,
+        commands: &mut Vec<Command>,
+    ) {
+        match &mut self.drag {
+            None | Some(Drag::Move { .. }) => {}
+            Some(Drag::Pan) => {
+                let by = ui.input(|input| input.pointer.delta());
+                self.pan(by.x, target);
+                self.scroll = (self.scroll - by.y).max(0.0);
+            }
+            Some(Drag::Scrub) => {
+                if let Some(command) = scrubbing(target, editor, at.x, modifiers.shift) {
+                    commands.push(command);
+                }
+            }
+            Some(Drag::Range { is_start }) => {
+                if let Some(command) = ranging(target, at.x, *is_start) {
+                    commands.push(command);
+                }
+            }
+            Some(Drag::Box { from_time, before, mode, .. }) => {
+                let to_time = target.scale.time_at(at.x);
+                let taken = target.columns.within(&(from_time.min(to_time)..=from_time.max(to_time)));
+                let selected = combined(before, taken, *mode);
+                if selected != editor.session().selected {
+                    commands.push(Command::View(ViewCommand::SelectKeyframes(selected)));
+                }
+            }
+            Some(Drag::Retime(retime)) => {
+                let duration = retime.duration(target.scale.units(at.x - retime.from_x), target.scale.units(SNAP));
+                let asked = (duration, modifiers.shift && retime.before.1.is_some());
+                if asked == retime.asked {
+                    return;
+                }
+                let was_ripple_free = std::mem::replace(&mut retime.asked, asked).1;
+                let mut set = |place: usize, duration: f64, ripple_free: bool| {
+                    let keyframe = KeyframeIndex::new(place);
+                    let edit = TimelineEdit::SetDuration { keyframe, duration, ripple_free };
+                    commands.push(Command::Edit(Edit::Timeline(edit)));
+                };
+                if was_ripple_free != asked.1 {
+                    // The neighbour gets back what it had; ripple-free takes it from there again.
+                    set(retime.place, retime.before.0, false);
+                    if let Some(neighbour) = retime.before.1 {
+                        set(retime.place + 1, neighbour, false);
+                    }
+                }
+                set(retime.place, asked.0, asked.1);
+            }
+        }
+    }
+
+    fn finish(&mut self, target: &Target<'_>, editor: &Editor, at: Option<Pos2>, commands: &mut Vec<Command>) {
+        match self.drag.take() {
+            Some(Drag::Retime(_)) => commands.push(Command::Gesture(GestureCommand::Commit)),
+            Some(Drag::Move { .. }) => {
+                let Some(at) = at else { return };
+                let to = target.columns.insertion(target.scale.time_at(at.x));
+                if moves_anything(&editor.keyframes_at_hand(), to) {
+                    commands.push(Command::Edit(Edit::Timeline(TimelineEdit::MoveKeyframes(to))));
+                }
+            }
+            _ => {}
+        }
+    }
+
+    fn click(
+        &mut self,
+        target: &Target<'_>,
+        editor: &Editor,
+        at: Pos2,
+        modifiers: Modifiers,
+        commands: &mut Vec<Command>,
+    ) {
+        match target.at(at) {
+            Hit::Diamond(place) => self.pick(place, editor, modifiers, commands),
+            Hit::Empty if !editor.session().selected.is_empty() && mode_of(modifiers) == Mode::Replace => {
+                commands.push(Command::View(ViewCommand::SelectKeyframes(Vec::new())));
+            }
+            _ => {}
+        }
+    }
+
+    /// Takes in a click on a keyframe: alone it is selected and shown, with Shift the selection reaches to it, with Ctrl it changes sides.
+    pub(super) fn pick(&mut self, place: usize, editor: &Editor, modifiers: Modifiers, commands: &mut Vec<Command>) {
+        let index = KeyframeIndex::new(place);
+        let selected = &editor.session().selected;
+        let select = |selected| Command::View(ViewCommand::SelectKeyframes(selected));
+        match mode_of(modifiers) {
+            Mode::Replace => {
+                self.anchor = Some(place);
+                commands.push(select(vec![index]));
+                if editor.is_playing() {
+                    #[expect(clippy::cast_precision_loss, reason = "no list has 2^52 keyframes")]
+                    let key_time = place as f64 - 1.0;
+                    commands.push(Command::Playback(PlaybackCommand::Scrub(key_time)));
+                } else {
+                    commands.push(Command::Edit(Edit::GoTo(index)));
+                }
+            }
+            Mode::Toggle => {
+                self.anchor = Some(place);
+                // The current keyframe is at hand as long as none is selected: it stays so.
+                let current = editor.document().keyframes.current();
+                let before: Vec<_> = match (selected.is_empty(), current) {
+                    (true, Some(current)) if current != index => vec![current],
+                    _ => selected.clone(),
+                };
+                commands.push(select(combined(&before, place..place + 1, Mode::Toggle)));
+            }
+            Mode::Add => {
+                let current = || editor.document().keyframes.current().map(KeyframeIndex::get);
+                let anchor = self.anchor.or_else(current).unwrap_or(place);
+                let range = anchor.min(place)..anchor.max(place) + 1;
+                commands.push(select(combined(selected, range, Mode::Add)));
+            }
+        }
+    }
+
+    fn cursor(&self, ui: &Ui, response: &Response) {
+        let icon = match (&self.drag, self.hovered) {
+            (Some(Drag::Scrub), _) | (None, Some(Hit::Ruler)) => CursorIcon::ResizeColumn,
+            (Some(Drag::Move { .. } | Drag::Pan), _) => CursorIcon::Grabbing,
+            (Some(Drag::Retime(_) | Drag::Range { .. }), _)
+            | (None, Some(Hit::Grip(_) | Hit::RangeStart | Hit::RangeEnd)) => CursorIcon::ResizeHorizontal,
+            (Some(Drag::Box { .. }), _) => CursorIcon::Crosshair,
+            (None, Some(Hit::Diamond(_))) => CursorIcon::Grab,
+            (None, Some(Hit::Empty) | None) => CursorIcon::Default,
+        };
+        if self.drag.is_some() || response.hovered() {
+            ui.ctx().set_cursor_icon(icon);
+        }
+    }
+
+    /// The rectangle that a drag surrounds.
+    pub(super) fn box_at(&self, target: &Target<'_>, at: Pos2) -> Option<Rect> {
+        let Some(Drag::Box { from_time, from_y, .. }) = &self.drag else { return None };
+        let corner = egui::pos2(target.scale.x_of(*from_time), *from_y);
+        Some(Rect::from_two_pos(corner, at).intersect(target.layout.tracks))
+    }
+}
+
+/// What brings the playhead under the pointer, unless it is there.
+fn scrubbing(target: &Target<'_>, editor: &Editor, x: f32, to_keyframes: bool) -> Option<Command> {
+    let time = target.scale.time_at(x);
+    if target.range.is_none() {
+        let index = KeyframeIndex::new(target.columns.nearest(time)?);
+        let is_there = editor.document().keyframes.current() == Some(index);
+        return (!is_there).then_some(Command::Edit(Edit::GoTo(index)));
+    }
+    let key_time = target.columns.key_at(time);
+    let key_time = if to_keyframes { key_time.round() } else { key_time };
+    let is_there = editor.key_time().is_some_and(|shown| (shown - key_time).abs() < 1e-9);
+    (!is_there).then_some(Command::Playback(PlaybackCommand::Scrub(key_time)))
+}
+
+/// What brings an end of the played range to the keyframe under the pointer, unless it is there.
+fn ranging(target: &Target<'_>, x: f32, is_start: bool) -> Option<Command> {
+    let (first, last) = target.range?;
+    let most = target.columns.len().checked_sub(2)?;
+    let place = target.columns.nearest(target.scale.time_at(x))?;
+    let range = if is_start { (place.clamp(1, last - 1), last) } else { (first, place.clamp(first + 1, most)) };
+    let range_or_all = (range != (1, most)).then_some(range);
+    (range != (first, last)).then_some(Command::Playback(PlaybackCommand::SetRange(range_or_all)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn indices(places: &[usize]) -> Vec<KeyframeIndex> {
+        places.iter().copied().map(KeyframeIndex::new).collect()
+    }
+
+    #[test]
+    fn selections_combine() {
+        let before = indices(&[1, 4, 7]);
+        for (mode, expected) in
+            [(Mode::Replace, &[3, 4, 5][..]), (Mode::Add, &[1, 3, 4, 5, 7]), (Mode::Toggle, &[1, 3, 5, 7])]
+        {
+            assert_eq!(combined(&before, 3..6, mode), indices(expected), "{mode:?}");
+        }
+    }
+
+    #[test]
+    fn a_move_to_where_they_are_is_none() {
+        for to in 2..=4 {
+            assert!(!moves_anything(&[2, 3], to));
+        }
+        assert!(moves_anything(&[2, 3], 1) && moves_anything(&[2, 3], 5));
+        assert!(moves_anything(&[2, 4], 3), "it closes the gap");
+        assert!(!moves_anything(&[], 3));
+    }
+
+    #[test]
+    fn lengths_are_round_and_one_unit_attracts() {
+        let retime = |place| Retime { place, from_x: 0.0, before: (1.5, None), asked: (1.5, false) };
+        assert_eq!(retime(2).duration(0.123_4, 0.05), 1.62);
+        assert_eq!(retime(2).duration(-0.48, 0.05), 1.0);
+        assert_eq!(retime(2).duration(-9.0, 0.05), 0.01);
+        assert_eq!(retime(0).duration(-0.25, 0.05), 1.75, "the first interval grows to the left");
+    }
+}

@@ -1,0 +1,395 @@
+//! Graphs of the chosen node over time: the interpolation in force strong, the other faint. Dots of the translation can be dragged.
+
+use egui::{
+    Align2, Color32, CursorIcon, FontFamily, FontId, Key, Painter, PointerButton, Pos2, Rect, Response, Role, Sense,
+    Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
+};
+use glam::Vec3;
+
+use super::curves::{LUCK, Movement, Quantity, degrees_between, room};
+use super::hit::{LEAST_GAP, Target};
+use super::paint::Look;
+use super::tips::tip;
+use crate::editor::{Command, Edit, Editor, GestureCommand, TimelineEdit};
+use crate::interpolation::Interpolation;
+use crate::keyframe::{KeyframeIndex, PlayRange};
+use crate::pose::RbtIndex;
+use crate::ui::icons::{Icon, paint, was_pressed};
+use crate::ui::theme::{CORNER, ROW, small_font};
+
+/// Points from one sample of a curve to the next.
+const STEP: f32 = 3.0;
+/// How near the pointer must be to a dot.
+const REACH: f32 = 7.0;
+/// Half a dot.
+const DOT: f32 = 3.5;
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// A graph as it was last drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Lane {
+    quantity: Quantity,
+    area: Rect,
+    low: f32,
+    high: f32,
+}
+
+impl Lane {
+    fn y_of(&self, value: f32) -> f32 {
+        let fraction = ((value - self.low) / (self.high - self.low)).clamp(-4.0, 5.0);
+        self.area.bottom() - fraction * self.area.height()
+    }
+}
+
+/// A value at a keyframe.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Dot {
+    place: usize,
+    axis: usize,
+}
+
+/// A drag of a dot: along its graph as that was when the drag began.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Dragged {
+    dot: Dot,
+    rbt: RbtIndex,
+    from_y: f32,
+    before: Vec3,
+    lane: Lane,
+}
+
+/// Which graphs are shown.
+#[derive(Clone, Debug)]
+pub struct Graphs {
+    shown: [bool; 4],
+    lanes: Vec<Lane>,
+    hovered: Option<Dot>,
+    dragged: Option<Dragged>,
+}
+
+impl Default for Graphs {
+    fn default() -> Self {
+        Self { shown: [true, false, true, false], lanes: Vec::new(), hovered: None, dragged: None }
+    }
+}
+
+impl Graphs {
+    /// Whether a dot is being dragged.
+    pub const fn is_dragging(&self) -> bool {
+        self.dragged.is_some()
+    }
+
+    /// Takes in what the pointer does to dots. Says whether it is theirs.
+    pub fn pointer(
+        &mut self,
+        ui: &Ui,
+        response: &Response,
+        target: &Target<'_>,
+        editor: &Editor,
+        commands: &mut Vec<Command>,
+    ) -> bool {
+        let Some(at) = ui.input(|input| input.pointer.latest_pos()) else { return false };
+        if let Some(dragged) = self.dragged {
+            self.follow(ui, &dragged, editor, at, commands);
+            return true;
+        }
+        let Some(rbt) = editor.session().chosen else { return false };
+        let origin = ui.input(|input| input.pointer.press_origin());
+        let found = self.dot_at(origin.unwrap_or(at), target, editor, rbt);
+        self.hovered = found.filter(|_| response.hovered() && !editor.is_playing());
+        let Some(dot) = self.hovered else { return false };
+        ui.ctx().set_cursor_icon(CursorIcon::ResizeVertical);
+        if response.drag_started_by(PointerButton::Primary)
+            && let Some(lane) = self.lanes.iter().find(|lane| lane.quantity == Quantity::Translation)
+            && let Some(keyframe) = editor.document().keyframes.get(KeyframeIndex::new(dot.place))
+        {
+            let before = keyframe.pose.get(rbt).translation;
+            commands.push(Command::Gesture(GestureCommand::Begin));
+            self.dragged = Some(Dragged { dot, rbt, from_y: origin.unwrap_or(at).y, before, lane: *lane });
+        }
+        true
+    }
+
+    fn follow(&mut self, ui: &Ui, dragged: &Dragged, editor: &Editor, at: Pos2, commands: &mut Vec<Command>) {
+        ui.ctx().set_cursor_icon(CursorIcon::ResizeVertical);
+        if ui.input(|input| input.key_pressed(Key::Escape)) {
+            self.dragged = None;
+            commands.push(Command::Gesture(GestureCommand::Abort));
+            return;
+        }
+        let Lane { area, low, high, .. } = dragged.lane;
+        let by = (dragged.from_y - at.y) * (high - low) / area.height().max(1.0);
+        let mut translation = dragged.before;
+        // A thousandth is as fine as the inspector shows.
+        translation[dragged.dot.axis] = ((dragged.before[dragged.dot.axis] + by) * 1000.0).round() / 1000.0;
+        let index = KeyframeIndex::new(dragged.dot.place);
+        let is_there =
+            editor.document().keyframes.get(index).is_none_or(|it| it.pose.get(dragged.rbt).translation == translation);
+        if !is_there && at.y != dragged.from_y {
+            let edit = TimelineEdit::SetTranslationInKeyframe(index, dragged.rbt, translation);
+            commands.push(Command::Edit(Edit::Timeline(edit)));
+        }
+        if !ui.input(|input| input.pointer.any_down()) {
+            self.dragged = None;
+            commands.push(Command::Gesture(GestureCommand::Commit));
+        }
+    }
+
+    fn dot_at(&self, at: Pos2, target: &Target<'_>, editor: &Editor, rbt: RbtIndex) -> Option<Dot> {
+        let lane = self.lanes.iter().find(|lane| lane.quantity == Quantity::Translation)?;
+        if !lane.area.expand(REACH).contains(at) {
+            return None;
+        }
+        let place = target.columns.nearest(target.scale.time_at(at.x))?;
+        let x = target.scale.x_of(target.columns.time(place));
+        let value = editor.document().keyframes.get(KeyframeIndex::new(place))?.pose.get(rbt).translation;
+        (0..3)
+            .map(|axis| (axis, pos2(x, lane.y_of(value[axis])).distance(at)))
+            .filter(|&(_, distance)| distance <= REACH)
+            .min_by(|a, b| a.1.total_cmp(&b.1))
+            .map(|(axis, _)| Dot { place, axis })
+    }
+
+    /// Says what the pointer is over. Says whether it said something.
+    pub fn tip(&self, response: &Response, look: &Look<'_>) -> bool {
+        let Some(at) = response.hover_pos() else { return false };
+        let Some(rbt) = look.editor.session().chosen else { return false };
+        if let Some(dot) = self.hovered {
+            let keyframe = look.editor.document().keyframes.get(KeyframeIndex::new(dot.place));
+            let value = keyframe.map_or(0.0, |keyframe| keyframe.pose.get(rbt).translation[dot.axis]);
+            let heading = format!("Keyframe {}: {} = {value:.3}", dot.place, AXES[dot.axis]);
+            response.clone().on_hover_ui_at_pointer(|ui| tip(ui, &heading, "Drag it up or down to change it.", look));
+            return true;
+        }
+        let warned = warnings(look, rbt).into_iter().find(|&(x, ..)| warning_place(look, x).distance(at) <= 9.0);
+        let Some((_, place, degrees)) = warned else { return false };
+        let heading = format!("Keyframe {place} to {} turns by {degrees:.1}°", place + 1);
+        let body =
+            "So near to half a turn, which way round it goes is a matter of luck. A keyframe between them decides it.";
+        response.clone().on_hover_ui_at_pointer(|ui| tip(ui, &heading, body, look));
+        true
+    }
+
+    /// Shows which graphs there are, to be shown and hidden.
+    pub fn legend(&mut self, ui: &Ui, look: &Look<'_>) {
+        let (column, tokens) = (look.target.layout.labels, look.tokens);
+        let painter = ui.painter().with_clip_rect(column.intersect(ui.clip_rect()));
+        let scene = look.editor.scene();
+        let chosen = look.editor.session().chosen;
+        let node = chosen.map_or("Nothing chosen", |rbt| scene.node(scene.rbt_node(rbt)).name.as_str());
+        let colour = if chosen.is_some() { tokens.accent } else { tokens.dim };
+        let at = pos2(column.left() + 12.0, column.top() + ROW / 2.0);
+        painter.text(at, Align2::LEFT_CENTER, node, small_font(), colour);
+        for (place, quantity) in Quantity::ALL.into_iter().enumerate() {
+            #[expect(clippy::cast_precision_loss, reason = "there are four")]
+            let top = column.top() + ROW * (place as f32 + 1.0);
+            let row = Rect::from_x_y_ranges(column.left() + 4.0..=column.right() - 4.0, top..=top + ROW);
+            let seen = row.intersect(column);
+            let name = quantity.name();
+            let response = ui.interact(seen, ui.scope_id().with(("graph", place)), Sense::click());
+            let is_on = self.shown[place];
+            response.widget_info(|| WidgetInfo::selected(Role::CheckBox, true, is_on, format!("Graph of {name}")));
+            if response.hovered() {
+                painter.rect_filled(row, CORNER, tokens.raised);
+            }
+            if response.has_focus() {
+                painter.rect_stroke(row, CORNER, Stroke::new(1.0, tokens.accent), egui::StrokeKind::Inside);
+            }
+            let square = Rect::from_center_size(pos2(row.left() + 14.0, row.center().y), vec2(13.0, 13.0));
+            painter.rect_stroke(square, 3.0, Stroke::new(1.0, tokens.strong_line), egui::StrokeKind::Inside);
+            if is_on {
+                paint(&painter, Icon::Tick, square.center(), tokens.accent);
+            }
+            let text = pos2(row.left() + 28.0, row.center().y);
+            painter.text(text, Align2::LEFT_CENTER, name, small_font(), if is_on { tokens.text } else { tokens.dim });
+            if quantity == Quantity::Translation {
+                for (axis, name) in AXES.into_iter().enumerate() {
+                    #[expect(clippy::cast_precision_loss, reason = "there are three")]
+                    let at = pos2(row.right() - 44.0 + 14.0 * axis as f32, row.center().y);
+                    painter.text(at, Align2::LEFT_CENTER, name, small_font(), tokens.axes[axis]);
+                }
+            }
+            if was_pressed(&response) {
+                self.shown[place] = !is_on;
+            }
+        }
+    }
+
+    /// Draws the graphs.
+    pub fn paint(&mut self, painter: &Painter, look: &Look<'_>) {
+        let tracks = look.target.layout.tracks;
+        let painter = painter.with_clip_rect(tracks.intersect(painter.clip_rect()));
+        self.lanes.clear();
+        let (Some(rbt), Ok(range)) = (look.editor.session().chosen, PlayRange::new(&look.editor.document().keyframes))
+        else {
+            let text = if look.target.range.is_none() {
+                "Four keyframes make an animation, and an animation has graphs."
+            } else {
+                "Choose a node to see its graphs: click its name in the tree, or Ctrl+click it in the scene."
+            };
+            painter.text(tracks.center(), Align2::CENTER_CENTER, text, FontId::proportional(12.0), look.tokens.dim);
+            return;
+        };
+        let shown: Vec<Quantity> = Quantity::ALL
+            .into_iter()
+            .zip(self.shown)
+            .filter(|&(_, is_on)| is_on)
+            .map(|(quantity, _)| quantity)
+            .collect();
+        #[expect(clippy::cast_precision_loss, reason = "there are at most four")]
+        let height = tracks.height() / shown.len().max(1) as f32;
+        for (place, quantity) in shown.into_iter().enumerate() {
+            #[expect(clippy::cast_precision_loss, reason = "there are at most four")]
+            let top = tracks.top() + height * place as f32;
+            let area = Rect::from_x_y_ranges(tracks.x_range(), top..=top + height);
+            if place > 0 {
+                painter.hline(area.x_range(), top + 0.5, Stroke::new(1.0, look.tokens.line));
+            }
+            let lane = self.lane(&painter, look, &range, rbt, quantity, area.shrink2(vec2(0.0, 4.0)));
+            self.lanes.push(lane);
+        }
+        for (x, ..) in warnings(look, rbt) {
+            paint_warning(&painter, look, x);
+        }
+    }
+
+    fn lane(
+        &self,
+        painter: &Painter,
+        look: &Look<'_>,
+        range: &PlayRange<'_>,
+        rbt: RbtIndex,
+        quantity: Quantity,
+        area: Rect,
+    ) -> Lane {
+        let document = look.editor.document();
+        let (scale, columns) = (look.target.scale, look.target.columns);
+        let axes = if quantity == Quantity::Translation { 3 } else { 1 };
+        let in_force = document.interpolation;
+        let mut curves = Vec::new();
+        // The one in force is drawn last, over the others.
+        let others = Interpolation::ALL.into_iter().filter(|&other| other != in_force);
+        for interpolation in others.chain([in_force]) {
+            let movement =
+                Movement::new(&document.keyframes, range, columns, interpolation, rbt, document.ms_between_keyframes);
+            let times = movement.times(&scale.in_sight(STEP), scale.units(STEP));
+            let values: Vec<[f32; 3]> = times.iter().map(|&time| movement.values(quantity, time)).collect();
+            curves.push((interpolation == in_force, times, values));
+        }
+        let in_sight = columns.within(&scale.in_sight(0.0));
+        let dots = if axes == 3 && in_sight.len() < 400 { in_sight } else { 0..0 };
+        let own =
+            dots.clone().flat_map(|place| document.keyframes.as_slice()[place].pose.get(rbt).translation.to_array());
+        let all = curves.iter().flat_map(|(_, _, values)| values.iter().flat_map(|value| value[..axes].to_vec()));
+        let least = if matches!(quantity, Quantity::Translation | Quantity::Speed) { 0.1 } else { 2.0 };
+        let (low, high) = room(all.chain(own), least);
+        let low = if quantity == Quantity::Translation { low } else { low.max(0.0).min(high - least) };
+        let mut lane = Lane { quantity, area, low, high };
+        if let Some(dragged) = self.dragged.filter(|dragged| dragged.lane.quantity == quantity) {
+            lane = Lane { area, ..dragged.lane };
+        }
+        for (is_in_force, times, values) in &curves {
+            for axis in 0..axes {
+                let colour = colour_of(look, quantity, axis);
+                let colour = if *is_in_force { colour } else { colour.gamma_multiply(0.35) };
+                let points =
+                    times.iter().zip(values).map(|(&time, value)| pos2(scale.x_of(time), lane.y_of(value[axis])));
+                painter.line(points.collect(), Stroke::new(if *is_in_force { 1.6 } else { 1.0 }, colour));
+            }
+        }
+        #[expect(clippy::cast_possible_truncation, reason = "it is for points on a screen")]
+        let gap = scale.view.points_per_unit as f32;
+        if gap >= LEAST_GAP {
+            for place in dots {
+                self.dots(painter, look, &lane, rbt, place);
+            }
+        }
+        scale_of_values(painter, look, &lane);
+        lane
+    }
+
+    fn dots(&self, painter: &Painter, look: &Look<'_>, lane: &Lane, rbt: RbtIndex, place: usize) {
+        let x = look.target.scale.x_of(look.target.columns.time(place));
+        let value = look.editor.document().keyframes.as_slice()[place].pose.get(rbt).translation;
+        for axis in 0..3 {
+            let dot = Dot { place, axis };
+            let is_hot = self.hovered == Some(dot) || self.dragged.is_some_and(|dragged| dragged.dot == dot);
+            let colour = colour_of(look, Quantity::Translation, axis);
+            let centre = pos2(x, lane.y_of(value[axis]));
+            painter.circle(centre, if is_hot { DOT + 1.5 } else { DOT }, look.tokens.window, Stroke::new(1.5, colour));
+            if is_hot {
+                painter.circle_filled(centre, DOT - 0.5, colour);
+            }
+            if self.dragged.is_some_and(|dragged| dragged.dot == dot) {
+                let text = format!("{} {:.3}", AXES[axis], value[axis]);
+                let font = FontId::new(10.5, FontFamily::Monospace);
+                let galley = painter.layout_no_wrap(text, font, look.tokens.text);
+                let behind = Rect::from_min_size(centre + vec2(10.0, -9.0), galley.size() + vec2(10.0, 5.0));
+                painter.rect_filled(behind, CORNER, look.tokens.raised);
+                painter.galley(behind.min + vec2(5.0, 2.5), galley, look.tokens.text);
+            }
+        }
+    }
+}
+
+fn colour_of(look: &Look<'_>, quantity: Quantity, axis: usize) -> Color32 {
+    match quantity {
+        Quantity::Translation => look.tokens.axes[axis],
+        Quantity::Angle | Quantity::Speed => look.tokens.text,
+        Quantity::AngularSpeed => look.tokens.information,
+    }
+}
+
+/// What a graph shows, and its least and largest value at the left.
+fn scale_of_values(painter: &Painter, look: &Look<'_>, lane: &Lane) {
+    let tokens = look.tokens;
+    let font = FontId::new(9.5, FontFamily::Monospace);
+    let unit = lane.quantity.unit();
+    let decimals = if lane.high - lane.low >= 20.0 { 0 } else { 2 };
+    let (left, area) = (lane.area.left() + 5.0, lane.area);
+    if lane.low < 0.0 && lane.high > 0.0 {
+        let zero = Stroke::new(1.0, tokens.line);
+        painter.hline(area.x_range(), lane.y_of(0.0).round() + 0.5, zero);
+    }
+    let write = |at: Pos2, anchor: Align2, text: String, font: FontId| {
+        let galley = painter.layout_no_wrap(text, font, tokens.dim);
+        let rect = anchor.anchor_size(at, galley.size());
+        painter.rect_filled(rect.expand2(vec2(3.0, 0.0)), 2.0, tokens.window.gamma_multiply(0.8));
+        painter.galley(rect.min, galley, tokens.dim);
+    };
+    let (high, low) = (format!("{:.decimals$}{unit}", lane.high), format!("{:.decimals$}{unit}", lane.low));
+    write(pos2(left, area.top() - 2.0), Align2::LEFT_TOP, high, font.clone());
+    write(pos2(left, area.bottom() + 2.0), Align2::LEFT_BOTTOM, low, font);
+    let name = lane.quantity.name().to_owned();
+    write(pos2(area.right() - 6.0, area.top() - 2.0), Align2::RIGHT_TOP, name, FontId::proportional(10.0));
+}
+
+/// The intervals in sight that turn by nearly half a turn: where their middles stand, where they begin, and by how many degrees.
+fn warnings(look: &Look<'_>, rbt: RbtIndex) -> Vec<(f32, usize, f32)> {
+    let Target { scale, columns, .. } = *look.target;
+    let keyframes = look.editor.document().keyframes.as_slice();
+    let seen = columns.within(&scale.in_sight(0.0));
+    if seen.len() > 400 {
+        return Vec::new();
+    }
+    let first = seen.start.saturating_sub(1).max(1);
+    let rotation = |place: usize| keyframes[place].pose.get(rbt).rotation;
+    (first..seen.end.min(keyframes.len().saturating_sub(2)))
+        .filter_map(|place| {
+            let degrees = degrees_between(rotation(place), rotation(place + 1));
+            let middle = f64::midpoint(columns.time(place), columns.time(place + 1));
+            (degrees > LUCK).then(|| (scale.x_of(middle), place, degrees))
+        })
+        .collect()
+}
+
+fn warning_place(look: &Look<'_>, x: f32) -> Pos2 {
+    pos2(x, look.target.layout.tracks.top() + 11.0)
+}
+
+fn paint_warning(painter: &Painter, look: &Look<'_>, x: f32) {
+    let at = warning_place(look, x);
+    let behind = [at + vec2(0.0, -8.0), at + vec2(8.5, 7.0), at + vec2(-8.5, 7.0)];
+    painter.add(Shape::convex_polygon(behind.to_vec(), look.tokens.panel, Stroke::NONE));
+    paint(painter, Icon::Warning, at, look.tokens.error);
+}

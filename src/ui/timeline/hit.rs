@@ -1,0 +1,255 @@
+//! Where the parts of the timeline stand, and which of them is at a point.
+
+use egui::{Pos2, Rect, pos2, vec2};
+
+use super::columns::Columns;
+use super::scale::Scale;
+use crate::ui::theme::ROW;
+
+/// Width of the column of names.
+pub const LABELS: f32 = 184.0;
+/// Height of the ruler.
+pub const RULER: f32 = 36.0;
+/// Half a diamond on the summary row, at most.
+pub const RADIUS: f32 = 6.0;
+/// Half a diamond on a node's row, at most.
+pub const SMALL_RADIUS: f32 = 4.5;
+/// Closer together than this, diamonds merge.
+pub const LEAST_GAP: f32 = 6.0;
+/// From a diamond's middle to the grip of the interval that ends there.
+const GRIP: f32 = 13.0;
+/// Intervals shorter than this have no grip: there would be no room for it between the diamonds.
+const LEAST_FOR_GRIP: f32 = 34.0;
+/// Height of the bar of the played range, at the lower edge of the ruler.
+pub const RANGE_BAR: f32 = 7.0;
+/// How far from the middle of a small thing it can be taken.
+const REACH: f32 = 5.0;
+
+/// The areas of the timeline.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Layout {
+    /// The tabs and the buttons, over the names.
+    pub header: Rect,
+    /// Names of rows.
+    pub labels: Rect,
+    /// Seconds, numbers, the played range.
+    pub ruler: Rect,
+    /// All rows of diamonds.
+    pub tracks: Rect,
+    /// The row that stands for all nodes.
+    pub summary: Rect,
+    /// The rows of nodes.
+    pub nodes: Rect,
+}
+
+impl Layout {
+    /// The areas of a timeline in a rectangle.
+    #[must_use]
+    pub fn of(whole: Rect) -> Self {
+        let labels = LABELS.min(whole.width() * 0.5);
+        let cut = whole.left() + labels;
+        let top = whole.top() + RULER.min(whole.height());
+        let tracks = Rect::from_min_max(pos2(cut, top), whole.max);
+        let summary = tracks.with_max_y((top + ROW).min(tracks.bottom()));
+        Self {
+            header: Rect::from_min_max(whole.min, pos2(cut, top)),
+            labels: Rect::from_min_max(pos2(whole.left(), top), pos2(cut, whole.bottom())),
+            ruler: Rect::from_min_max(pos2(cut, whole.top()), pos2(whole.right(), top)),
+            tracks,
+            summary,
+            nodes: tracks.with_min_y(summary.bottom()),
+        }
+    }
+
+    /// Ruler and tracks together: all that follows the scale.
+    #[must_use]
+    pub fn scaled(&self) -> Rect {
+        self.ruler.union(self.tracks)
+    }
+}
+
+/// What is at a point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Hit {
+    /// The ruler: a drag scrubs.
+    Ruler,
+    /// The first played keyframe's handle.
+    RangeStart,
+    /// The last played keyframe's handle.
+    RangeEnd,
+    /// A keyframe.
+    Diamond(usize),
+    /// The time handle of the interval that begins at a keyframe.
+    Grip(usize),
+    /// Nothing: a drag selects what it surrounds.
+    Empty,
+}
+
+/// What finding something needs to know.
+#[derive(Clone, Copy, Debug)]
+pub struct Target<'a> {
+    /// The areas.
+    pub layout: &'a Layout,
+    /// The scale.
+    pub scale: &'a Scale,
+    /// The keyframes' times.
+    pub columns: &'a Columns,
+    /// The first and the last keyframe that play; `None` where none does.
+    pub range: Option<(usize, usize)>,
+    /// Whether there are rows; where there are graphs instead, the tracks scrub as the ruler does.
+    pub has_rows: bool,
+    /// How many rows of nodes there are.
+    pub rows: usize,
+    /// How far the rows of nodes are scrolled.
+    pub scroll: f32,
+}
+
+impl Target<'_> {
+    /// What is at a point.
+    #[must_use]
+    pub fn at(&self, at: Pos2) -> Hit {
+        let layout = self.layout;
+        if layout.ruler.contains(at) {
+            return self.range_handle(at).unwrap_or(Hit::Ruler);
+        }
+        if !self.has_rows {
+            return Hit::Ruler;
+        }
+        let row_middle = if layout.summary.contains(at) {
+            Some(layout.summary.center().y)
+        } else {
+            self.node_row_at(at.y).map(|row| self.row_middle(row))
+        };
+        let Some(row_middle) = row_middle else { return Hit::Empty };
+        if layout.summary.contains(at)
+            && let Some(place) = self.grip_at(at.x)
+        {
+            return Hit::Grip(place);
+        }
+        match self.diamond_at(at.x) {
+            Some(place) if (at.y - row_middle).abs() <= RADIUS + 3.0 => Hit::Diamond(place),
+            _ => Hit::Empty,
+        }
+    }
+
+    /// The keyframe whose column is at a place.
+    #[must_use]
+    pub fn diamond_at(&self, x: f32) -> Option<usize> {
+        let place = self.columns.nearest(self.scale.time_at(x))?;
+        ((self.scale.x_of(self.columns.time(place)) - x).abs() <= RADIUS + 1.5).then_some(place)
+    }
+
+    fn range_handle(&self, at: Pos2) -> Option<Hit> {
+        let (first, last) = self.range.filter(|_| at.y >= self.layout.ruler.bottom() - RANGE_BAR - 2.0)?;
+        let distance = |place: usize| (self.scale.x_of(self.columns.time(place)) - at.x).abs();
+        let (to_first, to_last) = (distance(first), distance(last));
+        if to_first.min(to_last) > REACH + 2.0 {
+            None
+        } else if to_first < to_last {
+            Some(Hit::RangeStart)
+        } else {
+            Some(Hit::RangeEnd)
+        }
+    }
+
+    /// Where the grip of the interval that begins at a keyframe stands, if it has one. It stands at the interval's end; that of the
+    /// first at its beginning, which is the end that a change of its length moves.
+    #[must_use]
+    pub fn grip_x(&self, place: usize) -> Option<f32> {
+        if place + 1 >= self.columns.len() {
+            return None;
+        }
+        let from = self.scale.x_of(self.columns.time(place));
+        let to = self.scale.x_of(self.columns.time(place + 1));
+        (to - from >= LEAST_FOR_GRIP).then_some(if place == 0 { from + GRIP } else { to - GRIP })
+    }
+
+    fn grip_at(&self, x: f32) -> Option<usize> {
+        let place = self.columns.insertion(self.scale.time_at(x)).checked_sub(1)?;
+        self.grip_x(place).filter(|grip| (grip - x).abs() <= REACH).map(|_| place)
+    }
+
+    /// The row of a node at a height.
+    #[must_use]
+    pub fn node_row_at(&self, y: f32) -> Option<usize> {
+        if !self.layout.nodes.y_range().contains(y) {
+            return None;
+        }
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "floats saturate")]
+        let row = ((y - self.layout.nodes.top() + self.scroll) / ROW).max(0.0) as usize;
+        (row < self.rows).then_some(row)
+    }
+
+    /// The middle of a node's row.
+    #[must_use]
+    pub fn row_middle(&self, row: usize) -> f32 {
+        self.row_rect(row).center().y
+    }
+
+    /// A node's row.
+    #[must_use]
+    pub fn row_rect(&self, row: usize) -> Rect {
+        #[expect(clippy::cast_precision_loss, reason = "trees are not that long")]
+        let top = self.layout.nodes.top() - self.scroll + row as f32 * ROW;
+        Rect::from_min_size(pos2(self.layout.nodes.left(), top), vec2(self.layout.nodes.width(), ROW))
+    }
+
+    /// The rows of nodes that are in sight.
+    #[must_use]
+    pub fn rows_in_sight(&self) -> std::ops::Range<usize> {
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "floats saturate")]
+        let (first, end) = (
+            (self.scroll / ROW).floor().max(0.0) as usize,
+            ((self.scroll + self.layout.nodes.height()) / ROW).ceil().max(0.0) as usize,
+        );
+        first.min(self.rows)..end.min(self.rows)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::keyframe::{Keyframe, KeyframeList};
+    use crate::pose::Pose;
+    use crate::ui::timeline::scale::View;
+
+    fn check(at: Pos2, expected: Hit) {
+        let list = KeyframeList::new((0..6).map(|_| Keyframe::new(Pose::new(Vec::new()))).collect());
+        let mut columns = Columns::default();
+        columns.update(&list);
+        let layout = Layout::of(Rect::from_min_size(Pos2::ZERO, vec2(1000.0, 160.0)));
+        // Keyframe k stands at 200 + 100 k.
+        let view = View { start: -1.0 - (200.0 - f64::from(LABELS)) / 100.0, points_per_unit: 100.0 };
+        let scale = Scale { left: layout.tracks.left(), right: layout.tracks.right(), view };
+        let target = Target {
+            layout: &layout,
+            scale: &scale,
+            columns: &columns,
+            range: Some((1, 4)),
+            has_rows: true,
+            rows: 3,
+            scroll: 0.0,
+        };
+        assert_eq!(target.at(at), expected, "at {at}");
+    }
+
+    #[test]
+    fn everything_is_where_it_is_drawn() {
+        let all = RULER + ROW / 2.0;
+        check(pos2(350.0, 8.0), Hit::Ruler);
+        check(pos2(303.0, RULER - 3.0), Hit::RangeStart);
+        check(pos2(603.0, RULER - 3.0), Hit::RangeEnd);
+        check(pos2(303.0, 8.0), Hit::Ruler);
+        check(pos2(400.0, all), Hit::Diamond(2));
+        check(pos2(405.0, all + 4.0), Hit::Diamond(2));
+        check(pos2(350.0, all), Hit::Empty);
+        check(pos2(387.0, all), Hit::Grip(1));
+        check(pos2(213.0, all), Hit::Grip(0));
+        check(pos2(400.0, all + ROW), Hit::Diamond(2));
+        check(pos2(387.0, all + ROW), Hit::Empty);
+        check(pos2(400.0, all + 3.0 * ROW), Hit::Diamond(2));
+        check(pos2(400.0, all + 4.0 * ROW), Hit::Empty);
+        check(pos2(700.0, all), Hit::Diamond(5));
+        check(pos2(900.0, all), Hit::Empty);
+    }
+}

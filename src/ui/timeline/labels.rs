@@ -1,0 +1,125 @@
+//! The left column of the timeline: tabs and buttons, and the names of rows.
+
+use egui::{Align2, Painter, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2};
+
+use super::columns::Columns;
+use super::hit::Layout;
+use super::paint::Look;
+use super::rows::Row;
+use super::{Tab, Timeline};
+use crate::editor::{Command, Editor, ViewCommand};
+use crate::ui::icons::{Icon, button_at, was_pressed};
+use crate::ui::theme::{CORNER, ROW, Tokens, small_font, text_font};
+
+/// Shows tabs and buttons.
+pub fn header(timeline: &mut Timeline, ui: &Ui, layout: &Layout, columns: &Columns, editor: &Editor) {
+    let tokens = Tokens::of(ui);
+    let middle = layout.header.center().y;
+    let mut left = layout.header.left() + 8.0;
+    for (tab, name) in [(Tab::Keyframes, "Keyframes"), (Tab::Graphs, "Graphs")] {
+        let is_shown = timeline.tab == tab;
+        let galley = ui.painter().layout_no_wrap(name.to_owned(), small_font(), tokens.text);
+        let area = Rect::from_min_size(pos2(left, middle - ROW / 2.0), vec2(galley.size().x + 12.0, ROW));
+        left = area.right() + 2.0;
+        let response = ui.interact(area, ui.scope_id().with(name), Sense::click());
+        response.widget_info(|| WidgetInfo::selected(Role::Tab, true, is_shown, name));
+        let colour = if is_shown || response.hovered() { tokens.text } else { tokens.dim };
+        if response.has_focus() {
+            ui.painter().rect_stroke(area, CORNER, Stroke::new(1.0, tokens.accent), egui::StrokeKind::Inside);
+        }
+        ui.painter().galley_with_override_text_color(area.center() - galley.size() / 2.0, galley, colour);
+        if is_shown {
+            let under = area.shrink2(vec2(6.0, 0.0)).x_range();
+            ui.painter().hline(under, area.bottom() - 1.0, Stroke::new(2.0, tokens.accent));
+        }
+        if was_pressed(&response) {
+            timeline.tab = tab;
+        }
+    }
+    let at =
+        |place: f32| Rect::from_center_size(pos2(layout.header.right() - 16.0 - 24.0 * place, middle), vec2(24.0, ROW));
+    if button_at(ui, at(1.0), Icon::FitAll, "Fit all", "F over the timeline", true, false) {
+        timeline.fit_all(layout, columns);
+    }
+    if button_at(ui, at(0.0), Icon::FitSelection, "Fit selection", "Shift+F over the timeline", true, false) {
+        timeline.fit_selection(editor, layout, columns);
+    }
+}
+
+/// Shows the names of rows: a click chooses a node, a triangle unfolds what is below it.
+pub fn rows(timeline: &mut Timeline, ui: &Ui, look: &Look<'_>, rows: &[Row], commands: &mut Vec<Command>) {
+    let layout = look.target.layout;
+    let tokens = look.tokens;
+    let column = layout.labels;
+    let summary = column.with_max_y(layout.summary.bottom());
+    let text = pos2(column.left() + 22.0, summary.center().y);
+    ui.painter().text(text, Align2::LEFT_CENTER, "All", text_font(), tokens.text);
+    ui.painter().hline(column.x_range(), summary.bottom() - 0.5, Stroke::new(1.0, tokens.line));
+    let area = column.with_min_y(summary.bottom());
+    let painter = ui.painter().with_clip_rect(area.intersect(ui.clip_rect()));
+    for place in look.target.rows_in_sight() {
+        let row = &rows[place];
+        let rect = Rect::from_x_y_ranges(column.x_range(), look.target.row_rect(place).y_range());
+        name(ui, &painter, look, row, rect.intersect(area), rect, commands);
+        let left = column.left() + 12.0 + 12.0 * depth(row);
+        if row.has_children {
+            triangle(timeline, ui, &painter, look, row, pos2(left, rect.center().y));
+        }
+    }
+}
+
+fn name(ui: &Ui, painter: &Painter, look: &Look<'_>, row: &Row, seen: Rect, rect: Rect, commands: &mut Vec<Command>) {
+    let tokens = look.tokens;
+    let scene = look.editor.scene();
+    let is_chosen = look.editor.session().chosen == Some(row.rbt);
+    let response = ui.interact(seen.shrink2(vec2(1.0, 0.0)), ui.scope_id().with(("row", row.rbt)), Sense::click());
+    let path = scene.rbt_path(row.rbt);
+    response.widget_info(|| WidgetInfo::selected(Role::ListBoxOption, true, is_chosen, format!("Row of {path}")));
+    let fill = if is_chosen {
+        Some(tokens.accent_fill)
+    } else if response.hovered() {
+        Some(tokens.raised)
+    } else {
+        None
+    };
+    let inside = rect.shrink2(vec2(3.0, 0.5));
+    if let Some(fill) = fill {
+        painter.rect_filled(inside, CORNER, fill);
+    }
+    if response.has_focus() {
+        painter.rect_stroke(inside, CORNER, Stroke::new(1.0, tokens.accent), egui::StrokeKind::Inside);
+    }
+    let text = pos2(rect.left() + 22.0 + 12.0 * depth(row), rect.center().y);
+    let name = &scene.node(scene.rbt_node(row.rbt)).name;
+    let font = if row.depth == 0 { text_font() } else { small_font() };
+    painter.text(text, Align2::LEFT_CENTER, name, font, if is_chosen { tokens.accent } else { tokens.text });
+    let tip = if is_chosen { "A click chooses nothing" } else { "Choose it: drags move it, and the graphs show it" };
+    if was_pressed(&response.on_hover_text(tip)) {
+        commands.push(Command::View(ViewCommand::Choose((!is_chosen).then_some(row.rbt))));
+    }
+}
+
+fn triangle(timeline: &mut Timeline, ui: &Ui, painter: &Painter, look: &Look<'_>, row: &Row, centre: Pos2) {
+    let tokens = look.tokens;
+    let area = Rect::from_center_size(centre, vec2(18.0, ROW)).intersect(painter.clip_rect());
+    let response = ui.interact(area, ui.scope_id().with(("fold row", row.rbt)), Sense::click());
+    let path = look.editor.scene().rbt_path(row.rbt);
+    let verb = if row.is_unfolded { "Fold" } else { "Unfold" };
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("{verb} the row of {path}")));
+    let at = |x: f32, y: f32| centre + vec2(x, y);
+    let corners = if row.is_unfolded {
+        vec![at(-4.0, -2.0), at(4.0, -2.0), at(0.0, 3.0)]
+    } else {
+        vec![at(-2.0, -4.0), at(3.0, 0.0), at(-2.0, 4.0)]
+    };
+    let colour = if response.hovered() || response.has_focus() { tokens.text } else { tokens.dim };
+    painter.add(Shape::convex_polygon(corners, colour, Stroke::NONE));
+    if was_pressed(&response) {
+        timeline.rows.toggle(row.rbt);
+    }
+}
+
+#[expect(clippy::cast_precision_loss, reason = "trees are not that deep")]
+const fn depth(row: &Row) -> f32 {
+    row.depth as f32
+}

@@ -1,0 +1,239 @@
+//! The context menu of the timeline, with little pictures of the easings.
+
+use egui::{
+    Button, DragValue, Popup, PopupCloseBehavior, Response, RichText, Role, Sense, Stroke, Ui, WidgetInfo, vec2,
+};
+
+use super::drag_of_number;
+use super::hit::{Hit, Target};
+use super::paint::curve;
+use super::tips::easing_text;
+use super::{Tab, Timeline};
+use crate::editor::keymap::Binding;
+use crate::editor::{Command, Edit, Editor, PlaybackCommand, TimelineEdit, ViewCommand};
+use crate::keyframe::{DURATION_RANGE, Easing, KeyframeIndex};
+use crate::ui::binding_of;
+use crate::ui::icons::was_pressed;
+use crate::ui::theme::{CORNER, GRID, ROW, Tokens};
+
+/// Size of a picture of an easing, in points.
+const PICTURE: egui::Vec2 = vec2(40.0, 28.0);
+
+impl Timeline {
+    /// Shows the context menu where the pointer asked for it.
+    pub(super) fn menu(
+        &mut self,
+        ui: &Ui,
+        response: &Response,
+        target: &Target<'_>,
+        editor: &Editor,
+        bindings: &[Binding],
+        commands: &mut Vec<Command>,
+    ) {
+        if response.secondary_clicked()
+            && let Some(at) = response.interact_pointer_pos()
+        {
+            self.menu_for = match target.at(at) {
+                Hit::Diamond(place) if self.tab == Tab::Keyframes => Some(place),
+                _ => None,
+            };
+            if let Some(place) = self.menu_for
+                && editor.session().selected.binary_search(&KeyframeIndex::new(place)).is_err()
+            {
+                self.pick(place, editor, egui::Modifiers::NONE, commands);
+            }
+        }
+        let menu_for = self.menu_for.filter(|&place| place < target.columns.len());
+        let popup = Popup::context_menu(response).close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+        popup.show(|ui| {
+            ui.set_min_width(216.0);
+            ui.spacing_mut().item_spacing.y = 0.0;
+            match menu_for {
+                Some(place) => self.of_keyframe(ui, place, editor, bindings, commands),
+                None => self.of_nothing(ui, target, editor, bindings, commands),
+            }
+        });
+        let _ = ui;
+    }
+
+    fn of_keyframe(
+        &mut self,
+        ui: &mut Ui,
+        place: usize,
+        editor: &Editor,
+        bindings: &[Binding],
+        commands: &mut Vec<Command>,
+    ) {
+        let index = KeyframeIndex::new(place);
+        let Some(keyframe) = editor.document().keyframes.get(index) else { return };
+        let at_hand = editor.keyframes_at_hand().len();
+        let heading = if at_hand > 1 { format!("{at_hand} keyframes") } else { format!("Keyframe {place}") };
+        caption(ui, &heading);
+        if row(ui, "Rename…", "F2", !editor.is_playing()) {
+            self.start_renaming(editor, Some(index));
+            ui.close();
+        }
+        duration(ui, index, keyframe.duration, editor, commands);
+        ui.add_enabled_ui(!editor.is_playing(), |ui| {
+            ui.menu_button("Easing", |ui| {
+                if let Some(easing) = easings(ui, keyframe.easing) {
+                    commands.push(Command::Edit(Edit::Timeline(TimelineEdit::SetEasing(easing))));
+                    Popup::close_all(ui.ctx());
+                }
+            });
+        });
+        ui.separator();
+        for edit in [
+            Command::Edit(Edit::Timeline(TimelineEdit::DuplicateKeyframes)),
+            Command::View(ViewCommand::CopyKeyframes),
+            Command::Edit(Edit::Timeline(TimelineEdit::CutKeyframes)),
+            Command::Edit(Edit::Timeline(TimelineEdit::PasteKeyframes)),
+            Command::Edit(Edit::Timeline(TimelineEdit::ReverseKeyframes)),
+        ] {
+            item(ui, editor, bindings, edit, commands);
+        }
+        ui.separator();
+        item(ui, editor, bindings, Command::Edit(Edit::Timeline(TimelineEdit::DeleteKeyframes)), commands);
+    }
+
+    fn of_nothing(
+        &mut self,
+        ui: &mut Ui,
+        target: &Target<'_>,
+        editor: &Editor,
+        bindings: &[Binding],
+        commands: &mut Vec<Command>,
+    ) {
+        let count = target.columns.len();
+        if row(ui, "Select all keyframes", "", count > 0) {
+            let all = (0..count).map(KeyframeIndex::new).collect();
+            commands.push(Command::View(ViewCommand::SelectKeyframes(all)));
+            ui.close();
+        }
+        item(ui, editor, bindings, Command::Edit(Edit::Timeline(TimelineEdit::PasteKeyframes)), commands);
+        item(ui, editor, bindings, Command::Edit(Edit::Timeline(TimelineEdit::ReverseKeyframes)), commands);
+        ui.separator();
+        if row(ui, "Play all keyframes", "", editor.session().play_range.is_some()) {
+            commands.push(Command::Playback(PlaybackCommand::SetRange(None)));
+            ui.close();
+        }
+        if row(ui, "Fit all", "F", true) {
+            self.fit_all(target.layout, target.columns);
+            ui.close();
+        }
+        if row(ui, "Fit selection", "Shift+F", count > 0) {
+            self.fit_selection(editor, target.layout, target.columns);
+            ui.close();
+        }
+    }
+}
+
+fn caption(ui: &mut Ui, text: &str) {
+    ui.horizontal(|ui| {
+        ui.add_space(2.0);
+        ui.label(RichText::new(text).small().color(Tokens::of(ui).dim));
+    });
+}
+
+fn row(ui: &mut Ui, label: &str, key: &str, is_enabled: bool) -> bool {
+    let mut button = Button::new(label).min_size(vec2(0.0, ROW));
+    if !key.is_empty() {
+        button = button.shortcut_text(RichText::new(key).monospace());
+    }
+    was_pressed(&ui.add_enabled(is_enabled, button))
+}
+
+/// A row of the table of bindings.
+fn item(ui: &mut Ui, editor: &Editor, bindings: &[Binding], command: Command, commands: &mut Vec<Command>) {
+    let binding = binding_of(bindings, &command);
+    let label = binding.map_or("", |binding| binding.name);
+    let key = binding.map(Binding::menu_key).unwrap_or_default();
+    if row(ui, label, &key, editor.can(&command)) {
+        commands.push(command);
+        ui.close();
+    }
+}
+
+fn duration(ui: &mut Ui, keyframe: KeyframeIndex, duration: f64, editor: &Editor, commands: &mut Vec<Command>) {
+    let is_last = editor.document().keyframes.last() == Some(keyframe);
+    ui.add_enabled_ui(!editor.is_playing() && !is_last, |ui| {
+        ui.horizontal(|ui| {
+            ui.add_space(2.0);
+            ui.label("Duration");
+            ui.add_space(2.0 * GRID);
+            // A field is a little sunken.
+            let tokens = Tokens::of(ui);
+            let inactive = &mut ui.visuals_mut().widgets.inactive;
+            inactive.weak_bg_fill = tokens.window;
+            inactive.bg_stroke.color = tokens.line;
+            let mut steps = duration;
+            let number = DragValue::new(&mut steps)
+                .range(DURATION_RANGE)
+                .speed(0.01)
+                .max_decimals(3)
+                .suffix(" steps")
+                .update_while_editing(false);
+            let response = ui.add_sized(vec2(92.0, ROW), number);
+            response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, "Duration in steps"));
+            let edit = TimelineEdit::SetDuration { keyframe, duration: steps, ripple_free: false };
+            drag_of_number(&response, Command::Edit(Edit::Timeline(edit)), commands);
+            let seconds = duration * f64::from(editor.document().ms_between_keyframes) / 1000.0;
+            ui.label(RichText::new(format!("{seconds:.2} s")).small().color(Tokens::of(ui).dim));
+        });
+    });
+}
+
+/// Shows a picture of each easing. `Some`: the one that was pressed.
+pub fn easings(ui: &mut Ui, current: Easing) -> Option<Easing> {
+    let mut pressed = None;
+    let mut picture = |ui: &mut Ui, easing: Easing| {
+        if easing_button(ui, easing, easing == current) {
+            pressed = Some(easing);
+        }
+    };
+    let all: Vec<Easing> = Easing::all().collect();
+    let (plain, curves) = all.split_at(2);
+    ui.spacing_mut().item_spacing = vec2(GRID, GRID);
+    ui.add_space(GRID);
+    egui::Grid::new("easings").spacing(vec2(GRID, GRID)).min_col_width(PICTURE.x).show(ui, |ui| {
+        for (place, heading) in ["", "in", "out", "in-out"].into_iter().enumerate() {
+            if place == 0 {
+                ui.label("");
+            } else {
+                ui.vertical_centered(|ui| ui.label(RichText::new(heading).size(10.0).color(Tokens::of(ui).dim)));
+            }
+        }
+        ui.end_row();
+        for (three, name) in curves.chunks(3).zip(["Sine", "Quad", "Cubic", "Back", "Bounce", "Elastic"]) {
+            ui.label(RichText::new(name).small());
+            for &easing in three {
+                picture(ui, easing);
+            }
+            ui.end_row();
+        }
+        for (&easing, name) in plain.iter().zip(["Linear", "Hold"]) {
+            ui.label(RichText::new(name).small());
+            picture(ui, easing);
+            if easing == Easing::Linear {
+                ui.end_row();
+            }
+        }
+    });
+    pressed
+}
+
+fn easing_button(ui: &mut Ui, easing: Easing, is_current: bool) -> bool {
+    let tokens = Tokens::of(ui);
+    let (rect, response) = ui.allocate_exact_size(PICTURE, Sense::click());
+    let name = easing_text(easing);
+    response.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, is_current, format!("Easing: {name}")));
+    let fill = if response.hovered() || response.has_focus() { tokens.hovered } else { tokens.raised };
+    ui.painter().rect_filled(rect, CORNER, if is_current { tokens.accent_fill } else { fill });
+    if is_current || response.has_focus() {
+        ui.painter().rect_stroke(rect, CORNER, Stroke::new(1.0, tokens.accent), egui::StrokeKind::Inside);
+    }
+    let colour = if is_current { tokens.accent } else { tokens.text };
+    // Back and elastic leave the square.
+    curve(ui.painter(), rect.shrink2(vec2(8.0, 8.0)), easing, Stroke::new(1.5, colour));
+    was_pressed(&response.on_hover_text(name))
+}

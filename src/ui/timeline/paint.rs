@@ -1,0 +1,403 @@
+//! How the timeline looks: ruler, rows, diamonds, playhead. Nothing here takes part in what the pointer does.
+
+use egui::{Align2, Color32, FontFamily, FontId, Painter, Pos2, Rect, Shape, Stroke, pos2, vec2};
+
+use super::drag::Drag;
+use super::hit::{Hit, LEAST_GAP, RADIUS, RANGE_BAR, SMALL_RADIUS, Target};
+use super::rows::{Row, differs};
+use super::scale::{marks, seconds_text};
+use crate::editor::Editor;
+use crate::keyframe::{Easing, Keyframe, KeyframeIndex};
+use crate::ui::icons::diamond;
+use crate::ui::theme::{CORNER, Tokens};
+
+/// Points from one labelled second to the next, at least.
+const SECONDS_APART: f64 = 72.0;
+/// How many keyframes of a merged group are looked at for a difference.
+const LOOKED_AT: usize = 16;
+/// Intervals at least this long show their easing.
+const LEAST_FOR_EASING: f32 = 64.0;
+
+/// What painting needs to know beside the target.
+#[derive(Clone, Copy)]
+pub struct Look<'a> {
+    /// All state.
+    pub editor: &'a Editor,
+    /// Where everything is.
+    pub target: &'a Target<'a>,
+    /// The colours in force.
+    pub tokens: &'a Tokens,
+    /// What the pointer is over.
+    pub hovered: Option<Hit>,
+}
+
+/// The font of the ruler.
+fn ruler_font() -> FontId {
+    FontId::new(10.0, FontFamily::Monospace)
+}
+
+fn keyframes<'a>(look: &Look<'a>) -> &'a [Keyframe] {
+    look.editor.document().keyframes.as_slice()
+}
+
+/// Fills the ground: lighter where keyframes are played. Nothing is filled twice.
+pub fn ground(painter: &Painter, look: &Look<'_>) {
+    let area = look.target.layout.scaled();
+    let (played, outside) = (look.tokens.panel, look.tokens.window);
+    let Some((from, to)) = played_x(look) else {
+        painter.rect_filled(area, 0.0, outside);
+        return;
+    };
+    let (from, to) = (from.clamp(area.left(), area.right()), to.clamp(area.left(), area.right()));
+    painter.rect_filled(area.with_max_x(from), 0.0, outside);
+    painter.rect_filled(Rect::from_x_y_ranges(from..=to, area.y_range()), 0.0, played);
+    painter.rect_filled(area.with_min_x(to), 0.0, outside);
+}
+
+fn played_x(look: &Look<'_>) -> Option<(f32, f32)> {
+    let (first, last) = look.target.range?;
+    let x = |place: usize| look.target.scale.x_of(look.target.columns.time(place));
+    Some((x(first), x(last)))
+}
+
+/// Seconds, the numbers and names of keyframes, and the bar of what plays.
+pub fn ruler(painter: &Painter, look: &Look<'_>) {
+    let (ruler, tokens) = (look.target.layout.ruler, look.tokens);
+    let painter = painter.with_clip_rect(ruler.intersect(painter.clip_rect()));
+    painter.hline(ruler.x_range(), ruler.bottom() - 0.5, Stroke::new(1.0, tokens.line));
+    seconds(&painter, look);
+    numbers(&painter, look);
+    if let Some((from, to)) = played_x(look) {
+        let y = ruler.bottom() - 3.5;
+        painter.hline(from..=to, y, Stroke::new(2.0, tokens.strong_line));
+        for (x, hit, side) in [(from, Hit::RangeStart, 1.0), (to, Hit::RangeEnd, -1.0)] {
+            let colour = if look.hovered == Some(hit) { tokens.accent } else { tokens.dim };
+            let (top, bottom) = (ruler.bottom() - RANGE_BAR, ruler.bottom());
+            let corners = vec![pos2(x, top), pos2(x + side * 7.0, top + RANGE_BAR / 2.0), pos2(x, bottom)];
+            painter.add(Shape::convex_polygon(corners, colour, Stroke::NONE));
+        }
+    }
+}
+
+fn seconds(painter: &Painter, look: &Look<'_>) {
+    let (ruler, tokens, scale) = (look.target.layout.ruler, look.tokens, look.target.scale);
+    let seconds_per_unit = f64::from(look.editor.document().ms_between_keyframes) / 1000.0;
+    let (step, parts) = marks(scale.view.points_per_unit / seconds_per_unit, SECONDS_APART);
+    let small_step = step / f64::from(parts);
+    let seen = scale.in_sight(40.0);
+    #[expect(clippy::cast_possible_truncation, reason = "there are few marks in sight")]
+    let (first, last) = (
+        (seen.start() * seconds_per_unit / small_step).floor() as i64,
+        (seen.end() * seconds_per_unit / small_step).ceil() as i64,
+    );
+    for mark in first.max(0)..=last {
+        #[expect(clippy::cast_precision_loss, reason = "there are few marks in sight")]
+        let at = mark as f64 * small_step;
+        let x = scale.x_of(at / seconds_per_unit).round() + 0.5;
+        let is_labelled = mark % i64::from(parts) == 0;
+        let length = if is_labelled { 13.0 } else { 4.0 };
+        let colour = if is_labelled { tokens.strong_line } else { tokens.line };
+        painter.vline(x, ruler.top()..=ruler.top() + length, Stroke::new(1.0, colour));
+        if is_labelled {
+            let text = seconds_text(at, step);
+            painter.text(pos2(x + 4.0, ruler.top() + 7.0), Align2::LEFT_CENTER, text, ruler_font(), tokens.dim);
+        }
+    }
+}
+
+fn numbers(painter: &Painter, look: &Look<'_>) {
+    let Target { layout, scale, columns, .. } = *look.target;
+    let (tokens, keyframes) = (look.tokens, keyframes(look));
+    let y = layout.ruler.top() + 20.0;
+    let current = look.editor.document().keyframes.current();
+    // The current one is always named; the others where there is room.
+    let mut taken = f32::NEG_INFINITY;
+    let current_x = current.map(|current| scale.x_of(columns.time(current.get())));
+    let groups = columns.groups(scale.in_sight(120.0), scale.units(18.0));
+    let others = groups.map(|group| group.start).filter(|&place| current != Some(KeyframeIndex::new(place)));
+    for place in current.map(KeyframeIndex::get).into_iter().chain(others) {
+        let is_current = current == Some(KeyframeIndex::new(place));
+        let x = scale.x_of(columns.time(place));
+        if !is_current && (x < taken || current_x.is_some_and(|current| (x - current).abs() < 22.0)) {
+            continue;
+        }
+        let colour = match (is_current, look.hovered == Some(Hit::Diamond(place))) {
+            (true, _) => tokens.accent,
+            (false, true) => tokens.text,
+            (false, false) => tokens.dim,
+        };
+        let number = painter.text(pos2(x, y), Align2::CENTER_CENTER, place, ruler_font(), colour);
+        let Some(name) = keyframes.get(place).and_then(|keyframe| keyframe.name.as_deref()) else {
+            taken = if is_current { taken } else { number.right() + 6.0 };
+            continue;
+        };
+        let to = scale.x_of(columns.time_after(place)).max(x + 60.0);
+        let room = Rect::from_x_y_ranges(number.right() + 4.0..=to - 12.0, layout.ruler.y_range());
+        let font = FontId::new(11.0, FontFamily::Proportional);
+        let clipped = painter.with_clip_rect(room.intersect(painter.clip_rect()));
+        let text = if is_current { tokens.accent } else { tokens.text };
+        let written = clipped.text(pos2(number.right() + 4.0, y), Align2::LEFT_CENTER, name, font, text);
+        taken = if is_current { taken } else { written.right().min(room.right()) + 6.0 };
+    }
+}
+
+/// Lines between rows and at the current keyframe.
+pub fn lines(painter: &Painter, look: &Look<'_>) {
+    let Target { layout, scale, columns, .. } = look.target;
+    let line = Stroke::new(1.0, look.tokens.line);
+    painter.hline(layout.tracks.x_range(), layout.summary.bottom() - 0.5, line);
+    let nodes = painter.with_clip_rect(layout.nodes.intersect(painter.clip_rect()));
+    for row in look.target.rows_in_sight() {
+        nodes.hline(layout.tracks.x_range(), look.target.row_rect(row).bottom() - 0.5, line);
+    }
+    if let Some(current) = look.editor.document().keyframes.current() {
+        let x = scale.x_of(columns.time(current.get())).round() + 0.5;
+        painter.vline(x, layout.tracks.y_range(), Stroke::new(1.0, look.tokens.strong_line));
+    }
+}
+
+/// How the diamonds of a group of keyframes look.
+#[derive(Clone, Copy)]
+struct Group {
+    start: usize,
+    end: usize,
+    is_current: bool,
+    is_selected: bool,
+    is_hot: bool,
+    steers: bool,
+}
+
+fn groups<'a>(look: &'a Look<'a>) -> impl Iterator<Item = (f32, Group)> + 'a {
+    let Target { scale, columns, range, .. } = *look.target;
+    let current = look.editor.document().keyframes.current().map(KeyframeIndex::get);
+    let selected = &look.editor.session().selected;
+    let count = columns.len();
+    columns.groups(scale.in_sight(RADIUS + 2.0), scale.units(LEAST_GAP)).map(move |group| {
+        let first_selected = selected.partition_point(|index| index.get() < group.start);
+        let is_selected = selected.get(first_selected).is_some_and(|index| index.get() < group.end);
+        let is_current = current.is_some_and(|current| group.contains(&current));
+        let stands_for = if is_current { current.unwrap_or(group.start) } else { group.start };
+        let is_hot = matches!(look.hovered, Some(Hit::Diamond(place)) if group.contains(&place));
+        let steers = range.is_some() && (group.start == 0 || group.end == count) && group.len() == 1;
+        let x = scale.x_of(columns.time(stands_for));
+        (x, Group { start: group.start, end: group.end, is_current, is_selected, is_hot, steers })
+    })
+}
+
+/// Diamonds are smaller where they stand close together.
+fn radius(look: &Look<'_>, most: f32) -> f32 {
+    #[expect(clippy::cast_possible_truncation, reason = "it is for points on a screen")]
+    let gap = look.target.scale.view.points_per_unit as f32;
+    (gap.max(LEAST_GAP) * 0.45).clamp(2.7, most)
+}
+
+/// The row that stands for all nodes: the intervals with their easings and grips, and a diamond for each keyframe.
+pub fn summary(painter: &Painter, look: &Look<'_>, drag: Option<&Drag>) {
+    let Target { layout, scale, columns, .. } = look.target;
+    let tokens = look.tokens;
+    let y = layout.summary.center().y;
+    let painter = painter.with_clip_rect(layout.summary.intersect(painter.clip_rect()));
+    let (first, last) = columns.ends();
+    if columns.len() > 1 {
+        painter.hline(scale.x_of(first)..=scale.x_of(last), y, Stroke::new(1.0, tokens.strong_line));
+    }
+    if let Some((from, to)) = played_x(look) {
+        painter.hline(from..=to, y, Stroke::new(2.0, tokens.strong_line));
+    }
+    intervals(&painter, look, drag);
+    let most = radius(look, RADIUS);
+    for (x, group) in groups(look) {
+        let colour = colour(&group, tokens);
+        let radius = if group.is_current { most + 1.5 } else { most };
+        let is_filled = !group.steers || group.is_selected;
+        let fill = if is_filled { colour } else { tokens.window };
+        diamond(&painter, pos2(x, y), radius, fill, Stroke::new(1.5, colour));
+    }
+}
+
+fn colour(group: &Group, tokens: &Tokens) -> Color32 {
+    if group.is_selected || group.is_current {
+        tokens.accent
+    } else if group.is_hot {
+        tokens.text
+    } else {
+        tokens.dim
+    }
+}
+
+/// Easings and grips of the intervals that are long enough to show them.
+fn intervals(painter: &Painter, look: &Look<'_>, drag: Option<&Drag>) {
+    let Target { layout, scale, columns, .. } = look.target;
+    let (tokens, keyframes) = (look.tokens, keyframes(look));
+    let y = layout.summary.center().y;
+    let seen = columns.within(&scale.in_sight(0.0));
+    // Where hundreds are in sight, none has room.
+    if seen.len() > 200 {
+        return;
+    }
+    let dragged = match drag {
+        Some(Drag::Retime(retime)) => Some(retime.place),
+        _ => None,
+    };
+    let before = seen.start.saturating_sub(1);
+    for (place, keyframe) in keyframes.iter().enumerate().take(seen.end).skip(before) {
+        let Some(grip) = look.target.grip_x(place) else { continue };
+        let is_hot = look.hovered == Some(Hit::Grip(place)) || dragged == Some(place);
+        let colour = if is_hot { tokens.accent } else { tokens.strong_line };
+        let bar = Rect::from_center_size(pos2(grip, y), if is_hot { vec2(3.0, 12.0) } else { vec2(2.0, 8.0) });
+        painter.rect_filled(bar, 1.0, colour);
+        let (from, to) = (scale.x_of(columns.time(place)), scale.x_of(columns.time(place + 1)));
+        let easing = keyframe.easing;
+        if easing != Easing::Linear && to - from >= LEAST_FOR_EASING {
+            let middle = Rect::from_center_size(pos2(f32::midpoint(from, to), y), vec2(26.0, 14.0));
+            painter.rect_filled(middle, CORNER, tokens.raised);
+            curve(painter, middle.shrink(3.0), easing, Stroke::new(1.2, tokens.information));
+        }
+    }
+}
+
+/// A picture of an easing: its value over the interval.
+pub fn curve(painter: &Painter, area: Rect, easing: Easing, stroke: Stroke) {
+    const STEPS: u8 = 24;
+    if easing == Easing::Hold {
+        painter.line(vec![area.left_bottom(), area.right_bottom(), area.right_top()], stroke);
+        return;
+    }
+    let points = (0..=STEPS).map(|step| {
+        let fraction = f64::from(step) / f64::from(STEPS);
+        #[expect(clippy::cast_possible_truncation, reason = "it is for points on a screen")]
+        let (along, value) = (fraction as f32, easing.value(fraction) as f32);
+        pos2(area.left() + along * area.width(), area.bottom() - value * area.height())
+    });
+    painter.line(points.collect(), stroke);
+}
+
+/// The rows of nodes: filled where a node stands as it did not before, hollow where it stands still.
+pub fn nodes(painter: &Painter, look: &Look<'_>, rows: &[Row]) {
+    let tokens = look.tokens;
+    let keyframes = keyframes(look);
+    let painter = painter.with_clip_rect(look.target.layout.nodes.intersect(painter.clip_rect()));
+    let most = radius(look, SMALL_RADIUS);
+    let in_sight = look.target.rows_in_sight();
+    let groups: Vec<(f32, Group)> = groups(look).collect();
+    for row in in_sight {
+        let y = look.target.row_middle(row);
+        for (x, group) in &groups {
+            let moves = (group.start..group.end.min(group.start + LOOKED_AT)).any(|place| {
+                place == 0 || differs(&keyframes[place].pose, &keyframes[place - 1].pose, &rows[row].rbts)
+            });
+            let colour = match (moves, colour(group, tokens)) {
+                (false, colour) if colour == tokens.dim => tokens.strong_line,
+                (_, colour) => colour,
+            };
+            let centre = pos2(*x, y);
+            if moves {
+                diamond(
+                    &painter,
+                    centre,
+                    most,
+                    if group.steers { tokens.window } else { colour },
+                    Stroke::new(1.2, colour),
+                );
+            } else {
+                diamond(&painter, centre, most - 0.8, Color32::TRANSPARENT, Stroke::new(1.0, colour));
+            }
+        }
+    }
+}
+
+/// The playhead, from the ruler down.
+pub fn playhead(painter: &Painter, look: &Look<'_>) {
+    let Some(key_time) = look.editor.playhead() else { return };
+    let layout = look.target.layout;
+    let x = look.target.scale.x_of(look.target.columns.time_of_key(key_time));
+    let colour = look.tokens.accent;
+    let top = layout.ruler.top();
+    // The line leaves out the number of a keyframe that it stands at.
+    painter.vline(x, top + 27.0..=layout.tracks.bottom(), Stroke::new(1.5, colour));
+    let at = |dx: f32, dy: f32| pos2(x + dx, top + dy);
+    let corners = vec![at(-5.5, 0.0), at(5.5, 0.0), at(5.5, 6.0), at(0.0, 12.0), at(-5.5, 6.0)];
+    painter.add(Shape::convex_polygon(corners, colour, Stroke::NONE));
+}
+
+/// What the drag that goes on would do.
+pub fn dragging(painter: &Painter, look: &Look<'_>, drag: &Drag, surrounded: Option<Rect>, at: Pos2) {
+    let Target { layout, scale, columns, .. } = look.target;
+    let tokens = look.tokens;
+    match drag {
+        Drag::Box { .. } => {
+            if let Some(rect) = surrounded {
+                painter.rect_filled(rect, 2.0, tokens.accent.gamma_multiply(0.12));
+                painter.rect_stroke(rect, 2.0, Stroke::new(1.0, tokens.accent), egui::StrokeKind::Inside);
+            }
+        }
+        Drag::Move { grabbed } => insertion(painter, look, *grabbed, at),
+        Drag::Retime(retime) => {
+            let Some(keyframe) = keyframes(look).get(retime.place) else { return };
+            let seconds = keyframe.duration * f64::from(look.editor.document().ms_between_keyframes) / 1000.0;
+            let more = if retime.asked.1 { "  the next gives" } else { "" };
+            let text = format!("{:.2} steps = {seconds:.2} s{more}", keyframe.duration);
+            let from = scale.x_of(columns.time(retime.place));
+            let to = scale.x_of(columns.time_after(retime.place));
+            let y = layout.summary.bottom() + 6.0;
+            let span = Stroke::new(1.5, tokens.accent);
+            painter.hline(from..=to, y, span);
+            painter.vline(from, y - 3.0..=y + 3.0, span);
+            painter.vline(to, y - 3.0..=y + 3.0, span);
+            label(painter, look, pos2(f32::midpoint(from, to), y + 14.0), &text);
+        }
+        Drag::Scrub => {
+            if let Some(key_time) = look.editor.key_time() {
+                let time = columns.time_of_key(key_time);
+                let seconds = time * f64::from(look.editor.document().ms_between_keyframes) / 1000.0;
+                let at = pos2(scale.x_of(time), layout.ruler.bottom() + 10.0);
+                label(painter, look, at + vec2(52.0, 0.0), &format!("{key_time:.2} · {seconds:.2} s"));
+            }
+        }
+        Drag::Range { .. } | Drag::Pan => {}
+    }
+}
+
+fn insertion(painter: &Painter, look: &Look<'_>, grabbed: usize, at: Pos2) {
+    let Target { layout, scale, columns, .. } = look.target;
+    let tokens = look.tokens;
+    let to = columns.insertion(scale.time_at(at.x));
+    let places = look.editor.keyframes_at_hand();
+    if super::drag::moves_anything(&places, to) {
+        let (first, last) = columns.ends();
+        let (before, after) = (to.checked_sub(1), (to < columns.len()).then_some(to));
+        let x = match (before, after) {
+            (Some(before), Some(after)) => {
+                f32::midpoint(scale.x_of(columns.time(before)), scale.x_of(columns.time(after)))
+            }
+            (None, _) => scale.x_of(first) - 14.0,
+            (_, None) => scale.x_of(last) + 14.0,
+        };
+        painter.vline(x, layout.ruler.bottom() - 2.0..=layout.tracks.bottom(), Stroke::new(2.0, tokens.information));
+        let tip = |dx: f32, dy: f32| pos2(x + dx, layout.ruler.bottom() - 4.0 + dy);
+        let corners = vec![tip(-5.0, -4.0), tip(5.0, -4.0), tip(0.0, 4.0)];
+        painter.add(Shape::convex_polygon(corners, tokens.information, Stroke::NONE));
+    }
+    let grabbed_x = scale.x_of(columns.time(grabbed));
+    let colour = tokens.accent.gamma_multiply(0.6);
+    for &place in places.iter().take(100) {
+        let x = scale.x_of(columns.time(place)) - grabbed_x + at.x;
+        if layout.tracks.x_range().contains(x) {
+            diamond(painter, pos2(x, layout.summary.center().y), RADIUS, colour, Stroke::NONE);
+        }
+    }
+}
+
+/// A label over the tracks, kept within them.
+fn label(painter: &Painter, look: &Look<'_>, centre: Pos2, text: &str) {
+    let tokens = look.tokens;
+    let galley = painter.layout_no_wrap(text.to_owned(), ruler_font(), tokens.text);
+    let size = galley.size() + vec2(12.0, 6.0);
+    let tracks = look.target.layout.tracks;
+    let least = tracks.left() + size.x / 2.0 + 2.0;
+    let x = centre.x.min(tracks.right() - size.x / 2.0 - 2.0).max(least);
+    let rect = Rect::from_center_size(pos2(x, centre.y), size);
+    painter.rect_filled(rect, CORNER, tokens.raised);
+    painter.rect_stroke(rect, CORNER, Stroke::new(1.0, tokens.strong_line), egui::StrokeKind::Inside);
+    painter.galley(rect.min + vec2(6.0, 3.0), galley, tokens.text);
+}
