@@ -25,6 +25,7 @@ impl FrameTime {
 /// The frames of a whole playing range: frame k at k · 1000/fps ms while that is short of the end, and the end.
 ///
 /// What is short of the end is decided exactly; each time is rounded once.
+#[expect(clippy::range_plus_one, reason = "a range with its end included does not know its length")]
 pub fn frame_times(
     fps: u32,
     ms_between_keyframes: u32,

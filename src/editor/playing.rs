@@ -5,7 +5,7 @@ use num_rational::BigRational;
 use super::apply::Outcome;
 use super::playback::{Pace, PlayMode, Playback, Position, Span, beginning, span};
 use super::{CommandError, Editor, PlaybackCommand};
-use crate::keyframe::{PlayRange, Timing, to_f64};
+use crate::keyframe::{KeyframeIndex, PlayRange, Timing, to_f64};
 use crate::pose::Pose;
 
 /// Speeds that can be chosen, in percent.
@@ -57,7 +57,7 @@ impl Editor {
     }
 
     fn elapsed_at_current(&self, timing: &Timing) -> BigRational {
-        let current = self.document.keyframes.current().map_or(0, |current| current.get());
+        let current = self.document.keyframes.current().map_or(0, KeyframeIndex::get);
         timing.at_keyframe(current.saturating_sub(1))
     }
 

@@ -73,11 +73,11 @@ impl Editor {
                 if self.clipboard.keyframes.is_empty() {
                     return Err(CommandError::NothingCopied);
                 }
-                self.insert_after_hand("pasting of keyframes", self.clipboard.keyframes.clone(), "pasted")
+                Ok(self.insert_after_hand("pasting of keyframes", self.clipboard.keyframes.clone(), "pasted"))
             }
             TimelineEdit::DuplicateKeyframes => {
                 let copies = self.copies_at_hand()?;
-                self.insert_after_hand("duplication of keyframes", copies, "duplicated")
+                Ok(self.insert_after_hand("duplication of keyframes", copies, "duplicated"))
             }
             TimelineEdit::ReverseKeyframes => self.reverse_keyframes(),
             TimelineEdit::PastePose => self.paste_pose(),
@@ -240,13 +240,13 @@ impl Editor {
         Ok(format!("Deleted {}. {}.", counted(places.len()), self.where_we_are()))
     }
 
-    fn insert_after_hand(&mut self, label: &'static str, inserted: Vec<Keyframe>, done: &str) -> Outcome {
+    fn insert_after_hand(&mut self, label: &'static str, inserted: Vec<Keyframe>, done: &str) -> String {
         let at = self.keyframes_at_hand().last().map_or(0, |last| last + 1);
         let mut keyframes = self.document.keyframes.as_slice().to_vec();
         let selected = at..at + inserted.len();
         keyframes.splice(at..at, inserted);
         self.rearrange(label, keyframes, Some(at), selected.clone());
-        Ok(format!("{} {done}: now at {at}.", capitalised(&counted(selected.len()))))
+        format!("{} {done}: now at {at}.", capitalised(&counted(selected.len())))
     }
 
     fn reverse_keyframes(&mut self) -> Outcome {

@@ -189,6 +189,7 @@ impl Pipelines {
         self.made[kind as usize].insert(pipeline)
     }
 
+    #[expect(clippy::too_many_lines, reason = "it is one description")]
     fn make(
         &self,
         device: &wgpu::Device,

@@ -438,6 +438,7 @@ fn depth_attachment(
     }
 }
 
+#[expect(clippy::unnecessary_wraps, reason = "a pass takes it so")]
 fn colour_attachment(
     view: &wgpu::TextureView,
     load: wgpu::LoadOp<wgpu::Color>,

@@ -157,7 +157,7 @@ mod tests {
 
     #[test]
     fn only_what_is_in_sight_is_found() {
-        let (columns, _) = columns(&[1.0; 10_000]);
+        let (columns, _) = columns(&vec![1.0; 10_000]);
         assert_eq!(columns.within(&(99.5..=103.0)), 101..105);
         assert_eq!(columns.within(&(-9.0..=-2.0)), 0..0);
         assert_eq!(columns.nearest(41.4), Some(42));
