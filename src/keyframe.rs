@@ -13,7 +13,7 @@ pub use file::{
     KeyframeFile, KeyframeFileError, KeyframesJson, LARGEST_FILE_BYTES, keyframes_from_json, keyframes_to_json,
 };
 pub use list::{DURATION_RANGE, Keyframe, KeyframeIndex, KeyframeList};
-pub use sample::{PlayRange, SampleError};
+pub use sample::{PlayRange, SampleError, keyframes_counted};
 pub use timing::{Timing, to_f64, whole};
 
 /// Milliseconds between keyframes that can be chosen, both ends included.

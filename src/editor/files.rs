@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::{CommandError, Editor, Effect, FileCommand, Severity};
-use crate::keyframe::{KeyframeList, keyframes_to_json};
+use crate::keyframe::{KeyframeList, keyframes_counted, keyframes_to_json};
 use crate::text_layouts::{ImportError, Imported, Options, import};
 
 impl Editor {
@@ -139,8 +139,4 @@ impl Editor {
         self.saved = self.document.clone();
         self.is_file_known = true;
     }
-}
-
-fn keyframes_counted(count: usize) -> String {
-    if count == 1 { "1 keyframe".to_owned() } else { format!("{count} keyframes") }
 }

@@ -5,7 +5,6 @@
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::Zero as _;
 
 use crate::clock::TICKS_PER_SECOND;
 use crate::keyframe::{KeyframeIndex, Timing};
@@ -194,12 +193,6 @@ pub fn span(timing: &Timing, keyframes: usize, range: Option<(usize, usize)>, mo
         last_keyframe: KeyframeIndex::new(last),
         mode,
     }
-}
-
-/// Elapsed time zero.
-#[must_use]
-pub fn beginning() -> BigRational {
-    BigRational::zero()
 }
 
 #[cfg(test)]

@@ -1,9 +1,10 @@
 //! Playing, pausing, scrubbing.
 
 use num_rational::BigRational;
+use num_traits::Zero as _;
 
 use super::apply::Outcome;
-use super::playback::{Pace, PlayMode, Playback, Position, Span, beginning, span};
+use super::playback::{Pace, PlayMode, Playback, Position, Span, span};
 use super::{CommandError, Editor, PlaybackCommand};
 use crate::keyframe::{KeyframeIndex, PlayRange, Timing, to_f64};
 use crate::pose::Pose;
@@ -90,7 +91,7 @@ impl Editor {
             self.end_playback();
             return Ok(format!("Stopped. {}.", self.where_we_are()));
         }
-        self.start_at(&beginning())?;
+        self.start_at(&BigRational::zero())?;
         Ok(format!("Playing {} keyframes.", self.document.keyframes.len() - 2))
     }
 
@@ -153,7 +154,7 @@ impl Editor {
         self.refuse_while_playing("step by ticks")?;
         let timing = self.document.keyframes.timing().ok_or(CommandError::TooFewToPlay)?;
         let from = self.playback.elapsed().unwrap_or_else(|| self.elapsed_at_current(timing));
-        let elapsed = (from + self.pace().elapsed(ticks)).clamp(beginning(), timing.total());
+        let elapsed = (from + self.pace().elapsed(ticks)).clamp(BigRational::zero(), timing.total());
         let key_time = timing.key_time_at(&elapsed);
         self.playback = Playback::Scrubbed(elapsed);
         Ok(format!("Key time {key_time:.3}."))

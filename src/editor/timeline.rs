@@ -6,7 +6,7 @@ use glam::Quat;
 
 use super::apply::Outcome;
 use super::{CommandError, Editor, TimelineEdit};
-use crate::keyframe::{DURATION_RANGE, Easing, Keyframe, KeyframeIndex, KeyframeList};
+use crate::keyframe::{DURATION_RANGE, Easing, Keyframe, KeyframeIndex, KeyframeList, keyframes_counted};
 use crate::pose::{Pose, RbtIndex};
 use crate::rbt::Rbt;
 
@@ -130,7 +130,7 @@ impl Editor {
 
     pub(super) fn copy_keyframes(&mut self) -> Outcome {
         self.clipboard.keyframes = self.copies_at_hand()?;
-        Ok(format!("Copied {}.", counted(self.clipboard.keyframes.len())))
+        Ok(format!("Copied {}.", keyframes_counted(self.clipboard.keyframes.len())))
     }
 
     pub(super) fn copy_pose(&mut self) -> Outcome {
@@ -220,7 +220,7 @@ impl Editor {
         let selected = at..at + moved.len();
         keyframes.splice(at..at, moved);
         self.rearrange("moving of keyframes", keyframes, Some(at), selected.clone());
-        Ok(format!("Moved {} to place {at}.", counted(selected.len())))
+        Ok(format!("Moved {} to place {at}.", keyframes_counted(selected.len())))
     }
 
     fn without(&self, places: &[usize]) -> Vec<Keyframe> {
@@ -237,7 +237,7 @@ impl Editor {
         let keyframes = self.without(&places);
         let current = (!keyframes.is_empty()).then(|| first.saturating_sub(1));
         self.rearrange(label, keyframes, current, 0..0);
-        Ok(format!("Deleted {}. {}.", counted(places.len()), self.where_we_are()))
+        Ok(format!("Deleted {}. {}.", keyframes_counted(places.len()), self.where_we_are()))
     }
 
     fn insert_after_hand(&mut self, label: &'static str, inserted: Vec<Keyframe>, done: &str) -> String {
@@ -246,7 +246,7 @@ impl Editor {
         let selected = at..at + inserted.len();
         keyframes.splice(at..at, inserted);
         self.rearrange(label, keyframes, Some(at), selected.clone());
-        format!("{} {done}: now at {at}.", capitalised(&counted(selected.len())))
+        format!("{} {done}: now at {at}.", keyframes_counted(selected.len()))
     }
 
     fn reverse_keyframes(&mut self) -> Outcome {
@@ -264,7 +264,7 @@ impl Editor {
         let current = self.document.keyframes.current().map(KeyframeIndex::get);
         self.rearrange("reversing of keyframes", keyframes, current, 0..0);
         self.session.selected = selected;
-        Ok(format!("Reversed {}.", counted(places.len())))
+        Ok(format!("Reversed {}.", keyframes_counted(places.len())))
     }
 
     /// Pairs of the copied node and the chosen one, each with all below it, matched by their paths.
@@ -322,13 +322,4 @@ impl Editor {
         });
         Ok(String::new())
     }
-}
-
-fn counted(keyframes: usize) -> String {
-    if keyframes == 1 { "1 keyframe".to_owned() } else { format!("{keyframes} keyframes") }
-}
-
-fn capitalised(text: &str) -> String {
-    let mut characters = text.chars();
-    characters.next().map(|first| first.to_uppercase().chain(characters).collect()).unwrap_or_default()
 }

@@ -15,7 +15,7 @@ use crate::rbt::Rbt;
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum SampleError {
     /// The list is too short.
-    #[error("{} cannot be played: the first and the last only steer, so at least 4 are needed", counted(*.keyframes))]
+    #[error("{} cannot be played: the first and the last only steer, so at least 4 are needed", keyframes_counted(*.keyframes))]
     TooFewKeyframes {
         /// How many there are.
         keyframes: usize,
@@ -30,7 +30,9 @@ pub enum SampleError {
     },
 }
 
-fn counted(keyframes: usize) -> String {
+/// So many keyframes, in words: `1 keyframe`, `3 keyframes`.
+#[must_use]
+pub fn keyframes_counted(keyframes: usize) -> String {
     if keyframes == 1 { "1 keyframe".to_owned() } else { format!("{keyframes} keyframes") }
 }
 
