@@ -7,7 +7,7 @@ struct Globals {
     map_from_world: mat4x4f,
     // w: the size of a pixel at distance 1.
     eye_in_world: vec4f,
-    // The view ray at the target's top left corner, and its change from pixel to pixel.
+    // The view ray at the viewport's top left corner, and its change from pixel to pixel.
     first_ray_in_world: vec4f,
     // w: the viewport's width in pixels.
     ray_right_in_world: vec4f,

@@ -1,17 +1,27 @@
-// The sky, where nothing else is: a gradient from the horizon up. Its ray is a function of the pixel alone.
+// The sky, where nothing else is: a gradient from the horizon up.
 
 @vertex
-fn sky_vertex(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
-    return vec4f(f32(index & 1u) * 4.0 - 1.0, f32(index >> 1u) * 4.0 - 1.0, 0.0, 1.0);
+fn sky_vertex(@builtin(vertex_index) index: u32) -> Pixel {
+    // One triangle around the viewport: its corners, counted in viewports from the top left one.
+    let across = vec2f(f32(index & 1u) * 2.0, 1.0 - f32(index >> 1u) * 2.0);
+    let in_pixels = across * vec2f(globals.ray_right_in_world.w, globals.ray_down_in_world.w);
+    var out: Pixel;
+    out.in_clip = vec4f(across.x * 2.0 - 1.0, 1.0 - across.y * 2.0, 0.0, 1.0);
+    out.surface = vec4f(in_pixels, 0.06711056, 0.00583715);
+    out.along_view = globals.first_ray_in_world.xyz + in_pixels.x * globals.ray_right_in_world.xyz
+        + in_pixels.y * globals.ray_down_in_world.xyz;
+    out.map_place = vec3f(1.9, 0.9, 52.9829189);
+    out.colour = vec4f(globals.zenith.xyz, 0.0035);
+    out.shaded = globals.horizon.xyz;
+    return out;
 }
 
 @fragment
-fn sky_fragment(@builtin(position) in_pixels: vec4f) -> @location(0) vec4f {
-    let ray = globals.first_ray_in_world.xyz + in_pixels.x * globals.ray_right_in_world.xyz + in_pixels.y * globals.ray_down_in_world.xyz;
+fn sky_fragment(pixel: Pixel) -> @location(0) vec4f {
+    let ray = pixel.along_view;
     let height = max(ray.y * inverseSqrt(dot(ray, ray)), 0.0);
-    let climb = height * (1.9 - 0.9 * height);
+    let climb = height * (pixel.map_place.x - pixel.map_place.y * height);
     // Half a step of fixed noise, so that no band has a sharp edge.
-    let place = floor(in_pixels.xy);
-    let noise = fract(52.9829189 * fract(dot(place, vec2f(0.06711056, 0.00583715)))) - 0.5;
-    return finished(mix(globals.horizon.xyz, globals.zenith.xyz, climb) + noise * 0.0035, 1.0);
+    let noise = fract(pixel.map_place.z * fract(dot(floor(pixel.surface.xy), pixel.surface.zw))) - 0.5;
+    return finished(mix(pixel.shaded, pixel.colour.rgb, climb) + noise * pixel.colour.w, 1.0);
 }

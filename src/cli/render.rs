@@ -106,7 +106,7 @@ fn sheet(
 }
 
 fn write(path: &Path, png: &[u8], manifest: &mut Manifest) -> Result<(), CliError> {
-    storage::write(path, png).map_err(|reason| CliError::unwritten(path, reason))?;
+    storage::write_unsynced(path, png).map_err(|reason| CliError::unwritten(path, reason))?;
     manifest.add(path, png);
     Ok(())
 }

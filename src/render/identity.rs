@@ -131,7 +131,7 @@ fn read_back(gpu: &Gpu, mut encoder: wgpu::CommandEncoder, target: &wgpu::Textur
 fn pipeline(device: &wgpu::Device) -> wgpu::RenderPipeline {
     let text = concat!(
         include_str!("../../shaders/common.wgsl"),
-        include_str!("../../shaders/shape.wgsl"),
+        include_str!("../../shaders/corner.wgsl"),
         include_str!("../../shaders/identity.wgsl")
     );
     let module = &device.create_shader_module(wgpu::ShaderModuleDescriptor {

@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 use std::mem::size_of;
+use std::sync::OnceLock;
 
 use wgpu::{CompareFunction, ShaderStages, VertexFormat};
 
@@ -49,10 +50,14 @@ const COUNT: usize = Kind::Outline as usize + 1;
 #[derive(Clone, Copy, Debug)]
 enum Source {
     Shape,
+    Plane,
     Sky,
+    Silhouette,
     Stroke,
     Outline,
 }
+
+const SOURCES: usize = Source::Outline as usize + 1;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Input {
@@ -76,8 +81,8 @@ struct Recipe {
 impl Kind {
     fn recipe(self) -> Recipe {
         use CompareFunction::{Always, Equal, GreaterEqual, Less};
-        let shape = |vertex, fragment, depth, blend| Recipe {
-            source: Source::Shape,
+        let shape = |source, vertex, fragment, depth, blend| Recipe {
+            source,
             vertex,
             fragment,
             input: Input::Instances,
@@ -104,18 +109,20 @@ impl Kind {
             kept: 1.0,
         };
         match self {
-            Self::Shape => shape("shape_vertex", Some("shape_fragment"), (GreaterEqual, true), false),
-            Self::Plane => shape("plane_vertex", Some("plane_fragment"), (GreaterEqual, true), false),
+            Self::Shape => shape(Source::Shape, "shape_vertex", Some("shape_fragment"), (GreaterEqual, true), false),
+            Self::Plane => shape(Source::Plane, "plane_vertex", Some("plane_fragment"), (GreaterEqual, true), false),
             Self::Sky => screen(Source::Sky, "sky_vertex", "sky_fragment", Some((GreaterEqual, false)), false),
-            Self::Shadow => shape("shadow_vertex", None, (CompareFunction::LessEqual, true), false),
-            Self::GhostDepth => shape("ghost_vertex", None, (GreaterEqual, true), false),
-            Self::Ghost => shape("ghost_vertex", Some("ghost_fragment"), (Equal, false), true),
+            Self::Shadow => shape(Source::Silhouette, "shadow_vertex", None, (CompareFunction::LessEqual, true), false),
+            Self::GhostDepth => shape(Source::Shape, "ghost_vertex", None, (GreaterEqual, true), false),
+            Self::Ghost => shape(Source::Shape, "ghost_vertex", Some("ghost_fragment"), (Equal, false), true),
             Self::Line => stroke("line_vertex", "line_fragment", GreaterEqual, 1.0),
             Self::LineHidden => stroke("line_vertex", "line_fragment", Less, 0.22),
             Self::LineOnTop => stroke("line_vertex", "line_fragment", Always, 1.0),
             Self::Dot => stroke("dot_vertex", "dot_fragment", Always, 1.0),
-            Self::MaskAll => shape("place_vertex", Some("mask_fragment"), (Always, false), false),
-            Self::MaskVisible => shape("place_vertex", Some("mask_fragment"), (GreaterEqual, false), false),
+            Self::MaskAll => shape(Source::Silhouette, "place_vertex", Some("mask_fragment"), (Always, false), false),
+            Self::MaskVisible => {
+                shape(Source::Silhouette, "place_vertex", Some("mask_fragment"), (GreaterEqual, false), false)
+            }
             Self::Outline => screen(Source::Outline, "outline_vertex", "outline_fragment", None, true),
         }
     }
@@ -133,8 +140,8 @@ pub struct Pipelines {
     target_format: wgpu::TextureFormat,
     samples: u32,
     shadow_taps: f64,
-    modules: [Option<wgpu::ShaderModule>; 4],
-    made: [Option<wgpu::RenderPipeline>; COUNT],
+    modules: [OnceLock<wgpu::ShaderModule>; SOURCES],
+    made: [OnceLock<wgpu::RenderPipeline>; COUNT],
 }
 
 impl Pipelines {
@@ -174,19 +181,19 @@ impl Pipelines {
             target_format,
             samples,
             shadow_taps: f64::from(shadow_taps),
-            modules: [const { None }; 4],
-            made: [const { None }; COUNT],
+            modules: [const { OnceLock::new() }; SOURCES],
+            made: [const { OnceLock::new() }; COUNT],
         }
     }
 
-    /// One pipeline, made now if it was not yet.
-    pub fn get(&mut self, device: &wgpu::Device, kind: Kind) -> &wgpu::RenderPipeline {
-        let recipe = kind.recipe();
-        let module = self.modules[recipe.source as usize]
-            .get_or_insert_with(|| shader(device, recipe.source, self.samples))
-            .clone();
-        let pipeline = self.made[kind as usize].take().unwrap_or_else(|| self.make(device, kind, &recipe, &module));
-        self.made[kind as usize].insert(pipeline)
+    /// One pipeline, made now if it was not yet. Two threads may ask for two pipelines at the same time.
+    pub fn get(&self, device: &wgpu::Device, kind: Kind) -> &wgpu::RenderPipeline {
+        self.made[kind as usize].get_or_init(|| {
+            let recipe = kind.recipe();
+            let module =
+                self.modules[recipe.source as usize].get_or_init(|| shader(device, recipe.source, self.samples));
+            self.make(device, kind, &recipe, module)
+        })
     }
 
     #[expect(clippy::too_many_lines, reason = "it is one description")]
@@ -210,7 +217,8 @@ impl Pipelines {
         });
         let encode = ("ENCODE_SRGB", if self.target_format.is_srgb() { 0.0 } else { 1.0 });
         let constants: &[(&str, f64)] = match recipe.source {
-            Source::Shape => &[encode, ("SHADOW_TAPS", self.shadow_taps)],
+            Source::Shape | Source::Plane => &[encode, ("SHADOW_TAPS", self.shadow_taps)],
+            Source::Silhouette => &[],
             Source::Stroke => &[encode, ("KEPT", recipe.kept)],
             Source::Sky | Source::Outline => &[encode],
         };
@@ -305,16 +313,18 @@ impl Pipelines {
 }
 
 fn shader(device: &wgpu::Device, source: Source, samples: u32) -> wgpu::ShaderModule {
-    macro_rules! with_common {
-        ($file:literal) => {
-            concat!(include_str!("../../shaders/common.wgsl"), include_str!(concat!("../../shaders/", $file)))
+    macro_rules! joined {
+        ($($file:literal),*) => {
+            concat!(include_str!("../../shaders/common.wgsl"), $(include_str!(concat!("../../shaders/", $file))),*)
         };
     }
     let text = match source {
-        Source::Shape => with_common!("shape.wgsl"),
-        Source::Sky => with_common!("sky.wgsl"),
-        Source::Stroke => with_common!("stroke.wgsl"),
-        Source::Outline => with_common!("outline.wgsl"),
+        Source::Shape => joined!("corner.wgsl", "pixel.wgsl", "lit.wgsl", "shape.wgsl"),
+        Source::Plane => joined!("corner.wgsl", "pixel.wgsl", "lit.wgsl", "plane.wgsl"),
+        Source::Sky => joined!("pixel.wgsl", "sky.wgsl"),
+        Source::Silhouette => joined!("corner.wgsl", "silhouette.wgsl"),
+        Source::Stroke => joined!("stroke.wgsl"),
+        Source::Outline => joined!("outline.wgsl"),
     };
     // `textureLoad` reads alike from both: its last argument is then the sample.
     let text = match source {

@@ -2,6 +2,7 @@
 
 use std::mem;
 use std::ops::Range;
+use std::thread;
 
 use bytemuck::cast_slice;
 use glam::Vec3;
@@ -190,6 +191,7 @@ impl Renderer {
             self.warm_up(gpu, is_map_due);
         } else if is_map_due {
             self.draw_sun_map(&gpu.device, encoder);
+            self.sun_map_draws += 1;
         }
         // With no box the map is left as it was, for shapes that are now others.
         self.sun_map_box = sun;
@@ -202,38 +204,53 @@ impl Renderer {
         }
     }
 
-    /// Makes the pipelines of a plain picture, each drawn with at once, and draws the sun's map where it is due.
+    /// Makes the pipelines of a plain picture on two threads, each drawn with at once, and draws the sun's map where it is due.
     fn warm_up(&mut self, gpu: &Gpu, is_map_due: bool) {
-        let device = &gpu.device;
-        let target = WarmUp::new(device, self.format, self.samples);
         self.is_cold = false;
-        if self.background == Background::Sky {
-            let sky = self.pipelines.get(device, Kind::Sky);
-            target.submit(device, &gpu.queue, |pass| {
-                pass.set_pipeline(sky);
-                pass.set_bind_group(0, &self.globals, &[]);
-                pass.draw(0..3, 0..1);
+        let target = WarmUp::new(&gpu.device, self.format, self.samples);
+        let this = &*self;
+        thread::scope(|scope| {
+            scope.spawn(|| {
+                this.first_draw(gpu, &target, Kind::Shape);
+                this.first_draw(gpu, &target, Kind::Sky);
             });
-        }
-        if is_map_due {
-            let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-            self.draw_sun_map(device, &mut encoder);
-            gpu.queue.submit([encoder.finish()]);
-        }
+            if is_map_due {
+                let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+                this.draw_sun_map(&gpu.device, &mut encoder);
+                gpu.queue.submit([encoder.finish()]);
+            }
+            this.first_draw(gpu, &target, Kind::Plane);
+        });
+        self.sun_map_draws += u64::from(is_map_due);
+    }
+
+    /// Makes a pipeline of what a picture consists of, if this one needs it, and draws a triangle with it.
+    fn first_draw(&self, gpu: &Gpu, target: &WarmUp, kind: Kind) {
+        let device = &gpu.device;
         let plane = MeshKind::Plane as usize;
-        for (kind, meshes) in [(Kind::Shape, 0..plane), (Kind::Plane, plane..plane + 1)] {
-            let items = &self.uploaded.items[meshes.clone()];
-            let Some(slot) = items.iter().position(|instances| !instances.is_empty()) else { continue };
-            let (mesh, first) = (&self.meshes[meshes.start + slot], items[slot].start);
-            let triangle = mesh.indices.start..mesh.indices.start + 3;
-            let pipeline = self.pipelines.get(device, kind).clone();
-            target.submit(device, &gpu.queue, |pass| {
-                pass.set_pipeline(&pipeline);
-                self.bind_instances(pass);
+        let meshes = match kind {
+            Kind::Shape => 0..plane,
+            Kind::Plane => plane..plane + 1,
+            _ => 0..0,
+        };
+        let items = &self.uploaded.items[meshes.clone()];
+        let drawn = items.iter().position(|instances| !instances.is_empty());
+        if drawn.is_none() && (kind != Kind::Sky || self.background != Background::Sky) {
+            return;
+        }
+        let pipeline = self.pipelines.get(device, kind);
+        target.submit(device, &gpu.queue, |pass| {
+            pass.set_pipeline(pipeline);
+            self.bind_instances(pass);
+            if let Some(slot) = drawn {
+                let (mesh, first) = (&self.meshes[meshes.start + slot], items[slot].start);
+                let triangle = mesh.indices.start..mesh.indices.start + 3;
                 pass.set_bind_group(1, &self.sun_map_group, &[]);
                 pass.draw_indexed(triangle, mesh.first_vertex, first..first + 1);
-            });
-        }
+            } else {
+                pass.draw(0..3, 0..1);
+            }
+        });
     }
 
     /// Sends what was packed, unless the GPU has it already.
@@ -249,7 +266,7 @@ impl Renderer {
         mem::swap(&mut self.packed, &mut self.uploaded);
     }
 
-    fn draw_sun_map(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder) {
+    fn draw_sun_map(&self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder) {
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("sun map"),
             depth_stencil_attachment: Some(depth_attachment(
@@ -266,7 +283,6 @@ impl Renderer {
         for (mesh, instances) in self.meshes.iter().zip(&self.uploaded.items).take(MeshKind::Plane as usize) {
             draw_mesh(&mut pass, mesh, instances);
         }
-        self.sun_map_draws += 1;
     }
 
     fn draw_picture(
@@ -340,13 +356,7 @@ impl Renderer {
         self.draw_strokes(device, &mut pass, Kind::Dot, &self.uploaded.dots.clone());
     }
 
-    fn draw_strokes(
-        &mut self,
-        device: &wgpu::Device,
-        pass: &mut wgpu::RenderPass<'_>,
-        kind: Kind,
-        strokes: &Range<u32>,
-    ) {
+    fn draw_strokes(&self, device: &wgpu::Device, pass: &mut wgpu::RenderPass<'_>, kind: Kind, strokes: &Range<u32>) {
         if !strokes.is_empty() {
             pass.set_pipeline(self.pipelines.get(device, kind));
             pass.set_vertex_buffer(0, self.frame_buffer.slice(self.uploaded.strokes_start as u64..));

@@ -21,7 +21,7 @@ pub struct Globals {
     map_from_world: Mat4,
     /// In world space; w is the size of a pixel at distance 1.
     eye_in_world: Vec4,
-    /// The view ray at the target's top left corner.
+    /// The view ray at the viewport's top left corner.
     first_ray_in_world: Vec4,
     /// The ray's change from a pixel to its right neighbour; w is the viewport's width in pixels.
     ray_right_in_world: Vec4,
@@ -41,11 +41,11 @@ impl Globals {
     /// The globals of a picture that fills a viewport.
     pub fn new(frame: &Frame, sun: Option<&SunBox>, viewport: Viewport) -> Self {
         let view = &frame.view;
-        let [x, y, width, height] = [viewport.x, viewport.y, viewport.width, viewport.height].map(|side| side as f32);
+        let [width, height] = [viewport.width, viewport.height].map(|side| side as f32);
         let up = (view.vertical_fov * 0.5).tan();
         let right = up * view.aspect;
         let (right_step, down_step) = (2.0 * right / width, -2.0 * up / height);
-        let first = Vec3::new(-right - x * right_step, up - y * down_step, -1.0);
+        let first = Vec3::new(-right, up, -1.0);
         let ray = |in_eye: Vec3, w: f32| view.world_from_eye.transform_vector3(in_eye).extend(w);
         let eye_in_world = Vec3::from(view.world_from_eye.translation);
         // With no shadows everything is nearer the sun than anything in the map.

@@ -1,0 +1,55 @@
+// Planes, with their grid.
+
+// The ground is lit to its own colour, whatever the exposure.
+const GROUND_SUN: vec3f = vec3f(0.84, 0.77, 0.67);
+
+@vertex
+fn plane_vertex(corner: Corner) -> Pixel {
+    let in_world = world_position(corner);
+    let normal = world_normal(corner);
+    let x_axis = vec3f(corner.world_from_shape_x.x, corner.world_from_shape_y.x, corner.world_from_shape_z.x);
+    let z_axis = vec3f(corner.world_from_shape_x.z, corner.world_from_shape_y.z, corner.world_from_shape_z.z);
+    let scale = vec2f(length(x_axis), length(z_axis));
+    let from_eye = in_world - globals.eye_in_world.xyz;
+    let half_extents = corner.half_extents_and_rounding.xz * scale;
+    let sun = max(dot(normal, globals.towards_sun_in_world.xyz), 0.0);
+    let fill = mix(BOUNCE, SKY_FILL, 0.5 + 0.5 * normal.y);
+    let height = dot(normal, from_eye);
+    let haze_distance = 30.0 + 6.0 * abs(height);
+    var out: Pixel;
+    out.in_clip = globals.clip_from_world * vec4f(in_world, 1.0);
+    out.surface = vec4f(corner.core.xz * half_extents, corner.core.xz);
+    out.along_view = vec3f(dot(x_axis, from_eye) / scale.x, height, dot(z_axis, from_eye) / scale.y);
+    out.map_place = map_place(in_world, normal);
+    out.colour = vec4f(corner.colour * (fill + GROUND_SUN * sun), 1.0 / (haze_distance * haze_distance));
+    out.shaded = corner.colour * fill;
+    return out;
+}
+
+// How much of a pixel lines of `width` at whole numbers cover along both axes; `footprint` is the pixel's size.
+fn lines_cover(place: vec2f, width: f32, footprint: vec2f) -> f32 {
+    let drawn = clamp(vec2f(width), footprint, vec2f(0.5));
+    let from_line = abs(fract(place + 0.5) - 0.5);
+    let cover = saturate((0.5 * drawn + 0.5 * footprint - from_line) / footprint) * min(width / drawn, vec2f(1.0));
+    // Lines closer than pixels become their average.
+    let blended = mix(cover, vec2f(width), saturate(footprint * 2.0 - 0.6));
+    return max(blended.x, blended.y);
+}
+
+@fragment
+fn plane_fragment(pixel: Pixel) -> @location(0) vec4f {
+    let from_eye = pixel.along_view;
+    let grid = pixel.surface.xy;
+    let squared = dot(from_eye, from_eye);
+    let size = globals.eye_in_world.w * sqrt(squared);
+    let footprint = size * (1.0 + abs(from_eye.xz) / max(abs(from_eye.y), 0.001));
+    let fine = lines_cover(grid, 0.014, footprint);
+    let coarse = lines_cover(grid * 0.2, 0.006, footprint * 0.2);
+    let ground = mix(pixel.shaded, pixel.colour.rgb, sun_arriving(pixel.map_place));
+    let marked = ground * (1.0 - max(0.20 * fine, 0.36 * coarse));
+    // The ground melts into the horizon with distance, and before a wide plane ends.
+    let haze = 1.0 - exp2(-squared * pixel.colour.w);
+    let towards_edge = max(abs(pixel.surface.z), abs(pixel.surface.w));
+    let edge = saturate((towards_edge - 0.55) * 2.4) * saturate(squared * 0.0002 - 0.1);
+    return finished(mix(marked, globals.horizon.xyz, max(haze, edge * edge)), 1.0);
+}
