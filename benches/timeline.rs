@@ -22,7 +22,7 @@ const SIZE: egui::Vec2 = vec2(1280.0, 800.0);
 /// Keyframes in which all nodes move all the time.
 fn editor() -> Editor {
     let scene = Arc::new(built_in_scene(DEFAULT_SCENE).expect("it is built in"));
-    let rest = scene.rest_pose().as_slice().to_vec();
+    let rest = scene.rest_pose().to_vec();
     let pose = |place: usize| {
         let angle = place as f32 * 0.01;
         let turned =

@@ -122,7 +122,7 @@ pub fn compare(
         nodes.resize(pose_a.len(), NodeDifference::default());
         let key_time = a.key_time_at(ms);
         let mut off = 0.0;
-        for (node, (&rbt_a, &rbt_b)) in nodes.iter_mut().zip(pose_a.as_slice().iter().zip(pose_b.as_slice())) {
+        for (node, (rbt_a, rbt_b)) in nodes.iter_mut().zip(pose_a.iter().zip(pose_b.iter())) {
             let (translation, rotation) = distances(rbt_a, rbt_b);
             node.translation.take(key_time, translation, tolerances.translation);
             node.rotation.take(key_time, rotation, tolerances.rotation_degrees);

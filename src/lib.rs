@@ -61,6 +61,7 @@
 //! * Playback's position is an exact fraction, since the pace can change while it plays and the end must come at the right tick.
 //! * A writing effect says whether the file is known to the editor: a window keeps a copy of what it would overwrite unseen.
 
+pub mod blend;
 pub mod camera;
 pub mod cli;
 pub mod clock;

@@ -1,8 +1,12 @@
 //! A pose: one `parent_from_node` for each RBT node of a scene. The live state, a keyframe and a sample are all poses.
 
+mod block;
+
 use std::sync::Arc;
 
 use crate::rbt::Rbt;
+
+pub use block::{LANES, RbtBlock};
 
 /// Which RBT node of a scene, by its place in a pre-order walk; issued by [`crate::scene::SceneGraph`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -23,57 +27,101 @@ impl RbtIndex {
 }
 
 /// `parent_from_node` of every RBT node, in the scene's order. Cloning shares; a change copies where it is shared.
+///
+/// The transforms lie in blocks of [`LANES`], as [`crate::blend`] takes them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pose {
-    parent_from_node: Arc<[Rbt]>,
+    blocks: Arc<[RbtBlock]>,
+    len: usize,
 }
 
 impl Pose {
     /// A pose of these transforms.
     #[must_use]
     pub fn new(parent_from_node: Vec<Rbt>) -> Self {
-        Self { parent_from_node: parent_from_node.into() }
+        Self::from_slice(&parent_from_node)
     }
 
-    /// A pose in storage that may be shared.
+    /// A pose of a copy of these transforms.
     #[must_use]
-    pub const fn from_shared(parent_from_node: Arc<[Rbt]>) -> Self {
-        Self { parent_from_node }
+    pub fn from_slice(rbts: &[Rbt]) -> Self {
+        let block = |rbts: &[Rbt]| {
+            let mut block = RbtBlock::IDENTITY;
+            for (lane, &rbt) in rbts.iter().enumerate() {
+                block.set(lane, rbt);
+            }
+            block
+        };
+        Self { blocks: rbts.chunks(LANES).map(block).collect(), len: rbts.len() }
+    }
+
+    /// A pose of so many nodes that change nothing.
+    #[must_use]
+    pub fn identity(len: usize) -> Self {
+        Self { blocks: (0..len.div_ceil(LANES)).map(|_| RbtBlock::IDENTITY).collect(), len }
     }
 
     /// How many RBT nodes it has.
     #[must_use]
-    pub fn len(&self) -> usize {
-        self.parent_from_node.len()
+    pub const fn len(&self) -> usize {
+        self.len
     }
 
     /// Whether it has none.
     #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.parent_from_node.is_empty()
+    pub const fn is_empty(&self) -> bool {
+        self.len == 0
     }
 
     /// All transforms, in the scene's order.
     #[must_use]
-    pub fn as_slice(&self) -> &[Rbt] {
-        &self.parent_from_node
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = Rbt> + '_ {
+        (0..self.len).map(|place| self.get(RbtIndex(place)))
+    }
+
+    /// All transforms, in the scene's order, as a list of their own.
+    #[must_use]
+    pub fn to_vec(&self) -> Vec<Rbt> {
+        self.iter().collect()
+    }
+
+    /// The transforms in blocks; what fills up the last one is the identity.
+    #[must_use]
+    pub fn blocks(&self) -> &[RbtBlock] {
+        &self.blocks
+    }
+
+    /// Makes this a pose of `len` nodes, all of its blocks written by `write`; in its own storage where nobody shares that.
+    pub(crate) fn fill(&mut self, len: usize, write: impl FnOnce(&mut [RbtBlock])) {
+        if self.len != len || Arc::get_mut(&mut self.blocks).is_none() {
+            *self = Self::identity(len);
+        }
+        let blocks = Arc::get_mut(&mut self.blocks).expect("nobody shares it");
+        write(blocks);
+        if let Some(last) = blocks.last_mut() {
+            for lane in (len - 1) % LANES + 1..LANES {
+                last.set(lane, Rbt::IDENTITY);
+            }
+        }
     }
 
     /// One node's `parent_from_node`.
     #[must_use]
     pub fn get(&self, rbt: RbtIndex) -> Rbt {
-        self.parent_from_node[rbt.0]
+        assert!(rbt.0 < self.len, "RBT node {} of a pose of {}", rbt.0, self.len);
+        self.blocks[rbt.0 / LANES].get(rbt.0 % LANES)
     }
 
     /// Changes one node's `parent_from_node`; poses that shared with this one keep theirs.
     pub fn set(&mut self, rbt: RbtIndex, parent_from_node: Rbt) {
-        Arc::make_mut(&mut self.parent_from_node)[rbt.0] = parent_from_node;
+        assert!(rbt.0 < self.len, "RBT node {} of a pose of {}", rbt.0, self.len);
+        Arc::make_mut(&mut self.blocks)[rbt.0 / LANES].set(rbt.0 % LANES, parent_from_node);
     }
 
     /// Whether the two share their storage, which makes them equal at no cost.
     #[must_use]
     pub fn shares_with(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.parent_from_node, &other.parent_from_node)
+        Arc::ptr_eq(&self.blocks, &other.blocks)
     }
 
     /// Whether two poses are the same, at no cost where they share.

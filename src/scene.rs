@@ -7,6 +7,7 @@ mod file;
 mod graph;
 mod pick;
 mod shape;
+mod walk;
 
 pub use built_in::{DEFAULT_SCENE, built_in_scene, built_in_scene_names};
 pub use file::{SceneError, scene_from_json};

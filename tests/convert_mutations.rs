@@ -114,7 +114,7 @@ fn broken_texts_do_no_harm() {
         prop_assert!(taken <= 3 * text.len() + FIXED_BYTES, "{taken} bytes for {}", text.len());
         match imported {
             Ok(Imported::KeyframeFile(file) | Imported::Text(file, _)) => {
-                for rbt in file.keyframes.iter().flat_map(|keyframe| keyframe.pose.as_slice()) {
+                for rbt in file.keyframes.iter().flat_map(|keyframe| keyframe.pose.iter()) {
                     prop_assert!(rbt.is_finite() && (rbt.rotation.length() - 1.0).abs() < 2e-6, "{rbt:?}");
                 }
             }

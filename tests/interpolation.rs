@@ -80,7 +80,7 @@ fn playback_meets_the_golden_values() {
     for case in golden["playback"]["cases"].as_array().unwrap() {
         let interpolation = Interpolation::from_name(case["interpolation"].as_str().unwrap()).unwrap();
         let found = range.pose_at(case["key_time"].as_f64().unwrap(), interpolation).unwrap();
-        for (found, expected) in found.as_slice().iter().zip(pose(&case["expect"]).as_slice()) {
+        for (found, expected) in found.iter().zip(pose(&case["expect"]).iter()) {
             assert!(distance(found.rotation, expected.rotation) < TOLERANCE, "{case}: {found:?}");
             assert!(found.translation.distance(expected.translation) < TOLERANCE, "{case}: {found:?}");
         }

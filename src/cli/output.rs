@@ -48,7 +48,7 @@ pub fn push_paths<'a>(text: &mut String, paths: impl Iterator<Item = &'a str>) {
 /// Appends a pose as a JSON array, in the scene's order: `[{"translation": [x, y, z], "rotation": [x, y, z, w]}, …]`.
 pub fn push_pose(text: &mut String, pose: &Pose) {
     text.push('[');
-    for (place, rbt) in pose.as_slice().iter().enumerate() {
+    for (place, rbt) in pose.iter().enumerate() {
         text.push_str(if place == 0 { "{\"translation\": " } else { ", {\"translation\": " });
         push_f32s(text, &rbt.translation.to_array());
         text.push_str(", \"rotation\": ");

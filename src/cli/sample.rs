@@ -111,7 +111,7 @@ fn print_csv(output: &mut dyn io::Write, samples: impl Iterator<Item = Sample>) 
     let mut text = String::from("key_time,rbt_ind,tx,ty,tz,rw,rx,ry,rz\n");
     for sample in samples {
         let (FrameTime { key_time, .. }, pose) = sample.map_err(io::Error::other)?;
-        for (rbt, parent_from_node) in pose.as_slice().iter().enumerate() {
+        for (rbt, parent_from_node) in pose.iter().enumerate() {
             let _ = write!(text, "{key_time:?},{rbt}");
             let [x, y, z, w] = parent_from_node.rotation.to_array();
             for number in parent_from_node.translation.to_array().into_iter().chain([w, x, y, z]) {

@@ -56,7 +56,7 @@ impl Sequence {
             return Err(TooFewKeyframes { found: keyframes.len() });
         }
         let pose = |keyframe: &Keyframe| {
-            let rbts = keyframe.pose.as_slice().iter();
+            let rbts = keyframe.pose.iter();
             rbts.map(|rbt| Transform {
                 translation: rbt.translation.as_dvec3(),
                 rotation: rbt.rotation.as_dquat().normalize(),

@@ -386,7 +386,7 @@ fn match_nodes(nodes: &[String], scene: &SceneGraph, problems: &mut Problems) ->
 
 fn in_scene_order(pose: Arc<[Rbt]>, place_in_file: &[usize]) -> Pose {
     if place_in_file.iter().enumerate().all(|(place, &in_file)| place == in_file) {
-        Pose::from_shared(pose)
+        Pose::from_slice(&pose)
     } else {
         Pose::new(place_in_file.iter().map(|&place| pose[place]).collect())
     }
@@ -462,10 +462,10 @@ impl fmt::Display for KeyframesJson<'_> {
             push_extras(&mut line, keyframe);
             line.push_str("\"pose\": [");
             out.write_str(&line)?;
-            for (entry, rbt) in keyframe.pose.as_slice().iter().enumerate() {
+            for (entry, rbt) in keyframe.pose.iter().enumerate() {
                 line.clear();
                 line.push_str(if entry == 0 { "\n      " } else { ",\n      " });
-                push_rbt(&mut line, rbt);
+                push_rbt(&mut line, &rbt);
                 out.write_str(&line)?;
             }
             out.write_str("\n    ] }")?;

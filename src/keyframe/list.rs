@@ -6,7 +6,6 @@ use super::easing::Easing;
 use super::timing::Timing;
 use crate::interpolation::{ControlPoints, TangentDivisors, rbt_control_points};
 use crate::pose::Pose;
-use crate::rbt::Rbt;
 
 /// The place of a keyframe in a list, from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -71,8 +70,8 @@ impl Keyframe {
     }
 }
 
-/// The inner Bézier control points of one interval, one pair for each RBT node.
-pub(super) type IntervalControlPoints = Arc<[ControlPoints<Rbt>]>;
+/// The inner Bézier control points of one interval, for every RBT node.
+pub(super) type IntervalControlPoints = ControlPoints<Pose>;
 
 /// What copies of a list share: the keyframes, and for each interval the control points, made when first asked for.
 #[derive(Debug, Default)]
@@ -197,15 +196,16 @@ impl KeyframeList {
     /// The control points of the interval from keyframe `start` to the one after it, which both must have a neighbour outside.
     ///
     /// Made once for each state of the list.
-    pub(super) fn control_points(&self, start: usize) -> &[ControlPoints<Rbt>] {
+    pub(super) fn control_points(&self, start: usize) -> &IntervalControlPoints {
         self.stored.control_points[start].get_or_init(|| {
-            let pose = |place: usize| self.stored.keyframes[place].pose.as_slice();
+            let pose = |place: usize| self.stored.keyframes[place].pose.to_vec();
             let (before, from, to, after) = (pose(start - 1), pose(start), pose(start + 1), pose(start + 2));
             let duration = |place: usize| self.stored.keyframes[place].duration;
             let divisors = TangentDivisors::of([duration(start - 1), duration(start), duration(start + 1)]);
-            (0..from.len())
-                .map(|rbt| rbt_control_points([before[rbt], from[rbt], to[rbt], after[rbt]], divisors))
-                .collect()
+            let points = |rbt: usize| rbt_control_points([before[rbt], from[rbt], to[rbt], after[rbt]], divisors);
+            let (after_start, before_end): (Vec<_>, Vec<_>) =
+                (0..from.len()).map(points).map(|points| (points.after_start, points.before_end)).unzip();
+            ControlPoints { after_start: Pose::new(after_start), before_end: Pose::new(before_end) }
         })
     }
 

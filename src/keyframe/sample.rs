@@ -7,7 +7,8 @@ use thiserror::Error;
 
 use super::list::{KeyframeIndex, KeyframeList};
 use super::timing::Timing;
-use crate::interpolation::{Interpolation, bezier_rbt, linear_rbt};
+use crate::blend::{self, Curves};
+use crate::interpolation::{ControlPoints, Interpolation, bezier_rbt, linear_rbt};
 use crate::pose::{Pose, RbtIndex};
 use crate::rbt::Rbt;
 
@@ -87,14 +88,26 @@ impl<'a> PlayRange<'a> {
         }
     }
 
-    /// The pose at a key time in [0, n − 1]; at whole key times the keyframe itself, to the bit.
+    /// The pose at a key time in [0, n − 1], within 3e-7 radians of [`crate::interpolation::linear_rbt`] and 5e-7 of
+    /// [`crate::interpolation::bezier_rbt`] in exact arithmetic; at whole key times the keyframe itself, to the bit.
     ///
     /// # Errors
     /// [`SampleError::OutOfRange`] outside of that.
     pub fn pose_at(&self, key_time: f64, interpolation: Interpolation) -> Result<Pose, SampleError> {
+        let mut pose = Pose::identity(0);
+        self.pose_into(key_time, interpolation, &mut pose)?;
+        Ok(pose)
+    }
+
+    /// As [`PlayRange::pose_at`], in the storage of a pose that is there already, where nobody shares it.
+    ///
+    /// # Errors
+    /// [`SampleError::OutOfRange`]; the pose is as it was then.
+    pub fn pose_into(&self, key_time: f64, interpolation: Interpolation, into: &mut Pose) -> Result<(), SampleError> {
         self.check(key_time)?;
         let (start, alpha) = self.interval_at(key_time);
-        Ok(self.blend(start, alpha, interpolation))
+        self.blend(start, alpha, interpolation, into);
+        Ok(())
     }
 
     /// The keyframe of the list where the interval around a key time begins, and the eased fraction of the interval; kept within the
@@ -125,28 +138,40 @@ impl<'a> PlayRange<'a> {
         }
         match interpolation {
             Interpolation::Linear => linear_rbt(from, to, alpha),
-            Interpolation::CatmullRom => bezier_rbt(from, self.keyframes.control_points(start)[rbt.get()], to, alpha),
+            Interpolation::CatmullRom => {
+                let ControlPoints { after_start, before_end } = self.keyframes.control_points(start);
+                let inner = ControlPoints { after_start: after_start.get(rbt), before_end: before_end.get(rbt) };
+                bezier_rbt(from, inner, to, alpha)
+            }
         }
     }
 
-    /// The pose at the fraction `alpha` of the interval that begins at keyframe `start` of the list.
-    fn blend(&self, start: usize, alpha: f32, interpolation: Interpolation) -> Pose {
+    /// Makes `into` the pose at the fraction `alpha` of the interval that begins at keyframe `start` of the list.
+    fn blend(&self, start: usize, alpha: f32, interpolation: Interpolation, into: &mut Pose) {
         let list = self.keyframes.as_slice();
         let from = &list[start].pose;
         if alpha == 0.0 {
-            return from.clone();
+            into.clone_from(from);
+            return;
         }
         let to = &list[start + 1].pose;
         if alpha == 1.0 {
-            return to.clone();
+            into.clone_from(to);
+            return;
         }
-        let pairs = from.as_slice().iter().zip(to.as_slice());
-        Pose::new(match interpolation {
-            Interpolation::Linear => pairs.map(|(&from, &to)| linear_rbt(from, to, alpha)).collect(),
-            Interpolation::CatmullRom => pairs
-                .zip(self.keyframes.control_points(start))
-                .map(|((&from, &to), &inner)| bezier_rbt(from, inner, to, alpha))
-                .collect(),
-        })
+        let (level, weights) = (blend::widest(), blend::Weights::at(alpha));
+        into.fill(from.len(), |blocks| match interpolation {
+            Interpolation::Linear => blend::linear(level, &weights, from.blocks(), to.blocks(), blocks),
+            Interpolation::CatmullRom => {
+                let ControlPoints { after_start, before_end } = self.keyframes.control_points(start);
+                let curves = Curves {
+                    start: from.blocks(),
+                    after_start: after_start.blocks(),
+                    before_end: before_end.blocks(),
+                    end: to.blocks(),
+                };
+                blend::bezier(level, &weights, curves, blocks);
+            }
+        });
     }
 }

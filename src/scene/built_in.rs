@@ -62,6 +62,6 @@ mod tests {
             }
         }
         assert_eq!(rows, expected);
-        assert!(scene.rest_pose().as_slice().iter().all(|rbt| rbt.rotation == glam::Quat::IDENTITY));
+        assert!(scene.rest_pose().iter().all(|rbt| rbt.rotation == glam::Quat::IDENTITY));
     }
 }

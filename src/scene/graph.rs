@@ -7,6 +7,7 @@ use glam::Affine3A;
 
 use super::file::SceneError;
 use super::shape::PlacedShape;
+use super::walk::Walk;
 use crate::pose::{Pose, RbtIndex};
 use crate::rbt::Rbt;
 use crate::timed::{Keyframes, TransformKeyframes};
@@ -82,6 +83,7 @@ pub struct SceneGraph {
     rbt_nodes: Vec<NodeId>,
     by_path: HashMap<String, NodeId>,
     rest: Pose,
+    walk: Walk,
     eyes: Vec<RbtIndex>,
     vertical_fov: f32,
     last_second: Option<f64>,
@@ -193,7 +195,19 @@ impl SceneGraph {
     /// `world_from_node` of every node under `pose`, `seconds` into the keys at their own times, in arena order.
     #[must_use]
     pub fn world_from_nodes(&self, pose: &Pose, seconds: f64) -> Vec<Affine3A> {
-        self.world_from_nodes_with(seconds, |rbt| pose.get(rbt).to_affine())
+        let mut world_from_node = Vec::new();
+        self.world_from_nodes_into(pose, seconds, &mut world_from_node);
+        world_from_node
+    }
+
+    /// As [`SceneGraph::world_from_nodes`], in the storage of a list that is there already.
+    pub fn world_from_nodes_into(&self, pose: &Pose, seconds: f64, into: &mut Vec<Affine3A>) {
+        debug_assert_eq!(pose.len(), self.rbt_count(), "a pose of another scene");
+        let keys_of = |place: usize| match &self.nodes[place].kind {
+            NodeKind::Control(keys) => keys.value_at(seconds),
+            NodeKind::Rbt(_) | NodeKind::Shape(_) => Affine3A::IDENTITY,
+        };
+        self.walk.world_from_nodes(pose, keys_of, into);
     }
 
     /// The same for any affine in place of each RBT node's transform: one forward loop, since parents come first.
@@ -360,6 +374,7 @@ impl SceneBuilder {
         }
         let mut scene = SceneGraph {
             name: name.to_owned(),
+            walk: Walk::through(&self.nodes),
             nodes: self.nodes,
             rbt_nodes: self.rbt_nodes,
             by_path: self.by_path,

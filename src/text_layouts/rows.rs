@@ -10,7 +10,7 @@ use super::lexer::numbers;
 use super::plan::{Plan, UNIT_TOLERANCE};
 use super::report::{Certainty, counted};
 use crate::keyframe::Keyframe;
-use crate::pose::Pose;
+use crate::pose::RbtIndex;
 use crate::rbt::Rbt;
 use crate::scene::SceneGraph;
 
@@ -75,16 +75,16 @@ fn build<const WIDTH: usize>(
     let place_of_row = match_joints(&first, scene, options, plan);
     // So many were counted in the text.
     let mut keyframes: Vec<Keyframe> = Vec::with_capacity(plan.keyframes);
-    let mut pose = scene.rest_pose().as_slice().to_vec();
+    let mut pose = scene.rest_pose().clone();
     for (place, (_, row)) in rows(bytes, plan).enumerate() {
         let row_of_keyframe = place % plan.nodes;
         if let Some(node) = place_of_row[row_of_keyframe] {
-            pose[node] = decode(row);
+            pose.set(RbtIndex::new(node), decode(row));
         }
         if row_of_keyframe + 1 == plan.nodes {
             // Poses that do not change share their storage.
-            let same = keyframes.last().filter(|last| last.pose.as_slice() == pose).map(|last| last.pose.clone());
-            keyframes.push(Keyframe::new(same.unwrap_or_else(|| Pose::from_shared(pose.as_slice().into()))));
+            let same = keyframes.last().map(|last| &last.pose).filter(|&last| *last == pose);
+            keyframes.push(Keyframe::new(same.unwrap_or(&pose).clone()));
         }
     }
     keyframes

@@ -37,8 +37,8 @@ impl fmt::Display for KeyframeText<'_> {
             if self.layout == Layout::Frames {
                 writeln!(out, "frame [{place}]")?;
             }
-            for (node, rbt) in keyframe.pose.as_slice().iter().enumerate() {
-                self.row(out, place, node, rbt)?;
+            for (node, rbt) in keyframe.pose.iter().enumerate() {
+                self.row(out, place, node, &rbt)?;
             }
             match self.layout {
                 Layout::End => out.write_str("end\n")?,

@@ -91,7 +91,7 @@ pub fn assert_invariants(editor: &Editor, after: &str) {
     for pose in poses {
         assert_eq!(pose.len(), count, "after {after}: a pose of another length");
     }
-    for rbt in editor.displayed_pose().as_slice() {
+    for rbt in editor.displayed_pose().iter() {
         assert!(rbt.is_finite(), "after {after}: {rbt:?}");
         assert!((rbt.rotation.length() - 1.0).abs() < 2e-6, "after {after}: {rbt:?}");
     }

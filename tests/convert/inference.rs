@@ -55,7 +55,7 @@ fn three_decimals_are_unit_enough() {
     let mut rows = keyframes(4);
     rows[1][2][3..].clone_from_slice(&["0.574", "0.574", "0.574", "0.1"].map(str::to_owned));
     let (found, _) = read(header_text(&rows));
-    let rotation = found[1].pose.as_slice()[2].rotation;
+    let rotation = found[1].pose.to_vec()[2].rotation;
     assert!((rotation.length() - 1.0).abs() < 1e-6);
     rows[1][2][3] = "0.59".to_owned();
     let sentence = refusal(header_text(&rows));

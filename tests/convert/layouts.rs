@@ -11,7 +11,7 @@ use super::{numbers, read};
 fn assert_rows(found: &[Keyframe], expected: &[Vec<Row>], what: &str) {
     assert_eq!(found.len(), expected.len(), "{what}");
     for (keyframe, rows) in found.iter().zip(expected) {
-        for (rbt, row) in keyframe.pose.as_slice().iter().zip(rows) {
+        for (rbt, row) in keyframe.pose.iter().zip(rows) {
             let [tx, ty, tz, w, x, y, z] = row.clone().map(|number| number.parse::<f32>().unwrap());
             assert_eq!(rbt.translation.to_array(), [tx, ty, tz], "{what}");
             for (found, expected) in rbt.rotation.to_array().into_iter().zip([x, y, z, w]) {
@@ -74,7 +74,7 @@ fn matrices_are_read() {
         let (found, report) = read(&text);
         assert_eq!(report.summary, "4 keyframes of 22 nodes, layout matrices");
         for (keyframe, expected) in found.iter().zip(&rows) {
-            for (rbt, row) in keyframe.pose.as_slice().iter().zip(expected) {
+            for (rbt, row) in keyframe.pose.iter().zip(expected) {
                 let [tx, ty, tz, w, x, y, z] = row.clone().map(|number| number.parse::<f32>().unwrap());
                 assert!(rbt.translation.distance([tx, ty, tz].into()) < 1e-6);
                 // A matrix does not tell a quaternion's sign.

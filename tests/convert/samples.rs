@@ -30,7 +30,7 @@ pub fn keyframes(count: usize) -> Vec<Vec<Row>> {
         }
         row
     };
-    let rest: Vec<[f32; 3]> = scene.rest_pose().as_slice().iter().map(|rbt| rbt.translation.to_array()).collect();
+    let rest: Vec<[f32; 3]> = scene.rest_pose().iter().map(|rbt| rbt.translation.to_array()).collect();
     (0..count)
         .map(|keyframe| rest.iter().enumerate().map(|(node, &offset)| row(keyframe, node, offset)).collect())
         .collect()

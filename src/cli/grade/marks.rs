@@ -281,8 +281,8 @@ impl Marker<'_> {
     }
 
     fn same_pose(&self, found: &Pose, expected: &Pose) -> Result<String, String> {
-        let nodes = found.as_slice().iter().zip(expected.as_slice()).zip(self.scene.rbt_paths());
-        for ((&found, &expected), path) in nodes {
+        let nodes = found.iter().zip(expected.iter()).zip(self.scene.rbt_paths());
+        for ((found, expected), path) in nodes {
             let (translation, degrees) = distances(found, expected);
             let tolerances = self.rubric.tolerances;
             if translation > tolerances.translation {

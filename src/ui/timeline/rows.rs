@@ -76,7 +76,7 @@ fn depth(scene: &SceneGraph, rbt: RbtIndex) -> usize {
 /// Whether any of these nodes stands in one pose as it does not in the one before.
 #[must_use]
 pub fn differs(pose: &Pose, before: &Pose, rbts: &Range<usize>) -> bool {
-    !pose.shares_with(before) && pose.as_slice()[rbts.clone()] != before.as_slice()[rbts.clone()]
+    !pose.shares_with(before) && rbts.clone().map(RbtIndex::new).any(|rbt| pose.get(rbt) != before.get(rbt))
 }
 
 #[cfg(test)]

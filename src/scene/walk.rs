@@ -1,0 +1,150 @@
+//! From a pose to where every node is in the world: one forward loop over what little it takes of each node.
+
+use glam::Affine3A;
+
+use super::graph::{Node, NodeKind};
+use crate::blend::{self, MatrixBlock};
+use crate::pose::{LANES, Pose};
+
+/// Blocks of RBT nodes whose matrices are made before they are used: few enough to stay in the nearest cache, and enough for what was
+/// written to have arrived there.
+const BATCH: usize = 8;
+/// In place of a parent: there is none.
+const NO_PARENT: u32 = u32::MAX;
+
+/// How each node stands to its parent, in arena order.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Walk {
+    /// The parents' places.
+    parents: Vec<u32>,
+    runs: Vec<Run>,
+    /// `parent_from_shape` of every shape.
+    fixed: Vec<Affine3A>,
+}
+
+/// Nodes of one kind that follow each other.
+#[derive(Clone, Copy, Debug)]
+enum Run {
+    /// So many RBT nodes: the next of the pose's transforms.
+    Rbts(usize),
+    /// So many shapes: the next of the fixed places.
+    Shapes(usize),
+    /// A control node: its keys.
+    Keys,
+}
+
+impl Walk {
+    /// The walk through these nodes, of which parents come first.
+    pub fn through<'a>(nodes: impl IntoIterator<Item = &'a Node>) -> Self {
+        let mut walk = Self::default();
+        for node in nodes {
+            walk.parents.push(node.parent.map_or(NO_PARENT, |parent| parent.get() as u32));
+            match (&node.kind, walk.runs.last_mut()) {
+                (NodeKind::Rbt(_), Some(Run::Rbts(count))) => *count += 1,
+                (NodeKind::Rbt(_), _) => walk.runs.push(Run::Rbts(1)),
+                (NodeKind::Shape(placed), last) => {
+                    walk.fixed.push(placed.parent_from_shape);
+                    match last {
+                        Some(Run::Shapes(count)) => *count += 1,
+                        _ => walk.runs.push(Run::Shapes(1)),
+                    }
+                }
+                (NodeKind::Control(_), _) => walk.runs.push(Run::Keys),
+            }
+        }
+        walk
+    }
+
+    /// Makes `into` the `world_from_node` of every node; `keys_of` says what a control node's keys hold, by its place.
+    pub fn world_from_nodes(&self, pose: &Pose, keys_of: impl Fn(usize) -> Affine3A, into: &mut Vec<Affine3A>) {
+        let level = blend::widest();
+        let mut batches = pose.blocks().chunks(BATCH);
+        let mut matrices = [MatrixBlock::default(); BATCH];
+        // Places in the batch of matrices: none is left before the first.
+        let (mut next, mut end) = (0, 0);
+        let mut fixed = self.fixed.iter();
+        into.resize(self.parents.len(), Affine3A::IDENTITY);
+        let mut place = 0;
+        for run in &self.runs {
+            match *run {
+                Run::Rbts(mut left) => {
+                    while left > 0 {
+                        if next == end {
+                            let batch = batches.next().unwrap_or_default();
+                            blend::matrices(level, batch, &mut matrices);
+                            (next, end) = (0, BATCH * LANES);
+                        }
+                        let count = left.min(end - next);
+                        let parents = &self.parents[place..place + count];
+                        blend::place_below(level, &matrices, next, parents, into, place);
+                        next += count;
+                        place += count;
+                        left -= count;
+                    }
+                }
+                Run::Shapes(count) => {
+                    for parent_from_shape in fixed.by_ref().take(count) {
+                        into[place] = self.world_from_parent(place, into) * *parent_from_shape;
+                        place += 1;
+                    }
+                }
+                Run::Keys => {
+                    into[place] = self.world_from_parent(place, into) * keys_of(place);
+                    place += 1;
+                }
+            }
+        }
+    }
+
+    fn world_from_parent(&self, place: usize, world_from_node: &[Affine3A]) -> Affine3A {
+        world_from_node.get(self.parents[place] as usize).copied().unwrap_or(Affine3A::IDENTITY)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::{Quat, Vec3};
+
+    use crate::pose::Pose;
+    use crate::rbt::Rbt;
+    use crate::scene::{SceneBuilder, SceneGraph, built_in_scene};
+
+    /// A tree of so many RBT nodes, three below each.
+    fn tree(count: usize) -> SceneGraph {
+        fn below(builder: &mut SceneBuilder, place: usize, count: usize) {
+            if place < count {
+                builder.open_rbt(&format!("n{place}"), Rbt::IDENTITY).unwrap();
+                (1..=3).for_each(|child| below(builder, 3 * place + child, count));
+                builder.close();
+            }
+        }
+        let mut builder = SceneBuilder::new();
+        below(&mut builder, 0, count);
+        builder.finish("tree", &["n0".to_owned()], 1.0).unwrap()
+    }
+
+    fn spread(count: usize) -> Pose {
+        let rbt = |node: usize| {
+            let phase = 0.37 * node as f32;
+            let axis = Vec3::new(phase.sin(), (1.3 * phase).cos(), (0.7 * phase).sin() + 0.1).normalize();
+            Rbt::new(axis * 3.0, Quat::from_axis_angle(axis, phase))
+        };
+        Pose::new((0..count).map(rbt).collect())
+    }
+
+    #[test]
+    fn the_walk_is_what_the_simple_loop_says() {
+        let built_in = ["two-robots", "cylinder", "orbits"].map(|name| built_in_scene(name).unwrap());
+        for scene in [1, 15, 16, 17, 22, 128, 129, 10_007].map(tree).into_iter().chain(built_in) {
+            let pose = spread(scene.rbt_count());
+            for seconds in [0.0, 1.3] {
+                let simple = scene.world_from_nodes_with(seconds, |rbt| pose.get(rbt).to_affine());
+                let walked = scene.world_from_nodes(&pose, seconds);
+                assert_eq!(walked.len(), simple.len());
+                for (walked, simple) in walked.iter().zip(&simple) {
+                    assert!(walked.abs_diff_eq(*simple, 4e-5), "{walked} is not {simple}");
+                }
+            }
+        }
+    }
+}
