@@ -6,6 +6,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, ValueEnum};
 
 use crate::compare::DEFAULT_TOLERANCE;
+use crate::export::{Size, Span};
 use crate::film::Grid;
 use crate::interpolation::Interpolation;
 use crate::render::Background;
@@ -241,6 +242,13 @@ pub struct RenderArguments {
     pub manifest: Option<PathBuf>,
 }
 
+impl RenderArguments {
+    /// Which part of the animation is rendered.
+    pub fn span(&self) -> Span {
+        Span { from: self.from, to: self.to, seconds: self.seconds }
+    }
+}
+
 /// Arguments of `verify`.
 #[derive(Debug, Args)]
 pub struct VerifyArguments {
@@ -349,21 +357,6 @@ pub struct GradeArguments {
 fn tolerance_of_poses(text: &str) -> Result<f64, String> {
     let tolerance = text.trim().parse().ok().filter(|tolerance: &f64| tolerance.is_finite() && *tolerance >= 0.0);
     tolerance.ok_or_else(|| format!("{text:?} is not a finite number of at least 0"))
-}
-
-/// Width and height of a picture in pixels.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Size {
-    /// Width, at least 1.
-    pub width: u32,
-    /// Height, at least 1.
-    pub height: u32,
-}
-
-impl std::fmt::Display for Size {
-    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(formatter, "{}x{}", self.width, self.height)
-    }
 }
 
 /// Key times in the order in which they were asked for.

@@ -4,11 +4,10 @@ use super::marks::Marks;
 use super::rubric::Rubric;
 use crate::camera::Camera;
 use crate::cli::CliError;
-use crate::cli::arguments::Size;
 use crate::cli::diff::times_ms;
-use crate::cli::picture::Painter;
 use crate::cli::progress::Progress;
 use crate::difference::{Played, compare};
+use crate::export::{Painter, Size};
 use crate::frame::Frame;
 use crate::interpolation::Interpolation;
 use crate::keyframe::{KeyframeList, PlayRange, to_f64, whole};
@@ -131,7 +130,7 @@ fn draw(pose: &Pose, scene: &SceneGraph, painter: &mut Painter) -> Result<Image,
         vertical_fov: scene.vertical_fov(),
         size_px: painter.size_px(),
     };
-    painter.image(&Frame::new(scene, pose, 0.0, &camera, None))
+    Ok(painter.image(&Frame::new(scene, pose, 0.0, &camera, None))?)
 }
 
 /// Where two pictures of one size differ: the brighter the more, on black.
