@@ -341,7 +341,7 @@ pub struct DiffArguments {
 /// Arguments of `grade`.
 #[derive(Debug, Args)]
 pub struct GradeArguments {
-    /// The rubric, as in assets/grading/rubric.json.
+    /// The rubric, JSON or (where its name ends in .toml) TOML, as in assets/grading.
     pub rubric: PathBuf,
     /// Submissions, and folders of them.
     #[arg(required = true, value_name = "SUBMISSION")]

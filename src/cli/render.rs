@@ -16,7 +16,7 @@ use crate::export::{
     Animation, Drawing, Moment, Moments, Painter, Size, Source, Stage, Target, View, find_ffmpeg, write_film,
     write_folder,
 };
-use crate::film::{Grid, contact_sheet};
+use crate::film::{Cell, Grid, contact_sheet};
 use crate::render::{Background, Image};
 use crate::storage;
 use manifest::Manifest;
@@ -109,13 +109,13 @@ fn sheet(
     painter: &mut Painter,
 ) -> Result<Image, CliError> {
     let moments = Moments::of_sheet(arguments.span(), source, grid)?;
-    let mut pictures = Vec::new();
+    let mut cells = Vec::new();
     let mut watch = watched(&moments);
-    Drawing { stage, moments: &moments, painter, watch: &mut watch }.draw(|_, image| {
-        pictures.push(image);
+    Drawing { stage, moments: &moments, painter, watch: &mut watch }.draw(|place, picture| {
+        cells.push(Cell { picture, caption: moments.all[place].caption() });
         Ok(())
     })?;
-    Ok(contact_sheet(grid, &pictures))
+    Ok(contact_sheet(grid, &cells))
 }
 
 fn write(path: &Path, png: &[u8], manifest: &mut Manifest) -> Result<(), CliError> {

@@ -59,6 +59,20 @@ pub struct Moment {
     pub turn: f64,
 }
 
+impl Moment {
+    /// What tells it from the others of a contact sheet: key time and seconds, seconds alone, or how far around the camera is.
+    #[must_use]
+    pub fn caption(&self) -> Vec<String> {
+        let seconds = format!("{:.2} s", self.seconds);
+        match self.shown {
+            Shown::KeyTime(key_time) => vec![format!("key {key_time:.2}"), seconds],
+            Shown::Keyframe(index) => vec![format!("key {}", index.get())],
+            Shown::Rest if self.seconds == 0.0 && self.turn > 0.0 => vec![format!("{:.0}°", 360.0 * self.turn)],
+            Shown::Rest => vec![seconds],
+        }
+    }
+}
+
 /// The pictures of a film or a contact sheet.
 pub struct Moments {
     /// In their order.

@@ -48,7 +48,12 @@ pub fn show(ui: &Ui, dialog: &mut Option<Dialog>, shown: Shown<'_>, output: &mut
     let is_list = matches!(question, Dialog::Commands(_));
     let margin = Margin::same(if is_list { 8 } else { 16 });
     let frame = Frame::popup(ui.style()).inner_margin(margin).corner_radius(2 * CORNER);
-    let id = Id::unique(if is_list { "commands" } else { "dialog" });
+    // Each has a place and a size of its own.
+    let id = Id::unique(match question {
+        Dialog::Commands(_) => "commands",
+        Dialog::Export(_) => "export",
+        Dialog::Path { .. } | Dialog::Quit | Dialog::Keys(_) => "dialog",
+    });
     let mut modal = Modal::new(id).backdrop_color(Tokens::of(ui).shade).frame(frame);
     if matches!(question, Dialog::Commands(_) | Dialog::Keys(_)) {
         // From a place of their own, so that they do not move while their height changes.

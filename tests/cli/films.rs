@@ -108,11 +108,23 @@ fn a_contact_sheet_is_one_image() {
     done(&render(&sandbox, &["a.json", "-o", "last.png", "--at", "2"]));
     let open = |name: &str| image::open(sandbox.path(name)).unwrap().to_rgb8();
     let sheet = open("sheet.png");
-    assert_eq!(sheet.dimensions(), (3 * 68 + 4, 2 * 52 + 4));
-    let cell =
-        |column: u32, row: u32| image::imageops::crop_imm(&sheet, 4 + 68 * column, 4 + 52 * row, 64, 48).to_image();
-    assert_eq!(cell(0, 0), open("first.png"));
-    assert_eq!(cell(2, 1), open("last.png"));
+    // Under each picture stands its caption, eleven pixels high.
+    assert_eq!(sheet.dimensions(), (3 * 68 + 4, 2 * 63 + 4));
+    let crop = |column: u32, top: u32, height: u32| {
+        image::imageops::crop_imm(&sheet, 4 + 68 * column, top, 64, height).to_image()
+    };
+    assert_eq!(crop(0, 4, 48), open("first.png"));
+    assert_eq!(crop(2, 67, 48), open("last.png"));
+    let captions: Vec<_> = (0..6).map(|place| crop(place % 3, 52 + 63 * (place / 3), 11)).collect();
+    for (place, caption) in captions.iter().enumerate() {
+        assert!(caption.pixels().any(|pixel| pixel.0 == [0xd7, 0xda, 0xe0]), "{place}");
+        assert!(!captions[..place].contains(caption), "{place}");
+    }
+    // Where the time does not fit beside the key time, it is left out; wider pictures have both, in larger letters.
+    done(&sandbox.run(&["render", "a.json", "-o", "wide.png", "--sheet", "1x2", "--size", "240x48"]));
+    assert_eq!(open("wide.png").dimensions(), (248, 2 * 74 + 4));
+    done(&render(&sandbox, &["a.json", "-o", "again.png", "--sheet", "3x2"]));
+    assert_eq!(bytes(&sandbox, "sheet.png"), bytes(&sandbox, "again.png"));
 }
 
 #[test]

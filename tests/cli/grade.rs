@@ -280,6 +280,47 @@ fn a_bad_rubric_is_bad_input() {
 }
 
 #[test]
+fn a_rubric_in_toml_is_the_same() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/grading");
+    let sandbox = Sandbox::new();
+    let graded = |rubric: &str, out: &str| {
+        let (rubric, reference) = (folder.join(rubric), folder.join("reference.json"));
+        let arguments = ["grade", rubric.to_str().unwrap(), reference.to_str().unwrap(), "-o", out, "--no-images"];
+        sandbox.run(&arguments).succeeds();
+        sandbox.read(&format!("{out}/grades.json"))
+    };
+    assert_eq!(graded("rubric.toml", "a"), graded("rubric.json", "b"));
+
+    let toml = std::fs::read_to_string(folder.join("rubric.toml")).unwrap();
+    sandbox.write("sub.txt", "");
+    for (from, to, sentence) in [
+        (
+            "title =",
+            "tittle =",
+            "unknown field `tittle`, expected one of `format`, `version`, `title`, `reference`, `script`, `tolerances`, `fps`, `points` at line 4 column 1",
+        ),
+        ("readable = 10", "readable = -2", "points.readable is -2, expected 0 to 1000000"),
+        ("readable = 10", "readable = nan", "points.readable is NaN, expected 0 to 1000000"),
+        ("fps = 10", "fps = \"ten\"", "invalid type: string \"ten\", expected u32 at line 7 column 7"),
+        ("version = 1\n", "", "missing field `version` at line 20 column 1"),
+        ("[points]", "[tolerances]", "duplicate key at line 13 column 2"),
+        ("script = 5", "script = ", "string values must be quoted, expected literal string at line 20 column 10"),
+    ] {
+        let text = toml.replacen(from, to, 1);
+        assert_ne!(text, toml);
+        sandbox.write("bad.TOML", text);
+        sandbox
+            .run(&["grade", "bad.TOML", "sub.txt", "-o", "out", "--no-images"])
+            .refuses(&format!("bad.TOML: {sentence}"));
+    }
+    sandbox.write("bad.toml", b"title = \"\xff\"");
+    sandbox
+        .run(&["grade", "bad.toml", "sub.txt", "-o", "out", "--no-images"])
+        .refuses("bad.toml: not UTF-8 at line 1 column 10");
+    assert!(!sandbox.path("out").exists());
+}
+
+#[test]
 fn the_example_gives_its_reference_all_points_and_pictures() {
     let sandbox = Sandbox::new();
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/grading");
