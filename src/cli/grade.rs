@@ -9,6 +9,7 @@ mod marks;
 mod pictures;
 mod report;
 mod rubric;
+mod shown;
 mod tables;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
