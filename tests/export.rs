@@ -62,6 +62,9 @@ fn names(folder: &Path) -> Vec<String> {
     names
 }
 
+/// A file of the command line's, its arguments, and the options that mean the same.
+type Case<'a> = (&'a str, &'a [&'a str], ExportOptions);
+
 #[test]
 fn the_bytes_are_the_command_lines() {
     let folder = tempfile::tempdir().unwrap();
@@ -72,8 +75,6 @@ fn the_bytes_are_the_command_lines() {
         fps: FPS,
         ..ExportOptions::beside(&walk())
     };
-    let last = editor.document().keyframes.len() as f64 - 3.0;
-    type Case<'a> = (&'a str, &'a [&'a str], ExportOptions);
     let cases: [Case<'_>; 4] = [
         ("a.gif", &[], plain.clone()),
         (
@@ -113,7 +114,6 @@ fn the_bytes_are_the_command_lines() {
         assert_eq!(seen, (0..=count).collect::<Vec<_>>());
         assert!(std::fs::read(own).unwrap() == expected, "{name}");
     }
-    assert!(last > 2.5);
 }
 
 #[test]

@@ -285,9 +285,10 @@ fn frames(name: &str, bytes: &[u8]) -> Vec<image::RgbImage> {
         let frames = frames.collect_frames().unwrap();
         frames.into_iter().map(|frame| image::DynamicImage::from(frame.into_buffer()).to_rgb8()).collect()
     };
-    if name.ends_with(".gif") {
+    let ending = name.rsplit('.').next();
+    if ending == Some("gif") {
         whole(image::codecs::gif::GifDecoder::new(Cursor::new(bytes)).unwrap().into_frames())
-    } else if name.ends_with(".apng") {
+    } else if ending == Some("apng") {
         let decoder = image::codecs::png::PngDecoder::new(Cursor::new(bytes)).unwrap();
         whole(decoder.apng().unwrap().into_frames())
     } else {

@@ -98,7 +98,7 @@ fn parse(path: &Path, bytes: &[u8]) -> Result<RubricText, String> {
     }
     let placed = |at: usize, what: &str| {
         let before = &bytes[..at.min(bytes.len())];
-        let line = before.iter().filter(|byte| **byte == b'\n').count() + 1;
+        let line = before.split(|byte| *byte == b'\n').count();
         let start = before.iter().rposition(|byte| *byte == b'\n').map_or(0, |newline| newline + 1);
         let column = String::from_utf8_lossy(&before[start..]).chars().count() + 1;
         format!("{what} at line {line} column {column}")
@@ -195,4 +195,38 @@ pub fn load(path: &Path, scene: &SceneGraph) -> Result<Rubric, CliError> {
         reference_bytes,
         script,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn broken_rubrics_are_sentences_with_a_place() {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/grading");
+        for name in ["rubric.json", "rubric.toml"] {
+            let path = folder.join(name);
+            let text = storage::read(&path, LARGEST_BYTES).unwrap();
+            assert!(parse(&path, &text).is_ok());
+            let mut refused = 0;
+            for at in 0..text.len() {
+                let mut broken: Vec<Vec<u8>> = vec![text[..at].to_vec(), [&text[..at], &text[at + 1..]].concat()];
+                for byte in [b'"', b'[', b'{', b'9', b'\n', 0, 0xff] {
+                    broken.push([&text[..at], &[byte], &text[at + 1..]].concat());
+                    broken.push([&text[..at], &[byte], &text[at..]].concat());
+                }
+                for text in broken {
+                    if let Err(sentence) = parse(&path, &text).map(|_| ()) {
+                        let place =
+                            sentence.rsplit_once(" at line ").and_then(|(_, place)| place.split_once(" column "));
+                        let (line, column) = place.unwrap_or_else(|| panic!("{sentence}"));
+                        assert!(line.parse::<usize>().is_ok() && column.parse::<usize>().is_ok(), "{sentence}");
+                        assert!(!sentence.contains('\n'), "{sentence}");
+                        refused += 1;
+                    }
+                }
+            }
+            assert!(refused > 1000, "{name}: {refused}");
+        }
+    }
 }
