@@ -81,7 +81,12 @@ key_time,rbt_ind,tx,ty,tz,rw,rx,ry,rz and perhaps a column ms: a row for each no
 are read as samples.
 
 They are compared with the right result, linear and Catmull-Rom, and with what each known mistake would show. The residual is the \
-root mean square over the rows of the distance of translations and of quaternions as printed. Residuals within 1e-9 are equal.";
+root mean square over the rows of the distance of translations and of quaternions as printed. Residuals within 1e-9 are equal.
+
+The names: correct (linear), correct-catmull-rom; no-conditional-negation, lerp-for-slerp, nlerp-for-slerp, nan-when-equal, \
+angle-not-halved, identity-when-equal, second-control-point-on-wrong-keyframe, no-division-by-six, \
+no-conditional-negation-in-control-points, all-keyframes-played, one-keyframe-early, last-sample-missing, \
+quaternion-order-swapped, integer-tick.";
 
 const SCRIPT_HELP: &str = "\
 Run a script of hotkeys and gestures with no window. One command a line; # starts a comment:
