@@ -24,7 +24,6 @@ mod render;
 mod sample;
 mod scene;
 mod script;
-mod times;
 mod verify;
 mod window;
 

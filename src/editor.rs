@@ -8,6 +8,7 @@ mod apply;
 mod command;
 mod document;
 mod error;
+mod export;
 mod files;
 mod history;
 pub mod keymap;
@@ -26,6 +27,7 @@ pub use command::{
 };
 pub use document::Document;
 pub use error::CommandError;
+pub use export::{ExportBackground, ExportEnd, ExportFormat, ExportOptions};
 pub use history::MOST_STEPS;
 pub use manipulate::{DragKind, Manipulation};
 pub use playback::PlayMode;

@@ -5,6 +5,7 @@
 
 mod apng;
 mod gif;
+mod letters;
 mod palette;
 mod sheet;
 mod y4m;
@@ -16,7 +17,7 @@ use thiserror::Error;
 use crate::render::Image;
 
 pub use palette::Palette;
-pub use sheet::{Grid, contact_sheet};
+pub use sheet::{Cell, Grid, contact_sheet};
 
 /// How films are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

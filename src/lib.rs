@@ -34,7 +34,8 @@
 //! | 5 | [`render`], [`ui`] | wgpu; egui |
 //! | 6 | [`compare`], [`film`] | pictures in, numbers and bytes out |
 //! | 6 | [`storage`] | the file system |
-//! | 7 | [`window`], [`cli`] | winit; clap |
+//! | 7 | [`export`] | of the outside world only `ffmpeg` |
+//! | 8 | [`window`], [`cli`] | winit; clap |
 //!
 //! # Invariants, as absences
 //!
@@ -69,6 +70,7 @@ pub mod compare;
 pub mod diagnosis;
 pub mod difference;
 pub mod editor;
+pub mod export;
 pub mod film;
 pub mod frame;
 pub mod interpolation;

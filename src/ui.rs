@@ -6,6 +6,7 @@
 pub mod angles;
 mod choices;
 mod dialogs;
+mod export;
 mod fonts;
 mod help;
 mod icons;
@@ -24,14 +25,15 @@ mod tree;
 pub mod words;
 
 use std::collections::BTreeMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use egui::{CentralPanel, Frame, Margin, Panel, Rect, ScrollArea};
 
 use crate::editor::keymap::{Binding, Keymap};
-use crate::editor::{Command, Editor};
+use crate::editor::{Command, Editor, ExportOptions, FileCommand};
 use crate::settings::Settings;
 use dialogs::Dialog;
+pub use export::Exporting;
 use theme::Tokens;
 
 /// What the user answered to the question about unsaved work.
@@ -79,6 +81,8 @@ struct Shown<'a> {
     editor: &'a Editor,
     keymap: &'a Keymap,
     settings: &'a Settings,
+    /// Whether an export is under way.
+    is_exporting: bool,
 }
 
 /// A panel's size when it was last shown.
@@ -99,6 +103,10 @@ pub struct Ui {
     angles: angles::ShownAngles,
     timeline: timeline::Timeline,
     dialog: Option<Dialog>,
+    /// What was exported last, and of which keyframe file.
+    exported: Option<(PathBuf, ExportOptions)>,
+    /// The export that is under way.
+    pub exporting: Option<Exporting>,
 }
 
 impl Ui {
@@ -116,6 +124,13 @@ impl Ui {
     /// Asks what to do with unsaved work before quitting. The answer is [`UiOutput::quit_answer`]; there is none where the user cancels.
     pub fn ask_before_quitting(&mut self) {
         self.dialog = Some(Dialog::Quit);
+    }
+
+    /// Takes in where an export is to go, as the system's dialog was answered, if that is still asked.
+    pub fn choose_export_path(&mut self, path: &Path) {
+        if let Some(Dialog::Export(dialog)) = &mut self.dialog {
+            dialog.choose(path);
+        }
     }
 
     /// Whether a dialog waits for an answer: no hotkey fires then, and the scene takes no drags.
@@ -151,8 +166,15 @@ impl Ui {
         }
         self.log.show_list(ui.ctx(), output.viewport, &mut output.commands);
         self.log.show_toasts(ui, output.viewport);
-        let shown = Shown { editor, keymap: &self.keymap, settings: &self.settings };
+        if let Some(exporting) = &self.exporting {
+            export::show_progress(ui, output.viewport, exporting, &mut output.commands);
+        }
+        let is_exporting = self.exporting.is_some();
+        let shown = Shown { editor, keymap: &self.keymap, settings: &self.settings, is_exporting };
         dialogs::show(ui, &mut self.dialog, shown, &mut output);
+        if let Some(Command::File(FileCommand::Export(options))) = output.commands.last() {
+            self.exported = Some((editor.path().to_owned(), options.as_ref().clone()));
+        }
         output.panels = self.dragged_panels(ui);
         output
     }
@@ -160,7 +182,8 @@ impl Ui {
     fn show_panels(&mut self, ui: &mut egui::Ui, editor: &Editor, commands: &mut Vec<Command>) {
         let tokens = Tokens::of(ui);
         let plain = |fill, x, y| Frame::new().fill(fill).inner_margin(Margin::symmetric(x, y));
-        let shown = Shown { editor, keymap: &self.keymap, settings: &self.settings };
+        let is_exporting = self.exporting.is_some();
+        let shown = Shown { editor, keymap: &self.keymap, settings: &self.settings, is_exporting };
         let shows_messages = self.log.is_shown();
         Panel::top("menu bar").exact_size(theme::MENU_BAR).frame(plain(tokens.panel, 4, 1)).show(ui, |ui| {
             menu::show(ui, shown, shows_messages, commands);

@@ -5,6 +5,7 @@
 
 mod dialog;
 mod effects;
+mod export;
 mod handling;
 mod kept;
 pub mod keys;
@@ -20,9 +21,9 @@ use egui_winit::accesskit_winit;
 use thiserror::Error;
 use winit::event_loop::EventLoop;
 
-use crate::editor::{Command, Editor};
+use crate::editor::{Command, Editor, ExportEnd};
 use crate::render::GpuError;
-use crate::ui::PathPurpose;
+use dialog::Question;
 use shell::Shell;
 
 /// Why there is no window: what is missing and how to get it.
@@ -54,12 +55,21 @@ pub(crate) enum Happening {
     /// The system's dialog was answered, or is not there.
     PathChosen {
         /// What for.
-        purpose: PathPurpose,
+        question: Question,
         /// Which; `None`: cancelled, or no dialog.
         path: Option<PathBuf>,
         /// How long it took.
         took: Duration,
     },
+    /// So many frames of an export are drawn.
+    ExportAt {
+        /// Frames that are drawn.
+        done: usize,
+        /// Frames in all.
+        count: usize,
+    },
+    /// The export is over.
+    ExportEnded(ExportEnd),
     /// The device is gone: everything on it is made again.
     DeviceLost,
     /// A screen reader asks for something.

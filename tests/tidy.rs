@@ -127,10 +127,11 @@ const ROOMS: &[(&str, u8, &[&str])] = &[
     ("compare", 6, &[]),
     ("film", 6, &[]),
     ("storage", 6, &[]),
-    ("window", 7, &[]),
-    ("cli", 7, &["window"]),
-    ("main", 8, &[]),
-    ("lib", 8, &[]),
+    ("export", 7, &[]),
+    ("window", 8, &[]),
+    ("cli", 8, &["window"]),
+    ("main", 9, &[]),
+    ("lib", 9, &[]),
 ];
 
 #[test]

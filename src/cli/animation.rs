@@ -3,21 +3,11 @@
 use std::path::Path;
 
 use super::CliError;
+use crate::export::Animation;
 use crate::interpolation::Interpolation;
-use crate::keyframe::{KeyframeFile, KeyframeList, LARGEST_FILE_BYTES, PlayRange, keyframes_from_json};
+use crate::keyframe::{KeyframeFile, LARGEST_FILE_BYTES, PlayRange, keyframes_from_json};
 use crate::scene::SceneGraph;
 use crate::storage;
-
-/// What a keyframe file says, with defaults where it does not.
-#[derive(Clone, Debug)]
-pub struct Animation {
-    /// The keyframes.
-    pub keyframes: KeyframeList,
-    /// How to interpolate between them.
-    pub interpolation: Interpolation,
-    /// Milliseconds from one to the next.
-    pub ms_between_keyframes: u32,
-}
 
 /// Reads a keyframe file.
 ///
@@ -29,11 +19,15 @@ pub fn read(file: &Path, scene: &SceneGraph) -> Result<KeyframeFile, Vec<String>
 }
 
 impl Animation {
-    /// Reads a keyframe file; `interpolation`, where given, takes the place of what it says.
+    /// What a keyframe file says, with defaults where it does not; `interpolation`, where given, takes the place of what it says.
     ///
     /// # Errors
     /// [`CliError::BadInput`]
-    pub fn load(file: &Path, scene: &SceneGraph, interpolation: Option<Interpolation>) -> Result<Self, CliError> {
+    pub(super) fn load(
+        file: &Path,
+        scene: &SceneGraph,
+        interpolation: Option<Interpolation>,
+    ) -> Result<Self, CliError> {
         let place = file.display();
         let (keyframes, in_file, ms_between_keyframes) = read(file, scene)
             .map_err(|problems| CliError::BadInput {
@@ -47,7 +41,7 @@ impl Animation {
     ///
     /// # Errors
     /// [`CliError::BadInput`] below 4 keyframes.
-    pub fn play_range(&self, file: &Path) -> Result<PlayRange<'_>, CliError> {
+    pub(super) fn play_range(&self, file: &Path) -> Result<PlayRange<'_>, CliError> {
         PlayRange::new(&self.keyframes).map_err(|error| CliError::bad_input(file.display(), error))
     }
 }

@@ -6,6 +6,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, ValueEnum};
 
 use crate::compare::DEFAULT_TOLERANCE;
+use crate::export::{Size, Span};
 use crate::film::Grid;
 use crate::interpolation::Interpolation;
 use crate::render::Background;
@@ -80,7 +81,12 @@ key_time,rbt_ind,tx,ty,tz,rw,rx,ry,rz and perhaps a column ms: a row for each no
 are read as samples.
 
 They are compared with the right result, linear and Catmull-Rom, and with what each known mistake would show. The residual is the \
-root mean square over the rows of the distance of translations and of quaternions as printed. Residuals within 1e-9 are equal.";
+root mean square over the rows of the distance of translations and of quaternions as printed. Residuals within 1e-9 are equal.
+
+The names: correct (linear), correct-catmull-rom; no-conditional-negation, lerp-for-slerp, nlerp-for-slerp, nan-when-equal, \
+angle-not-halved, identity-when-equal, second-control-point-on-wrong-keyframe, no-division-by-six, \
+no-conditional-negation-in-control-points, all-keyframes-played, one-keyframe-early, last-sample-missing, \
+quaternion-order-swapped, integer-tick.";
 
 const SCRIPT_HELP: &str = "\
 Run a script of hotkeys and gestures with no window. One command a line; # starts a comment:
@@ -241,6 +247,13 @@ pub struct RenderArguments {
     pub manifest: Option<PathBuf>,
 }
 
+impl RenderArguments {
+    /// Which part of the animation is rendered.
+    pub fn span(&self) -> Span {
+        Span { from: self.from, to: self.to, seconds: self.seconds }
+    }
+}
+
 /// Arguments of `verify`.
 #[derive(Debug, Args)]
 pub struct VerifyArguments {
@@ -333,7 +346,7 @@ pub struct DiffArguments {
 /// Arguments of `grade`.
 #[derive(Debug, Args)]
 pub struct GradeArguments {
-    /// The rubric, as in assets/grading/rubric.json.
+    /// The rubric, JSON or (where its name ends in .toml) TOML, as in assets/grading.
     pub rubric: PathBuf,
     /// Submissions, and folders of them.
     #[arg(required = true, value_name = "SUBMISSION")]
@@ -349,21 +362,6 @@ pub struct GradeArguments {
 fn tolerance_of_poses(text: &str) -> Result<f64, String> {
     let tolerance = text.trim().parse().ok().filter(|tolerance: &f64| tolerance.is_finite() && *tolerance >= 0.0);
     tolerance.ok_or_else(|| format!("{text:?} is not a finite number of at least 0"))
-}
-
-/// Width and height of a picture in pixels.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Size {
-    /// Width, at least 1.
-    pub width: u32,
-    /// Height, at least 1.
-    pub height: u32,
-}
-
-impl std::fmt::Display for Size {
-    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(formatter, "{}x{}", self.width, self.height)
-    }
 }
 
 /// Key times in the order in which they were asked for.

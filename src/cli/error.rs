@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use thiserror::Error;
 
 use crate::editor::CommandError;
+use crate::export::ExportError;
 use crate::film::FilmError;
 use crate::render::GpuError;
 use crate::storage::StorageError;
@@ -95,6 +96,20 @@ impl CliError {
             | Self::Png(_)
             | Self::Film { .. }
             | Self::StandardOutput(_) => 1,
+        }
+    }
+}
+
+impl From<ExportError> for CliError {
+    fn from(error: ExportError) -> Self {
+        match error {
+            ExportError::Misuse(sentence) => super::misuse(&sentence),
+            ExportError::BadInput { place, problem } => Self::bad_input(place, problem),
+            ExportError::Gpu(error) => Self::Gpu(error),
+            ExportError::Png(error) => Self::Png(error),
+            ExportError::Unwritten { path, reason } => Self::Unwritten { path, reason },
+            ExportError::Film { path, reason } => Self::Film { path, reason },
+            ExportError::Cancelled => Self::Interrupted,
         }
     }
 }

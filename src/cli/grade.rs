@@ -9,6 +9,7 @@ mod marks;
 mod pictures;
 mod report;
 mod rubric;
+mod shown;
 mod tables;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -17,8 +18,8 @@ use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use super::arguments::GradeArguments;
-use super::picture::Painter;
 use super::{CliError, output, scene};
+use crate::export::Painter;
 use crate::scene::SceneGraph;
 use crate::storage;
 use gather::Submission;
@@ -31,7 +32,7 @@ use rubric::Rubric;
 /// [`CliError`]: a bad rubric, a submission that is not there, no GPU adapter for the pictures, a result that cannot be written. What
 /// is wrong with a submission is no error but its marks.
 pub fn run(arguments: &GradeArguments, scene: Option<&Path>) -> Result<(), CliError> {
-    let painter = if arguments.no_images { None } else { Some(Painter::new(pictures::SIZE, None)?) };
+    let painter = if arguments.no_images { None } else { Some(Painter::headless(pictures::SIZE, None)?) };
     let scene = scene::load(scene)?;
     let rubric = rubric::load(&arguments.rubric, &scene)?;
     let submissions = gather::find(&arguments.submissions)?;

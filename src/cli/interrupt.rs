@@ -3,8 +3,6 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use super::CliError;
-
 /// Whether someone has asked for the end.
 #[derive(Clone)]
 pub struct Interrupt(Arc<AtomicBool>);
@@ -19,11 +17,8 @@ impl Interrupt {
         Self(asked)
     }
 
-    /// Goes on, unless someone has asked for the end.
-    ///
-    /// # Errors
-    /// [`CliError::Interrupted`]
-    pub fn check(&self) -> Result<(), CliError> {
-        if self.0.load(Ordering::Relaxed) { Err(CliError::Interrupted) } else { Ok(()) }
+    /// Whether someone has asked for the end.
+    pub fn is_asked(&self) -> bool {
+        self.0.load(Ordering::Relaxed)
     }
 }

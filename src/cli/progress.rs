@@ -18,9 +18,17 @@ impl Progress {
 
     /// One more step is done. The line changes a thousand times at most.
     pub fn step(&mut self) {
-        self.done += 1;
+        self.reach(self.done + 1);
+    }
+
+    /// So many steps are done.
+    pub fn reach(&mut self, done: usize) {
+        if done == self.done {
+            return;
+        }
+        let before = std::mem::replace(&mut self.done, done);
         let thousandth = |done: usize| done * 1000 / self.steps;
-        if self.is_shown && thousandth(self.done) != thousandth(self.done - 1) {
+        if self.is_shown && thousandth(self.done) != thousandth(before) {
             let percent = self.done * 100 / self.steps;
             let _ = write!(io::stderr(), "\r{} {} of {} ({percent} %)", self.what, self.done, self.steps);
         }

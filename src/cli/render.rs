@@ -1,30 +1,25 @@
 //! `inbetween render`: images and films with no window.
 
-mod film;
 mod identities;
 mod manifest;
-mod moments;
-mod pipeline;
-mod stage;
 mod target;
 
 use std::mem::ManuallyDrop;
 use std::path::Path;
 
-use super::animation::Animation;
-use super::arguments::{RenderArguments, Size};
+use super::arguments::RenderArguments;
 use super::interrupt::Interrupt;
-use super::picture::Painter;
+use super::progress::Progress;
 use super::{CliError, misuse, scene};
-use crate::film::{Grid, contact_sheet};
+use crate::editor::ExportFormat;
+use crate::export::{
+    Animation, Drawing, Moment, Moments, Painter, Size, Source, Stage, Target, View, find_ffmpeg, write_film,
+    write_folder,
+};
+use crate::film::{Cell, Grid, contact_sheet};
 use crate::render::{Background, Image};
 use crate::storage;
 use manifest::Manifest;
-use moments::Moments;
-use target::Target;
-
-pub use moments::{Moment, Source};
-pub use stage::{Stage, View};
 
 /// The size of images and films where none is named.
 pub const DEFAULT_SIZE: Size = Size { width: 640, height: 480 };
@@ -38,18 +33,16 @@ const SHEET_SIZE: Size = Size { width: 320, height: 240 };
 pub fn run(arguments: &RenderArguments, scene: Option<&Path>) -> Result<(), CliError> {
     let target = Target::of(arguments)?;
     let is_seen_through = arguments.background == Background::Transparent;
-    if is_seen_through && matches!(target, Target::Mp4 | Target::Film(crate::film::Format::Y4m)) {
-        return Err(misuse("these films have no opacity: --background transparent is for PNG, GIF and APNG"));
-    }
     let size = arguments.size.unwrap_or(if arguments.sheet.is_some() { SHEET_SIZE } else { DEFAULT_SIZE });
+    let problem = |format: ExportFormat| format.problem([size.width, size.height], arguments.fps, is_seen_through);
+    if let Some(problem) = target.format().and_then(problem) {
+        return Err(misuse(problem));
+    }
     if target == Target::Mp4 {
-        if size.width % 2 == 1 || size.height % 2 == 1 {
-            return Err(misuse("an MP4 needs an even width and height"));
-        }
-        film::find_ffmpeg(&arguments.output)?;
+        find_ffmpeg(&arguments.output)?;
     }
     // The system takes back in no time what a driver takes milliseconds to give back, and the process ends after this.
-    let mut painter = ManuallyDrop::new(Painter::new(size, arguments.samples)?);
+    let mut painter = ManuallyDrop::new(Painter::headless(size, arguments.samples)?);
     painter.set_background(arguments.background);
     let scene = scene::load(scene)?;
     let animation =
@@ -65,28 +58,47 @@ pub fn run(arguments: &RenderArguments, scene: Option<&Path>) -> Result<(), CliE
             write(output, &png, &mut manifest)?;
         }
         (Target::Image, None) => {
-            let frame = stage.frame(&source.still(arguments)?)?;
+            let shown = source.shown(arguments.at, arguments.keyframe)?;
+            let frame = stage.frame(&Moment { shown, seconds: arguments.seconds, start_ms: 0.0, turn: 0.0 })?;
             let png = if arguments.id { identities::png(&painter, &frame)? } else { painter.png(&frame)? };
             write(output, &png, &mut manifest)?;
         }
         (Target::Folder, _) => {
-            let moments =
-                Moments::of_film(arguments, source, view, arguments.fps.unwrap_or(target::FRAMES_PER_SECOND))?;
+            let fps = arguments.fps.unwrap_or(target.usual_frames_per_second());
+            let moments = Moments::of_film(arguments.span(), source, view, fps)?;
+            let mut watch = watched(&moments);
+            let mut drawing = Drawing { stage: &stage, moments: &moments, painter: &mut painter, watch: &mut watch };
             // Hashing costs time.
-            let listed = arguments.manifest.is_some().then_some(&mut manifest);
-            film::write_folder(output, &stage, &moments, &mut painter, listed)?;
+            let is_listed = arguments.manifest.is_some();
+            write_folder(output, &mut drawing, &mut |path, png| {
+                if is_listed {
+                    manifest.add(path, png);
+                }
+            })?;
         }
         (Target::Film(_) | Target::Mp4, _) => {
             let fps = arguments.fps.unwrap_or(target.usual_frames_per_second());
-            let moments = Moments::of_film(arguments, source, view, fps)?;
+            let moments = Moments::of_film(arguments.span(), source, view, fps)?;
             let plan = moments.plan(size, fps, !is_seen_through)?;
-            film::write_film(output, target, plan, &stage, &moments, &mut painter)?;
+            let mut watch = watched(&moments);
+            let mut drawing = Drawing { stage: &stage, moments: &moments, painter: &mut painter, watch: &mut watch };
+            write_film(output, target, plan, &mut drawing)?;
             if arguments.manifest.is_some() {
                 manifest.add_file(output)?;
             }
         }
     }
     arguments.manifest.as_deref().map_or(Ok(()), |path| manifest.write(path))
+}
+
+/// A line that says how far it is, and an ear for Ctrl+C.
+fn watched(moments: &Moments) -> impl FnMut(usize, usize) -> bool {
+    let mut progress = Progress::new("frame", moments.all.len());
+    let interrupt = Interrupt::listen();
+    move |done, _| {
+        progress.reach(done);
+        !interrupt.is_asked()
+    }
 }
 
 fn sheet(
@@ -96,13 +108,14 @@ fn sheet(
     stage: &Stage<'_>,
     painter: &mut Painter,
 ) -> Result<Image, CliError> {
-    let moments = Moments::of_sheet(arguments, source, grid)?;
-    let mut pictures = Vec::new();
-    pipeline::draw(&moments, stage, painter, &Interrupt::listen(), |_, image| {
-        pictures.push(image);
+    let moments = Moments::of_sheet(arguments.span(), source, grid)?;
+    let mut cells = Vec::new();
+    let mut watch = watched(&moments);
+    Drawing { stage, moments: &moments, painter, watch: &mut watch }.draw(|place, picture| {
+        cells.push(Cell { picture, caption: moments.all[place].caption() });
         Ok(())
     })?;
-    Ok(contact_sheet(grid, &pictures))
+    Ok(contact_sheet(grid, &cells))
 }
 
 fn write(path: &Path, png: &[u8], manifest: &mut Manifest) -> Result<(), CliError> {

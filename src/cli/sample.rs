@@ -5,11 +5,11 @@ use std::io;
 
 use glam::{Affine3A, Mat4};
 
-use super::animation::Animation;
 use super::arguments::{SampleArguments, SampleFormat, Space};
 use super::output;
-use super::times::{FrameTime, frame_times};
 use super::{CliError, misuse};
+use crate::export::Animation;
+use crate::export::{FrameTime, frame_times};
 use crate::keyframe::SampleError;
 use crate::pose::Pose;
 use crate::scene::SceneGraph;

@@ -10,8 +10,8 @@ use std::sync::Arc;
 
 use super::CliError;
 use super::arguments::ScriptArguments;
-use super::picture::Painter;
 use crate::editor::Editor;
+use crate::export::Painter;
 use crate::scene::SceneGraph;
 use crate::storage;
 
@@ -28,8 +28,11 @@ pub fn run(arguments: &ScriptArguments, scene: SceneGraph) -> Result<(), CliErro
     let lines = parse::parse(&bytes, &scene).map_err(|problems| CliError::BadInput {
         sentences: problems.iter().map(|problem| format!("{place}: {problem}")).collect(),
     })?;
-    let painter =
-        if lines.iter().any(parse::Line::takes_screenshot) { Some(Painter::new(arguments.size, None)?) } else { None };
+    let painter = if lines.iter().any(parse::Line::takes_screenshot) {
+        Some(Painter::headless(arguments.size, None)?)
+    } else {
+        None
+    };
     let editor = Editor::new(Arc::new(scene), arguments.keyframes.clone());
     let trace = arguments.trace.then(trace::Trace::new);
     let editor = run::Runner::new(editor, painter, trace).run(&lines)?;

@@ -4,13 +4,11 @@ mod list;
 
 use std::path::{Path, PathBuf};
 
-use super::animation::Animation;
-use super::arguments::{Size, VerifyArguments};
-use super::picture::Painter;
+use super::arguments::VerifyArguments;
 use super::progress::Progress;
-use super::render::{Moment, Source, Stage, View};
 use super::{CliError, compare, output, scene};
 use crate::compare::compare as compare_pictures;
+use crate::export::{Animation, Moment, Painter, Size, Source, Stage, View};
 use crate::render::Image;
 use crate::storage;
 use list::{LIST_NAME, Picture};
@@ -26,7 +24,7 @@ struct Verdict {
 /// # Errors
 /// [`CliError::Beyond`] where a picture differs or its reference is missing; [`CliError::BadInput`] where the list is bad.
 pub fn run(arguments: &VerifyArguments, scene: Option<&Path>) -> Result<(), CliError> {
-    let mut painter = Painter::new(super::render::DEFAULT_SIZE, Some(1))?;
+    let mut painter = Painter::headless(super::render::DEFAULT_SIZE, Some(1))?;
     let folder = &arguments.folder;
     let pictures = list::read(&folder.join(LIST_NAME))?;
     let actual = arguments.output.clone().unwrap_or_else(|| folder.join("actual"));
@@ -72,7 +70,7 @@ fn draw(picture: &Picture, folder: &Path, scene: Option<&Path>, painter: &mut Pa
     let [width, height] = picture.size;
     let size = Size { width, height };
     if (painter.size(), painter.samples()) != (size, picture.samples) {
-        *painter = Painter::new(size, Some(picture.samples))?;
+        *painter = Painter::headless(size, Some(picture.samples))?;
     }
     // A scene in a file lies in the folder; a built-in one's name is no file there.
     let named = picture.scene.as_ref().map(|name| {
@@ -84,11 +82,11 @@ fn draw(picture: &Picture, folder: &Path, scene: Option<&Path>, painter: &mut Pa
     let animation = file.as_deref().map(|file| Animation::load(file, &scene, picture.interpolation()));
     let animation = animation.transpose().map_err(in_list)?;
     let source = Source { scene: &scene, animation: animation.as_ref(), file: file.as_deref() };
-    let view = View::named(picture.camera.as_deref(), &scene).map_err(in_list)?;
-    let shown = source.shown(picture.at, picture.keyframe).map_err(in_list)?;
+    let view = View::named(picture.camera.as_deref(), &scene).map_err(|error| in_list(error.into()))?;
+    let shown = source.shown(picture.at, picture.keyframe).map_err(|error| in_list(error.into()))?;
     let moment = Moment { shown, seconds: picture.seconds, start_ms: 0.0, turn: 0.0 };
-    let frame = Stage::new(source, view, 0, painter.size_px()).frame(&moment).map_err(in_list)?;
-    painter.image(&frame)
+    let frame = Stage::new(source, view, 0, painter.size_px()).frame(&moment).map_err(|error| in_list(error.into()))?;
+    Ok(painter.image(&frame)?)
 }
 
 fn accept(picture: &Picture, folder: &Path, drawn: &Image) -> Result<Verdict, CliError> {

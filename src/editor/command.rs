@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use glam::{Quat, Vec3};
 
-use super::PlayMode;
+use super::{ExportOptions, PlayMode};
 use crate::interpolation::Interpolation;
 use crate::keyframe::{Easing, KeyframeIndex};
 use crate::pose::RbtIndex;
@@ -43,6 +43,8 @@ pub enum WindowCommand {
     ShowCommands,
     /// Shows the keys, which can be changed there.
     ShowKeys,
+    /// Asks what film to make of the keyframes.
+    ShowExport,
     /// Shows or hides the log of messages.
     ToggleMessages,
     /// The panels one step larger.
@@ -212,7 +214,7 @@ pub enum ViewCommand {
 }
 
 /// Files and the program itself.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum FileCommand {
     /// Reads the keyframe file again.
     Import,
@@ -228,6 +230,17 @@ pub enum FileCommand {
     SaveAs(PathBuf),
     /// Writes a picture of the scene: to a path, or beside the keyframe file under the next free name.
     Screenshot(Option<PathBuf>),
+    /// Makes a film of what the keyframes play, beside whatever else goes on.
+    Export(Box<ExportOptions>),
+    /// Ends the export that is under way; what is not finished is not kept.
+    CancelExport,
+    /// Asks the system where an export is to go.
+    ChooseExport {
+        /// Where it would go.
+        proposed: PathBuf,
+        /// Whether that is a folder.
+        is_folder: bool,
+    },
     /// Ends the program; the shell asks first where something is unsaved.
     Quit,
 }
@@ -246,7 +259,7 @@ pub enum GestureCommand {
 }
 
 /// What the shell must do for the editor, and then tell it of.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Effect {
     /// Read this file and hand the outcome to [`super::Editor::keyframes_read`].
     ReadKeyframes {
@@ -266,6 +279,17 @@ pub enum Effect {
     Screenshot {
         /// Where to; `None`: the next free `inbetween-0001.png` beside the keyframe file.
         path: Option<PathBuf>,
+    },
+    /// Make a film of the document as it is now and hand the outcome to [`super::Editor::exported`].
+    Export(Box<ExportOptions>),
+    /// End the export that is under way.
+    CancelExport,
+    /// Ask where an export is to go.
+    ChooseExport {
+        /// Where it would go.
+        proposed: PathBuf,
+        /// Whether that is a folder.
+        is_folder: bool,
     },
     /// Ask which file to open.
     ChooseOpen,

@@ -120,6 +120,12 @@ pub enum CommandError {
         /// Which file.
         path: PathBuf,
     },
+    /// A film could not be made.
+    #[error("Nothing was exported: {reason}.")]
+    Export {
+        /// Why.
+        reason: String,
+    },
     /// A file could not be written.
     #[error("{}: {reason}", path.display())]
     Write {

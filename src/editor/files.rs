@@ -27,6 +27,9 @@ impl Editor {
             }
             FileCommand::ChooseSaveAs => Effect::ChooseSaveAs,
             FileCommand::Screenshot(path) => Effect::Screenshot { path },
+            FileCommand::Export(options) => Effect::Export(options),
+            FileCommand::CancelExport => Effect::CancelExport,
+            FileCommand::ChooseExport { proposed, is_folder } => Effect::ChooseExport { proposed, is_folder },
             FileCommand::Quit => Effect::Quit,
         };
         Ok((String::new(), vec![effect]))

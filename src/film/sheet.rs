@@ -1,11 +1,16 @@
-//! Contact sheets: pictures side by side in rows.
+//! Contact sheets: pictures side by side in rows, each with a caption.
 
+use super::letters::{HEIGHT, text_width, write_text};
 use crate::render::Image;
 
 /// Pixels between pictures and around them.
 const GAP: u32 = 4;
 /// What is between them.
 const GAP_COLOUR: [u8; 4] = [0x1b, 0x1d, 0x21, 0xff];
+/// Captions.
+const TEXT_COLOUR: [u8; 4] = [0xd7, 0xda, 0xe0, 0xff];
+/// From this width of a picture on, in pixels, letters are twice as large.
+const WIDE: u32 = 240;
 
 /// Columns and rows of a contact sheet, at least one each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,21 +21,41 @@ pub struct Grid {
     pub rows: u32,
 }
 
-/// Pictures of one size in their order, row by row from the top left; places left over are empty.
+/// A picture of a contact sheet.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Cell {
+    /// The picture.
+    pub picture: Image,
+    /// What stands under it: parts, of which as many are written as there is room for.
+    pub caption: Vec<String>,
+}
+
+/// Pictures of one size in their order, row by row from the top left, each over its caption; places left over are empty.
 #[must_use]
-pub fn contact_sheet(grid: Grid, pictures: &[Image]) -> Image {
-    let (width, height) = pictures.first().map_or((0, 0), |picture| (picture.width, picture.height));
+pub fn contact_sheet(grid: Grid, cells: &[Cell]) -> Image {
+    let (width, height) = cells.first().map_or((0, 0), |cell| (cell.picture.width, cell.picture.height));
+    let scale = if width >= WIDE { 2 } else { 1 };
+    let caption_height = if cells.iter().any(|cell| !cell.caption.is_empty()) { (HEIGHT + 4) * scale } else { 0 };
     let whole = |count: u32, side: u32| count * (side + GAP) + GAP;
-    let (sheet_width, sheet_height) = (whole(grid.columns, width), whole(grid.rows, height));
-    let mut rgba = GAP_COLOUR.repeat(sheet_width as usize * sheet_height as usize);
+    let mut sheet = Image {
+        width: whole(grid.columns, width),
+        height: whole(grid.rows, height + caption_height),
+        rgba: Vec::new(),
+    };
+    sheet.rgba = GAP_COLOUR.repeat(sheet.width as usize * sheet.height as usize);
     let row_bytes = 4 * width as usize;
-    for (place, picture) in (0..grid.columns * grid.rows).zip(pictures) {
+    for (place, cell) in (0..grid.columns * grid.rows).zip(cells) {
         let left = GAP + place % grid.columns * (width + GAP);
-        let top = GAP + place / grid.columns * (height + GAP);
-        for (y, row) in (top..).zip(picture.rgba.chunks_exact(row_bytes.max(4))) {
-            let start = 4 * (y as usize * sheet_width as usize + left as usize);
-            rgba[start..start + row_bytes].copy_from_slice(row);
+        let top = GAP + place / grid.columns * (height + caption_height + GAP);
+        for (y, row) in (top..).zip(cell.picture.rgba.chunks_exact(row_bytes.max(4))) {
+            let start = 4 * (y as usize * sheet.width as usize + left as usize);
+            sheet.rgba[start..start + row_bytes].copy_from_slice(row);
         }
+        let fits = |parts: &usize| text_width(&cell.caption[..*parts].join("  "), scale) <= width;
+        let parts = (0..=cell.caption.len()).rev().find(fits).unwrap_or(0);
+        let text = cell.caption[..parts].join("  ");
+        let indent = (width - text_width(&text, scale).min(width)) / 2;
+        write_text(&mut sheet, [left + indent, top + height + 2 * scale], &text, scale, TEXT_COLOUR);
     }
-    Image { width: sheet_width, height: sheet_height, rgba }
+    sheet
 }

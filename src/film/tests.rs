@@ -141,8 +141,8 @@ fn a_y4m_has_its_header_and_so_many_bytes_a_picture() {
 
 #[test]
 fn a_contact_sheet_has_its_pictures_in_rows() {
-    let pictures = [2, 5, 9].map(|left| picture(left, true));
-    let sheet = contact_sheet(Grid { columns: 2, rows: 2 }, &pictures);
+    let cells = [2, 5, 9].map(|left| Cell { picture: picture(left, true), caption: Vec::new() });
+    let sheet = contact_sheet(Grid { columns: 2, rows: 2 }, &cells);
     assert_eq!((sheet.width, sheet.height), (2 * 35 + 4, 2 * 22 + 4));
     assert_eq!(sheet.pixel(4 + 9, 4 + 22 + 6), Some([220, 40, 30, 255]));
     assert_eq!(sheet.pixel(4 + 35 + 9, 4 + 22 + 6), Some([0x1b, 0x1d, 0x21, 255]));

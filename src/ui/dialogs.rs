@@ -4,15 +4,16 @@ use std::path::{Path, PathBuf};
 
 use egui::{Align, Align2, Frame, Id, Key, Layout, Margin, Modal, RichText, TextEdit, Ui, vec2};
 
+use super::export::ExportDialog;
 use super::keys::{KeysDialog, Outcome};
 use super::palette::Palette;
 use super::theme::{CORNER, Tokens};
 use super::words::Words;
 use super::{PathPurpose, QuitAnswer, Shown, UiOutput};
-use crate::editor::{Command, Editor, FileCommand};
+use crate::editor::{Command, FileCommand};
 
 /// The question at hand.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Dialog {
     /// Which file?
     Path {
@@ -29,6 +30,8 @@ pub enum Dialog {
     Commands(Palette),
     /// Which keys?
     Keys(KeysDialog),
+    /// Which film?
+    Export(Box<ExportDialog>),
 }
 
 impl Dialog {
@@ -45,24 +48,30 @@ pub fn show(ui: &Ui, dialog: &mut Option<Dialog>, shown: Shown<'_>, output: &mut
     let is_list = matches!(question, Dialog::Commands(_));
     let margin = Margin::same(if is_list { 8 } else { 16 });
     let frame = Frame::popup(ui.style()).inner_margin(margin).corner_radius(2 * CORNER);
-    let id = Id::unique(if is_list { "commands" } else { "dialog" });
+    // Each has a place and a size of its own.
+    let id = Id::unique(match question {
+        Dialog::Commands(_) => "commands",
+        Dialog::Export(_) => "export",
+        Dialog::Path { .. } | Dialog::Quit | Dialog::Keys(_) => "dialog",
+    });
     let mut modal = Modal::new(id).backdrop_color(Tokens::of(ui).shade).frame(frame);
     if matches!(question, Dialog::Commands(_) | Dialog::Keys(_)) {
         // From a place of their own, so that they do not move while their height changes.
         modal = modal.area(Modal::default_area(id).anchor(Align2::CENTER_TOP, vec2(0.0, 64.0)));
     }
-    let shown = modal.show(ui.ctx(), |ui| match question {
+    let response = modal.show(ui.ctx(), |ui| match question {
         Dialog::Path { purpose, typed, is_new } => at_width(ui, |ui| path(ui, *purpose, typed, is_new, output)),
-        Dialog::Quit => at_width(ui, |ui| quit(ui, shown.editor, output)),
+        Dialog::Quit => at_width(ui, |ui| quit(ui, shown, output)),
         Dialog::Commands(palette) => outcome(palette.show(ui, shown, &mut output.commands)),
         Dialog::Keys(keys) => keys.show(ui, shown, &mut output.commands),
+        Dialog::Export(export) => outcome(export.show(ui, shown, shown.is_exporting, &mut output.commands)),
     });
     let is_left = match question {
         // These lose nothing where one clicks beside them.
-        Dialog::Commands(_) | Dialog::Keys(_) => shown.backdrop_response.clicked(),
-        Dialog::Path { .. } | Dialog::Quit => false,
+        Dialog::Commands(_) | Dialog::Keys(_) => response.backdrop_response.clicked(),
+        Dialog::Path { .. } | Dialog::Quit | Dialog::Export(_) => false,
     };
-    if shown.inner == Outcome::IsOver || is_left || (escape && shown.inner != Outcome::TookEscape) {
+    if response.inner == Outcome::IsOver || is_left || (escape && response.inner != Outcome::TookEscape) {
         *dialog = None;
     }
 }
@@ -108,13 +117,16 @@ fn path(ui: &mut Ui, purpose: PathPurpose, typed: &mut String, is_new: &mut bool
     entered || is_confirmed || is_cancelled
 }
 
-fn quit(ui: &mut Ui, editor: &Editor, output: &mut UiOutput) -> bool {
+fn quit(ui: &mut Ui, shown: Shown<'_>, output: &mut UiOutput) -> bool {
+    let editor = shown.editor;
     let (changes, posing) = (editor.has_unsaved_changes(), editor.has_unsaved_posing());
     let words = Words::of(ui);
     ui.heading(if changes {
         words.say("Save the changes before quitting?")
-    } else {
+    } else if posing {
         words.say("Quit without keeping the pose?")
+    } else {
+        words.say("Quit before the export is done?")
     });
     ui.add_space(8.0);
     if changes {
@@ -123,6 +135,9 @@ fn quit(ui: &mut Ui, editor: &Editor, output: &mut UiOutput) -> bool {
     }
     if posing {
         ui.label(words.say("The robots stand in a pose that no keyframe holds."));
+    }
+    if shown.is_exporting {
+        ui.label(words.say("An export is under way: nothing of it is kept."));
     }
     ui.add_space(16.0);
     let mut is_cancelled = false;
@@ -152,7 +167,7 @@ fn quit(ui: &mut Ui, editor: &Editor, output: &mut UiOutput) -> bool {
 }
 
 /// The button that is meant to be pressed.
-fn primary(ui: &Ui, label: &str) -> egui::Button<'static> {
+pub fn primary(ui: &Ui, label: &str) -> egui::Button<'static> {
     let tokens = Tokens::of(ui);
     egui::Button::new(label.to_owned()).fill(tokens.accent_fill).stroke(egui::Stroke::new(1.0, tokens.accent))
 }

@@ -53,7 +53,7 @@ fn menu_of(binding: &Binding) -> Menu {
 fn order(command: &Command) -> u8 {
     match command {
         Command::Undo | Command::Redo | Command::File(FileCommand::ChooseOpen) => 0,
-        Command::File(FileCommand::Screenshot(_)) => 7,
+        Command::File(FileCommand::Screenshot(_)) | Command::Window(WindowCommand::ShowExport) => 7,
         Command::Window(_) => 8,
         Command::Cancel | Command::File(FileCommand::Quit) => 9,
         _ => 5,

@@ -119,7 +119,7 @@ fn row(ui: &mut Ui, entry: &Entry, is_at: bool) -> Response {
 }
 
 fn entries(shown: Shown<'_>, words: Words) -> Vec<Entry> {
-    let Shown { editor, keymap, settings } = shown;
+    let Shown { editor, keymap, settings, .. } = shown;
     let rows = keymap.bindings().iter().map(|binding| Entry {
         name: words.say(binding.name).to_owned(),
         english: binding.name.to_owned(),

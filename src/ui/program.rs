@@ -1,6 +1,7 @@
 //! What is asked of the window itself: the lists and dialogs that it shows, and its settings.
 
 use super::dialogs::Dialog;
+use super::export::ExportDialog;
 use super::keys::KeysDialog;
 use super::palette::Palette;
 use super::words::Words;
@@ -36,6 +37,9 @@ impl Ui {
         match command {
             WindowCommand::ShowCommands => self.dialog = Some(Dialog::Commands(Palette::default())),
             WindowCommand::ShowKeys => self.dialog = Some(Dialog::Keys(KeysDialog::default())),
+            WindowCommand::ShowExport => {
+                self.dialog = Some(Dialog::Export(Box::new(ExportDialog::new(self.exported.clone()))));
+            }
             WindowCommand::ToggleMessages => self.log.toggle(),
             WindowCommand::Larger => settings.scale_percent = settings.next_scale(true),
             WindowCommand::Smaller => settings.scale_percent = settings.next_scale(false),

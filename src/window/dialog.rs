@@ -14,25 +14,40 @@ use crate::ui::words::Words;
 /// An answer of "nothing" within this time is no user's: the system has no dialog.
 pub const TOO_FAST_FOR_A_USER: Duration = Duration::from_millis(150);
 
+/// What the system is asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Question {
+    /// Keyframes.
+    Keyframes(PathPurpose),
+    /// A film to write.
+    Film,
+    /// A folder for a film's frames.
+    Folder,
+}
+
 /// Asks the system for a path; the answer comes as [`Happening::PathChosen`].
-pub fn ask(purpose: PathPurpose, current: &Path, words: Words, proxy: EventLoopProxy<Happening>) {
+pub fn ask(question: Question, current: &Path, words: Words, proxy: EventLoopProxy<Happening>) {
     let folder = current.parent().filter(|folder| folder.is_dir()).map(Path::to_owned);
     let name = current.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
     thread::spawn(move || {
         let start = now();
-        let mut dialog = FileDialog::new().add_filter(words.say("Keyframe files"), &["json"]);
-        if purpose == PathPurpose::Open {
+        let mut dialog = FileDialog::new();
+        if matches!(question, Question::Keyframes(_)) {
+            dialog = dialog.add_filter(words.say("Keyframe files"), &["json"]);
+        }
+        if question == Question::Keyframes(PathPurpose::Open) {
             dialog = dialog.add_filter(words.say("Keyframes as text"), &["txt", "csv"]);
         }
         dialog = dialog.add_filter(words.say("All files"), &["*"]);
         if let Some(folder) = folder {
             dialog = dialog.set_directory(folder);
         }
-        let path = match purpose {
-            PathPurpose::Open => dialog.pick_file(),
-            PathPurpose::SaveAs => dialog.set_file_name(name).save_file(),
+        let path = match question {
+            Question::Keyframes(PathPurpose::Open) => dialog.pick_file(),
+            Question::Keyframes(PathPurpose::SaveAs) | Question::Film => dialog.set_file_name(name).save_file(),
+            Question::Folder => dialog.pick_folder(),
         };
         // Where the window is gone, so is the question.
-        let _ = proxy.send_event(Happening::PathChosen { purpose, path, took: start.elapsed() });
+        let _ = proxy.send_event(Happening::PathChosen { question, path, took: start.elapsed() });
     });
 }

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use super::dialog;
+use super::dialog::{self, Question};
 use super::shell::Shell;
 use crate::editor::{Command, Edit, Effect, FileCommand, Severity, WindowCommand};
 use crate::keyframe::LARGEST_FILE_BYTES;
@@ -39,8 +39,14 @@ impl Shell {
                 let outcome = self.screenshot(&path);
                 let _ = self.editor.screenshot_taken(&path, outcome);
             }
-            Effect::ChooseOpen => self.choose_path(PathPurpose::Open),
-            Effect::ChooseSaveAs => self.choose_path(PathPurpose::SaveAs),
+            Effect::Export(options) => self.export(*options),
+            Effect::CancelExport => self.cancel_export(),
+            Effect::ChooseOpen => self.choose_path(Question::Keyframes(PathPurpose::Open), None),
+            Effect::ChooseSaveAs => self.choose_path(Question::Keyframes(PathPurpose::SaveAs), None),
+            Effect::ChooseExport { proposed, is_folder } => {
+                let question = if is_folder { Question::Folder } else { Question::Film };
+                self.choose_path(question, Some(&proposed));
+            }
             Effect::Quit => self.quit_or_ask(),
             Effect::Window(command) => self.window_command(&command),
         }
@@ -83,26 +89,34 @@ impl Shell {
         storage::write(path, &png).map_err(|error| error.to_string())
     }
 
-    fn choose_path(&mut self, purpose: PathPurpose) {
+    fn choose_path(&mut self, question: Question, proposed: Option<&Path>) {
         if !std::mem::replace(&mut self.is_choosing_path, true) {
             let words = Words::new(self.kept.settings.language);
-            dialog::ask(purpose, self.editor.path(), words, self.proxy.clone());
+            dialog::ask(question, proposed.unwrap_or(self.editor.path()), words, self.proxy.clone());
         }
     }
 
     /// The system's dialog was answered, or there is none: then a field of our own asks.
-    pub(super) fn path_chosen(&mut self, purpose: PathPurpose, path: Option<PathBuf>, took: std::time::Duration) {
+    pub(super) fn path_chosen(&mut self, question: Question, path: Option<PathBuf>, took: std::time::Duration) {
         self.is_choosing_path = false;
-        match (path, purpose) {
-            (Some(path), PathPurpose::Open) => self.apply(Command::File(FileCommand::Open(path))),
-            (Some(path), PathPurpose::SaveAs) => self.apply(Command::File(FileCommand::SaveAs(path))),
-            (None, _) if took < dialog::TOO_FAST_FOR_A_USER => self.ui.ask_for_path(purpose, self.editor.path()),
-            (None, _) => {}
+        let has_dialog = took >= dialog::TOO_FAST_FOR_A_USER;
+        match (path, question) {
+            (Some(path), Question::Keyframes(PathPurpose::Open)) => self.apply(Command::File(FileCommand::Open(path))),
+            (Some(path), Question::Keyframes(PathPurpose::SaveAs)) => {
+                self.apply(Command::File(FileCommand::SaveAs(path)));
+            }
+            (Some(path), Question::Film | Question::Folder) => self.ui.choose_export_path(&path),
+            (None, _) if has_dialog => {}
+            (None, Question::Keyframes(purpose)) => self.ui.ask_for_path(purpose, self.editor.path()),
+            (None, Question::Film | Question::Folder) => {
+                let text = "The system has no dialog for files: type the path.".to_owned();
+                self.editor.say_of(Severity::Error, text);
+            }
         }
     }
 
     fn quit_or_ask(&mut self) {
-        if self.editor.has_unsaved_changes() || self.editor.has_unsaved_posing() {
+        if self.editor.has_unsaved_changes() || self.editor.has_unsaved_posing() || self.export.is_some() {
             self.ui.ask_before_quitting();
         } else {
             self.is_quitting = true;

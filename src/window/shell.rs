@@ -12,6 +12,7 @@ use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoopProxy};
 use winit::keyboard::ModifiersState;
 use winit::window::{Window, WindowId};
 
+use super::export::Export;
 use super::kept::Kept;
 use super::keys::{KeyInput, SpaceBar};
 use super::pointer::Pointer;
@@ -38,6 +39,7 @@ pub struct Shell {
     pub(super) is_quitting: bool,
     at_start: Vec<Command>,
     pub(super) kept: Kept,
+    pub(super) export: Option<Export>,
     pub(super) modifiers: ModifiersState,
     pub(super) space: SpaceBar,
     pub(super) pointer: Pointer,
@@ -70,6 +72,7 @@ impl Shell {
             is_quitting: false,
             at_start,
             kept,
+            export: None,
             modifiers: ModifiersState::empty(),
             space: SpaceBar::default(),
             pointer: Pointer::default(),
@@ -219,7 +222,9 @@ impl ApplicationHandler<Happening> for Shell {
 
     fn user_event(&mut self, event_loop: &ActiveEventLoop, happening: Happening) {
         match happening {
-            Happening::PathChosen { purpose, path, took } => self.path_chosen(purpose, path, took),
+            Happening::PathChosen { question, path, took } => self.path_chosen(question, path, took),
+            Happening::ExportAt { done, count } => self.export_at(done, count),
+            Happening::ExportEnded(end) => self.export_ended(end),
             Happening::DeviceLost => self.reopen(event_loop),
             Happening::Accessibility(event) => self.accessibility(event),
         }
@@ -272,6 +277,10 @@ impl ApplicationHandler<Happening> for Shell {
     }
 
     fn exiting(&mut self, _event_loop: &ActiveEventLoop) {
+        // What is not finished must not stay half done.
+        if let Some(export) = self.export.take() {
+            export.end();
+        }
         // The window must go before the connection that it was made on.
         self.stage = None;
     }

@@ -175,3 +175,11 @@ fn bad_input_is_named_with_its_place() {
     sandbox.run(&["diagnose", "k.json"]).misuses();
     sandbox.run(&["diagnose", "k.json", "nan.csv", "more"]).misuses();
 }
+
+#[test]
+fn the_help_lists_every_name() {
+    let help = Sandbox::new().run(&["diagnose", "--help"]).succeeds();
+    for name in LINEAR.into_iter().chain(SPLINE) {
+        assert!(help.contains(name), "{name}");
+    }
+}

@@ -108,11 +108,23 @@ fn a_contact_sheet_is_one_image() {
     done(&render(&sandbox, &["a.json", "-o", "last.png", "--at", "2"]));
     let open = |name: &str| image::open(sandbox.path(name)).unwrap().to_rgb8();
     let sheet = open("sheet.png");
-    assert_eq!(sheet.dimensions(), (3 * 68 + 4, 2 * 52 + 4));
-    let cell =
-        |column: u32, row: u32| image::imageops::crop_imm(&sheet, 4 + 68 * column, 4 + 52 * row, 64, 48).to_image();
-    assert_eq!(cell(0, 0), open("first.png"));
-    assert_eq!(cell(2, 1), open("last.png"));
+    // Under each picture stands its caption, eleven pixels high.
+    assert_eq!(sheet.dimensions(), (3 * 68 + 4, 2 * 63 + 4));
+    let crop = |column: u32, top: u32, height: u32| {
+        image::imageops::crop_imm(&sheet, 4 + 68 * column, top, 64, height).to_image()
+    };
+    assert_eq!(crop(0, 4, 48), open("first.png"));
+    assert_eq!(crop(2, 67, 48), open("last.png"));
+    let captions: Vec<_> = (0..6).map(|place| crop(place % 3, 52 + 63 * (place / 3), 11)).collect();
+    for (place, caption) in captions.iter().enumerate() {
+        assert!(caption.pixels().any(|pixel| pixel.0 == [0xd7, 0xda, 0xe0]), "{place}");
+        assert!(!captions[..place].contains(caption), "{place}");
+    }
+    // Where the time does not fit beside the key time, it is left out; wider pictures have both, in larger letters.
+    done(&sandbox.run(&["render", "a.json", "-o", "wide.png", "--sheet", "1x2", "--size", "240x48"]));
+    assert_eq!(open("wide.png").dimensions(), (248, 2 * 74 + 4));
+    done(&render(&sandbox, &["a.json", "-o", "again.png", "--sheet", "3x2"]));
+    assert_eq!(bytes(&sandbox, "sheet.png"), bytes(&sandbox, "again.png"));
 }
 
 #[test]
@@ -264,4 +276,57 @@ fn ctrl_c_leaves_a_clean_file_or_none() {
     assert_eq!(child.wait().unwrap().code(), Some(130));
     assert_eq!(sandbox.names(), ["a.json", "x.gif"]);
     assert_eq!(sandbox.read("x.gif"), "what stood there before");
+}
+
+/// The frames of a film or picture, opaque: a GIF's and an animated PNG's all, else one.
+fn frames(name: &str, bytes: &[u8]) -> Vec<image::RgbImage> {
+    use image::AnimationDecoder as _;
+    let whole = |frames: image::Frames<'_>| -> Vec<image::RgbImage> {
+        let frames = frames.collect_frames().unwrap();
+        frames.into_iter().map(|frame| image::DynamicImage::from(frame.into_buffer()).to_rgb8()).collect()
+    };
+    let ending = name.rsplit('.').next();
+    if ending == Some("gif") {
+        whole(image::codecs::gif::GifDecoder::new(Cursor::new(bytes)).unwrap().into_frames())
+    } else if ending == Some("apng") {
+        let decoder = image::codecs::png::PngDecoder::new(Cursor::new(bytes)).unwrap();
+        whole(decoder.apng().unwrap().into_frames())
+    } else {
+        vec![image::load_from_memory(bytes).unwrap().to_rgb8()]
+    }
+}
+
+#[test]
+fn the_readmes_films_are_made_by_the_commands_that_it_shows() {
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    let readme = std::fs::read_to_string(root.join("README.md")).unwrap();
+    let sandbox = Sandbox::new();
+    let commands: Vec<&str> = readme.lines().filter(|line| line.contains(" -o assets/pictures/")).collect();
+    assert_eq!(commands.len(), 5);
+    for command in commands {
+        let words = command.strip_prefix("$ inbetween ").unwrap().split(' ');
+        let mut name = "";
+        let arguments: Vec<String> = words
+            .map(|word| match word.strip_prefix("assets/pictures/") {
+                Some(output) => {
+                    name = output;
+                    output.to_owned()
+                }
+                None if word.starts_with("assets/") => root.join(word).to_str().unwrap().to_owned(),
+                None => word.trim_matches('\'').to_owned(),
+            })
+            .collect();
+        done(&sandbox.run(&arguments.iter().map(String::as_str).collect::<Vec<_>>()));
+        assert!(readme.contains(&format!("](assets/pictures/{name})")), "{name} is not shown");
+        let shown = frames(name, &std::fs::read(root.join("assets/pictures").join(name)).unwrap());
+        let made = frames(name, &bytes(&sandbox, name));
+        assert_eq!(shown.len(), made.len(), "{name}");
+        for (place, (shown, made)) in shown.iter().zip(&made).enumerate() {
+            assert_eq!(shown.dimensions(), made.dimensions(), "{name}");
+            // Another driver's edges and palette may differ a little.
+            let pairs = shown.as_raw().iter().zip(made.as_raw());
+            let sum: u64 = pairs.map(|(a, b)| u64::from(a.abs_diff(*b))).sum();
+            assert!(sum < 3 * shown.as_raw().len() as u64, "{name}: frame {place} differs by {sum} levels");
+        }
+    }
 }

@@ -238,6 +238,68 @@ fn what_a_submission_unpacks_to_is_bounded() {
     assert!(!sandbox.path("outside.json").exists());
 }
 
+#[test]
+fn what_a_program_showed_is_what_is_drawn() {
+    let (sandbox, made) = course();
+    let student = Student { mistake: "nan-when-equal", plays_splines: false, keyframes: &made };
+    std::fs::create_dir(sandbox.path("all/a")).unwrap();
+    sandbox.write("all/a/keys.json", text_of(&made, "linear"));
+    sandbox.write("all/a/linear.csv", student.samples(6.0, 2000.0, false, 6));
+    sandbox.run(&["grade", "rubric.json", "all", "-o", "out"]).succeeds();
+    let html = sandbox.read("out/report.html");
+    assert!(html.contains("Linear, as linear.csv shows it") && html.contains("Linear, key time "), "captions");
+    assert!(!html.contains("Catmull-Rom, "), "that playback lost nothing");
+    assert!(html.contains("<td>keyframes 0 to 7</td>"), "one row");
+}
+
+#[test]
+fn every_bound_is_named_when_it_is_hit() {
+    let (sandbox, made) = course();
+    let keys = text_of(&made, "linear");
+    let folder = |name: &str, members: &[(&str, Vec<u8>)]| {
+        std::fs::create_dir(sandbox.path(&format!("all/{name}"))).unwrap();
+        for (file, bytes) in members {
+            sandbox.write(&format!("all/{name}/{file}"), bytes);
+        }
+    };
+    std::fs::create_dir_all(sandbox.path("all/deep/1/2/3/4/5/6/7/8/9/10")).unwrap();
+    let entries: Vec<String> = (0..801).map(|number| format!(".{number}")).collect();
+    let entries: Vec<(&str, &[u8])> = entries.iter().map(|name| (name.as_str(), &b""[..])).collect();
+    sandbox.write("all/entries.zip", zipped(&entries));
+    let blank = vec![b' '; 15 << 20];
+    sandbox.write("all/sum.zip", zipped(&["a", "b", "c", "d", "e"].map(|name| (name, &blank[..]))));
+    folder(
+        "nested",
+        &[("keys.json", [&b"{\"format\": \"inbetween.keyframes\", \"more\": "[..], &b"[".repeat(1 << 20)].concat())],
+    );
+    folder("rows", &[("keys.txt", b"0 0 0 1 0 0 0\n".repeat(22 * 2001))]);
+    let mut samples = b"key_time,rbt_ind,tx,ty,tz,rw,rx,ry,rz\n".to_vec();
+    samples.extend(b"0,0,0,0,0,1,0,0,0\n".repeat((4 << 20) / 18));
+    folder("samples", &[("keys.json", keys.clone().into_bytes()), ("linear.csv", samples)]);
+    folder("script", &[("keys.json", keys.clone().into_bytes()), ("script.txt", b"undo\n".repeat(2001))]);
+    folder(
+        "writes",
+        &[("keys.json", keys.into_bytes()), ("script.txt", [&b"key i\n"[..], &b"key n\nkey w\n".repeat(900)].concat())],
+    );
+    let start = Instant::now();
+    let graded = graded(&sandbox);
+    assert!(start.elapsed() < Duration::from_secs(30), "{:?}", start.elapsed());
+    for (name, place, sentence) in [
+        ("deep", "readable", "folders more than 8 deep"),
+        ("entries.zip", "readable", "the zip has 801 entries, and at most 800 are looked at"),
+        ("sum.zip", "readable", "64 MiB in all"),
+        ("nested", "readable", "unknown field `more`"),
+        ("rows", "readable", "2001 keyframes, and at most 2000 are graded"),
+        ("samples", "linear_playback", "at most 4194304 are read"),
+        ("script", "script", "2001 commands, and at most 2000 are run"),
+        ("writes", "script", "it writes more than 33554432 bytes"),
+    ] {
+        let item = item(&graded[name], place);
+        assert_eq!(item["points"], 0.0, "{name}");
+        assert!(item["reason"].as_str().unwrap().contains(sentence), "{name}: {}", item["reason"]);
+    }
+}
+
 #[cfg(unix)]
 #[test]
 fn links_out_of_the_folder_are_not_followed() {
@@ -280,6 +342,47 @@ fn a_bad_rubric_is_bad_input() {
 }
 
 #[test]
+fn a_rubric_in_toml_is_the_same() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/grading");
+    let sandbox = Sandbox::new();
+    let graded = |rubric: &str, out: &str| {
+        let (rubric, reference) = (folder.join(rubric), folder.join("reference.json"));
+        let arguments = ["grade", rubric.to_str().unwrap(), reference.to_str().unwrap(), "-o", out, "--no-images"];
+        sandbox.run(&arguments).succeeds();
+        sandbox.read(&format!("{out}/grades.json"))
+    };
+    assert_eq!(graded("rubric.toml", "a"), graded("rubric.json", "b"));
+
+    let toml = std::fs::read_to_string(folder.join("rubric.toml")).unwrap();
+    sandbox.write("sub.txt", "");
+    for (from, to, sentence) in [
+        (
+            "title =",
+            "tittle =",
+            "unknown field `tittle`, expected one of `format`, `version`, `title`, `reference`, `script`, `tolerances`, `fps`, `points` at line 4 column 1",
+        ),
+        ("readable = 10", "readable = -2", "points.readable is -2, expected 0 to 1000000"),
+        ("readable = 10", "readable = nan", "points.readable is NaN, expected 0 to 1000000"),
+        ("fps = 10", "fps = \"ten\"", "invalid type: string \"ten\", expected u32 at line 7 column 7"),
+        ("version = 1\n", "", "missing field `version` at line 20 column 1"),
+        ("[points]", "[tolerances]", "duplicate key at line 13 column 2"),
+        ("script = 5", "script = ", "string values must be quoted, expected literal string at line 20 column 10"),
+    ] {
+        let text = toml.replacen(from, to, 1);
+        assert_ne!(text, toml);
+        sandbox.write("bad.TOML", text);
+        sandbox
+            .run(&["grade", "bad.TOML", "sub.txt", "-o", "out", "--no-images"])
+            .refuses(&format!("bad.TOML: {sentence}"));
+    }
+    sandbox.write("bad.toml", b"title = \"\xff\"");
+    sandbox
+        .run(&["grade", "bad.toml", "sub.txt", "-o", "out", "--no-images"])
+        .refuses("bad.toml: not UTF-8 at line 1 column 10");
+    assert!(!sandbox.path("out").exists());
+}
+
+#[test]
 fn the_example_gives_its_reference_all_points_and_pictures() {
     let sandbox = Sandbox::new();
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/grading");
@@ -296,6 +399,7 @@ fn the_example_gives_its_reference_all_points_and_pictures() {
         (&json!(100.0), &json!(55.0))
     );
     let html = sandbox.read("out/report.html");
-    // One animation each, and two moments of three pictures for what differs.
-    assert_eq!(html.matches("<img src=\"data:image/png;base64,").count(), 8);
+    // One animation for what is right; for both playbacks that are wrong one each, and two moments of three pictures.
+    assert_eq!(html.matches("<img src=\"data:image/png;base64,").count(), 1 + 2 * (1 + 2 * 3));
+    assert!(html.contains("Linear, as its keyframes play") && html.contains("Catmull-Rom, key time "), "captions");
 }

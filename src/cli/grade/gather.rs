@@ -150,7 +150,7 @@ impl Files {
     }
 
     fn unpack(&mut self, bytes: Vec<u8>) -> Result<(), String> {
-        let broken = |error: zip::result::ZipError| format!("the zip cannot be read: {error}");
+        let broken = |error: zip::result::ZipError| format!("the zip is broken or cut off: {error}");
         let mut archive = zip::ZipArchive::new(Cursor::new(bytes)).map_err(broken)?;
         if archive.len() > 4 * MOST_FILES {
             return Err(format!("the zip has {} entries, and at most {} are looked at", archive.len(), 4 * MOST_FILES));

@@ -7,6 +7,7 @@ use serde_json::Value;
 use super::gather::Member;
 use super::hotkeys;
 use super::rubric::Rubric;
+use super::shown::{ShownPoses, thinned};
 use crate::cli::diff::times_ms;
 use crate::cli::reading;
 use crate::diagnosis::{
@@ -50,6 +51,8 @@ pub struct SamplesShow {
     pub interpolation: Interpolation,
     /// What explains it, or why it cannot be told.
     pub diagnosis: Result<Diagnosis, String>,
+    /// The poses that pictures are of.
+    pub shown: Option<ShownPoses>,
 }
 
 /// All marks of a submission.
@@ -241,7 +244,11 @@ fn samples_show(
                 diagnoses.into_iter().reduce(nearer).ok_or_else(|| "there are no keyframes to compare with".to_owned())
             })
         };
-        SamplesShow { file: member.name.clone(), interpolation, diagnosis }
+        let shown = diagnosis.as_ref().ok().and_then(|_| {
+            let samples = samples_from_csv(&member.bytes, scene.rbt_count(), rubric.ms_between_keyframes).ok()?;
+            thinned(&samples, interpolation, rubric)
+        });
+        SamplesShow { file: member.name.clone(), interpolation, diagnosis, shown }
     };
     parts.samples.iter().take(MOST_SAMPLES).map(one).collect()
 }

@@ -1,29 +1,29 @@
 //! Pictures for the report: the animation, and the moments at which it differs most from the reference, side by side.
 
+use num_rational::BigRational;
+
 use super::marks::Marks;
 use super::rubric::Rubric;
+use super::shown::{FRAMES, ShownPose, ShownPoses, farthest};
 use crate::camera::Camera;
 use crate::cli::CliError;
-use crate::cli::arguments::Size;
 use crate::cli::diff::times_ms;
-use crate::cli::picture::Painter;
 use crate::cli::progress::Progress;
 use crate::difference::{Played, compare};
+use crate::export::{Painter, Size};
 use crate::frame::Frame;
 use crate::interpolation::Interpolation;
-use crate::keyframe::{KeyframeList, PlayRange, to_f64, whole};
+use crate::keyframe::{KeyframeList, PlayRange, whole};
 use crate::pose::Pose;
 use crate::render::Image;
 use crate::scene::SceneGraph;
 
 /// The pictures' size in pixels.
 pub const SIZE: Size = Size { width: 200, height: 150 };
-/// The frames of an animated picture.
-const FRAMES: usize = 16;
 /// How long it takes, in milliseconds.
 const LENGTH_MS: usize = 2400;
-/// How many moments are shown beside the reference.
-const MOMENTS: usize = 2;
+/// What is farther from the world's centre is not drawn, in scene units.
+const FARTHEST: f32 = 1e5;
 /// The most frames among which the moments are looked for.
 const MOST_FRAMES: usize = 2_000;
 
@@ -62,76 +62,107 @@ pub fn of_all(
     let mut progress = Progress::new("submission", marks.len().max(1));
     let mut drawn = Vec::with_capacity(marks.len());
     for marks in marks {
-        let pictures = marks.keyframes.as_ref().map(|list| of_one(list, rubric, scene, painter)).transpose()?;
-        drawn.push(pictures.flatten());
+        let mut pictures = Vec::new();
+        for interpolation in shown_playbacks(marks, rubric) {
+            pictures.extend(of_playback(marks, interpolation, rubric, scene, painter)?);
+        }
+        drawn.push((!pictures.is_empty()).then_some(Pictures { pictures }));
         progress.step();
     }
     Ok(drawn)
 }
 
-fn of_one(
-    list: &KeyframeList,
+/// Which playbacks are shown: those that lost points, or else one that is graded.
+fn shown_playbacks(marks: &Marks, rubric: &Rubric) -> Vec<Interpolation> {
+    let points = rubric.points;
+    let graded: Vec<(Interpolation, &str)> = [
+        (Interpolation::Linear, "linear_playback", points.linear_playback),
+        (Interpolation::CatmullRom, "catmull_rom_playback", points.catmull_rom_playback),
+    ]
+    .into_iter()
+    .filter(|(.., points)| *points > 0.0)
+    .map(|(interpolation, item, _)| (interpolation, item))
+    .collect();
+    let lost = |(_, name): &&(Interpolation, &str)| {
+        marks.items.iter().any(|item| item.name == *name && item.points < item.out_of)
+    };
+    let wrong: Vec<Interpolation> = graded.iter().filter(lost).map(|(interpolation, _)| *interpolation).collect();
+    if wrong.is_empty() {
+        vec![graded.last().map_or(Interpolation::CatmullRom, |(interpolation, _)| *interpolation)]
+    } else {
+        wrong
+    }
+}
+
+/// What the student's program showed, where samples tell; else how the keyframes play here.
+fn of_playback(
+    marks: &Marks,
+    interpolation: Interpolation,
     rubric: &Rubric,
     scene: &SceneGraph,
     painter: &mut Painter,
-) -> Result<Option<Pictures>, CliError> {
-    let (Ok(range), Ok(reference)) = (PlayRange::new(list), PlayRange::new(&rubric.reference)) else { return Ok(None) };
-    let interpolation = Interpolation::CatmullRom;
-    let played = |range| Played { range, interpolation, ms_between_keyframes: rubric.ms_between_keyframes };
-    let (right, own) = (played(&reference), played(&range));
-    let length_ms = own.length_ms();
-    let mut frames = Vec::with_capacity(FRAMES);
-    for frame in 0..FRAMES {
-        let ms = &length_ms * whole(frame) / whole(FRAMES - 1);
-        if let Ok(pose) = own.pose_at(&ms) {
-            frames.push(draw(&pose, scene, painter)?);
-        }
-    }
-    let mut pictures = vec![picture(animated(&frames)?, "Catmull-Rom playback".to_owned(), false)];
-    let Some(times) = times_ms(&right.length_ms(), rubric.fps).filter(|times| times.len() <= MOST_FRAMES) else {
-        return Ok(Some(Pictures { pictures }));
+) -> Result<Vec<Picture>, CliError> {
+    let label = interpolation.label();
+    let of_samples = marks.samples.iter().find(|samples| samples.interpolation == interpolation);
+    let (poses, caption) = match of_samples.and_then(|samples| Some((samples.shown.as_ref()?, &samples.file))) {
+        Some((shown, file)) => (shown.clone(), format!("{label}, as {file} shows it")),
+        None => match marks.keyframes.as_ref().and_then(|list| played(list, interpolation, rubric)) {
+            Some(poses) => (poses, format!("{label}, as its keyframes play")),
+            None => return Ok(Vec::new()),
+        },
     };
-    let Ok(difference) = compare(right, own, &times, rubric.tolerances) else { return Ok(Some(Pictures { pictures })) };
-    for place in farthest(&difference.off_by_frame) {
-        let ms = &times[place];
-        let (Ok(own_pose), Ok(right_pose)) = (own.pose_at(ms), right.pose_at(ms)) else { continue };
-        let key_time = right.key_time_at(ms);
-        let (own_image, right_image) = (draw(&own_pose, scene, painter)?, draw(&right_pose, scene, painter)?);
-        let apart = apart(&own_image, &right_image);
-        pictures.push(picture(
-            own_image.to_png()?,
-            format!("Key time {key_time:.2}, {:.0} ms: submitted", to_f64(ms)),
-            true,
-        ));
-        pictures.push(picture(right_image.to_png()?, "reference".to_owned(), false));
+    let mut frames = Vec::with_capacity(FRAMES);
+    for shown in &poses.frames {
+        frames.push(draw(&shown.pose, &shown.right, scene, painter)?);
+    }
+    if frames.is_empty() {
+        return Ok(Vec::new());
+    }
+    let mut pictures = vec![picture(animated(&frames)?, caption, true)];
+    for shown in &poses.moments {
+        let own = draw(&shown.pose, &shown.right, scene, painter)?;
+        let right = draw(&shown.right, &shown.right, scene, painter)?;
+        let apart = apart(&own, &right);
+        pictures.push(picture(own.to_png()?, format!("{label}, key time {:.2}: submitted", shown.key_time), true));
+        pictures.push(picture(right.to_png()?, "reference".to_owned(), false));
         pictures.push(picture(apart.to_png()?, "difference".to_owned(), false));
     }
-    Ok(Some(Pictures { pictures }))
+    Ok(pictures)
 }
 
-/// The frames that are farthest off, in order of time: the worst, and the worst of those well away from it; none where all are right.
-fn farthest(off_by_frame: &[f64]) -> Vec<usize> {
-    let apart = (off_by_frame.len() / 10).max(1);
-    let mut found: Vec<usize> = Vec::new();
-    while found.len() < MOMENTS {
-        let is_free =
-            |place: &usize| found.iter().all(|other| place.abs_diff(*other) >= apart) && off_by_frame[*place] > 1.0;
-        let farthest =
-            (0..off_by_frame.len()).filter(is_free).max_by(|a, b| off_by_frame[*a].total_cmp(&off_by_frame[*b]));
-        let Some(place) = farthest else { break };
-        found.push(place);
-    }
-    found.sort_unstable();
-    found
-}
-
-fn draw(pose: &Pose, scene: &SceneGraph, painter: &mut Painter) -> Result<Image, CliError> {
-    let camera = Camera {
-        world_from_eye: scene.world_from_rbt(pose, 0.0, scene.eyes()[0]),
-        vertical_fov: scene.vertical_fov(),
-        size_px: painter.size_px(),
+/// Keyframes as they play here.
+fn played(list: &KeyframeList, interpolation: Interpolation, rubric: &Rubric) -> Option<ShownPoses> {
+    let (range, reference) = (PlayRange::new(list).ok()?, PlayRange::new(&rubric.reference).ok()?);
+    let played = |range| Played { range, interpolation, ms_between_keyframes: rubric.ms_between_keyframes };
+    let (right, own) = (played(&reference), played(&range));
+    let shown = |ms: &BigRational| {
+        let (pose, right_pose) = (own.pose_at(ms).ok()?, right.pose_at(ms).ok()?);
+        Some(ShownPose { key_time: right.key_time_at(ms), pose, right: right_pose })
     };
-    painter.image(&Frame::new(scene, pose, 0.0, &camera, None))
+    let length_ms = own.length_ms();
+    let frames = (0..FRAMES).filter_map(|frame| shown(&(&length_ms * whole(frame) / whole(FRAMES - 1)))).collect();
+    let times = times_ms(&right.length_ms(), rubric.fps).filter(|times| times.len() <= MOST_FRAMES);
+    let moments = times.and_then(|times| {
+        let difference = compare(right, own, &times, rubric.tolerances).ok()?;
+        Some(farthest(&difference.off_by_frame).into_iter().filter_map(|place| shown(&times[place])).collect())
+    });
+    Some(ShownPoses { frames, moments: moments.unwrap_or_default() })
+}
+
+/// Draws a pose. What is no number, or out of this world, is not drawn; where the camera is such, it is where it should be.
+fn draw(pose: &Pose, right: &Pose, scene: &SceneGraph, painter: &mut Painter) -> Result<Image, CliError> {
+    let eye = scene.eyes()[0];
+    let own = scene.world_from_rbt(pose, 0.0, eye);
+    let is_sound = own.translation.abs().max_element() < FARTHEST && (own.rotation.length() - 1.0).abs() < 0.5;
+    let mut world_from_eye = if is_sound { own } else { scene.world_from_rbt(right, 0.0, eye) };
+    world_from_eye.rotation = world_from_eye.rotation.normalize();
+    let camera = Camera { world_from_eye, vertical_fov: scene.vertical_fov(), size_px: painter.size_px() };
+    let mut frame = Frame::new(scene, pose, 0.0, &camera, None);
+    frame.items.retain(|item| {
+        let matrix = item.world_from_shape;
+        matrix.is_finite() && matrix.to_cols_array().iter().all(|number| number.abs() < FARTHEST)
+    });
+    Ok(painter.image(&frame)?)
 }
 
 /// Where two pictures of one size differ: the brighter the more, on black.
@@ -191,14 +222,5 @@ mod tests {
         for (text, expected) in [("", ""), ("f", "Zg=="), ("fo", "Zm8="), ("foo", "Zm9v"), ("foobar", "Zm9vYmFy")] {
             assert_eq!(base64(text.as_bytes()), expected);
         }
-    }
-
-    #[test]
-    fn moments_are_apart_and_only_where_something_is_off() {
-        assert_eq!(farthest(&[0.0; 20]), [0; 0]);
-        let mut off = [0.5; 40];
-        off[10..13].copy_from_slice(&[5.0, 9.0, 8.0]);
-        off[30] = 2.0;
-        assert_eq!(farthest(&off), [11, 30]);
     }
 }

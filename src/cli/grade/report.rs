@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::marks::Marks;
+use super::marks::{Item, Marks};
 use super::pictures::Pictures;
 use super::rubric::Rubric;
 use super::tables::{diagnoses, number};
@@ -16,10 +16,10 @@ table{border-collapse:collapse;width:100%}
 section{background:#fff;border:1px solid #dddfe4;border-radius:10px;margin:1.2rem 0;padding:1rem 1.2rem}
 h2{font-size:1.1rem;margin:0 0 .6rem;overflow-wrap:anywhere}h2 span{float:right;font-variant-numeric:tabular-nums}
 .items td{padding:.2rem .6rem;vertical-align:top;border-bottom:1px solid #eef0f3;overflow-wrap:anywhere}
-.items td:first-child{white-space:nowrap}
+.items td:first-child{white-space:nowrap;width:10rem}.items td.n{width:4.5rem}
 .lost{color:#a3262a}.full{color:#20693c}.note{background:#fff4d6;border-radius:6px;padding:.4rem .7rem}
 .pictures{display:flex;flex-wrap:wrap;gap:1rem;margin-top:.9rem}
-figure{margin:0}figcaption{font-size:.8rem;color:#5b6472}img{display:block;border-radius:6px;background:#e8eaee}
+figure{margin:0;width:200px}figcaption{font-size:.8rem;color:#5b6472}img{display:block;border-radius:6px;background:#e8eaee}
 .bar{display:inline-block;width:8rem;height:.6rem;border-radius:.3rem;background:#e3e6ea;vertical-align:middle}
 .bar i{display:block;height:100%;border-radius:.3rem;background:#2f7d4f}a{color:inherit}
 @media(prefers-color-scheme:dark){body{background:#15181d;color:#e6e8eb}section{background:#1d2127;border-color:#333a44}
@@ -85,6 +85,30 @@ pub fn html(marks: &[Marks], rubric: &Rubric, pictures: &[Option<Pictures>]) -> 
     text
 }
 
+/// The items with names for people, and runs of keyframes of which there is the same to say in one row.
+fn grouped(items: &[Item]) -> Vec<Item> {
+    let keyframe = |item: &Item| item.name.strip_prefix("keyframe ").and_then(|number| number.parse::<usize>().ok());
+    let mut rows: Vec<Item> = Vec::new();
+    // The first keyframe of the run that the last row is.
+    let mut first = None;
+    for item in items {
+        let number = keyframe(item);
+        if let (Some(first), Some(number), Some(row)) = (first, number, rows.last_mut())
+            && row.reason == item.reason
+            && (row.points < row.out_of) == (item.points < item.out_of)
+        {
+            row.name = format!("keyframes {first} to {number}");
+            row.points += item.points;
+            row.out_of += item.out_of;
+            continue;
+        }
+        first = number;
+        let name = item.name.replace("catmull_rom", "Catmull-Rom").replace('_', " ");
+        rows.push(Item { name, ..item.clone() });
+    }
+    rows
+}
+
 fn push_submission(text: &mut String, place: usize, marks: &Marks, pictures: Option<&Pictures>) {
     let _ = writeln!(
         text,
@@ -93,16 +117,17 @@ fn push_submission(text: &mut String, place: usize, marks: &Marks, pictures: Opt
         number(marks.points()),
         number(marks.out_of())
     );
-    for note in &marks.notes {
+    // What an item says already is not said twice.
+    for note in marks.notes.iter().filter(|note| marks.items.iter().all(|item| item.reason != **note)) {
         let _ = writeln!(text, "<p class=\"note\">{}</p>", escaped(note));
     }
     text.push_str("<table class=\"items\">\n");
-    for item in &marks.items {
+    for item in grouped(&marks.items) {
         let class = if item.points < item.out_of { "lost" } else { "full" };
         let _ = writeln!(
             text,
             "<tr><td>{}</td><td class=\"n {class}\">{} / {}</td><td>{}</td></tr>",
-            escaped(&item.name.replace('_', " ")),
+            escaped(&item.name),
             number(item.points),
             number(item.out_of),
             escaped(&item.reason)
@@ -131,7 +156,29 @@ fn push_submission(text: &mut String, place: usize, marks: &Marks, pictures: Opt
 
 #[cfg(test)]
 mod tests {
-    use super::escaped;
+    use super::*;
+
+    #[test]
+    fn keyframes_of_which_there_is_the_same_to_say_are_one_row() {
+        let item = |name: &str, points, reason: &str| Item {
+            name: name.to_owned(),
+            points,
+            out_of: 2.0,
+            reason: reason.to_owned(),
+        };
+        let items = [
+            item("keyframe_count", 2.0, "right"),
+            item("keyframe 0", 2.0, "right"),
+            item("keyframe 1", 2.0, "right"),
+            item("keyframe 2", 0.0, "off"),
+            item("keyframe 3", 2.0, "right"),
+            item("catmull_rom_playback", 2.0, "right"),
+        ];
+        let rows = grouped(&items);
+        let names: Vec<&str> = rows.iter().map(|row| row.name.as_str()).collect();
+        assert_eq!(names, ["keyframe count", "keyframes 0 to 1", "keyframe 2", "keyframe 3", "Catmull-Rom playback"]);
+        assert_eq!((rows[1].points, rows[1].out_of), (4.0, 4.0));
+    }
 
     #[test]
     fn what_is_markup_is_text() {

@@ -1,4 +1,4 @@
-//! The rubric: what is graded, and for how many points.
+//! The rubric: what is graded, and for how many points; JSON or TOML.
 
 use std::path::Path;
 
@@ -90,6 +90,29 @@ pub struct Rubric {
     pub script: Option<Vec<u8>>,
 }
 
+/// Parses a rubric: TOML where its name ends so, else JSON. What is wrong is a sentence that ends with its line and column.
+fn parse(path: &Path, bytes: &[u8]) -> Result<RubricText, String> {
+    let is_toml = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
+    if !is_toml {
+        return serde_json::from_slice(bytes).map_err(|error| crate::json::sentence(&error));
+    }
+    let placed = |at: usize, what: &str| {
+        let before = &bytes[..at.min(bytes.len())];
+        let line = before.split(|byte| *byte == b'\n').count();
+        let start = before.iter().rposition(|byte| *byte == b'\n').map_or(0, |newline| newline + 1);
+        let column = String::from_utf8_lossy(&before[start..]).chars().count() + 1;
+        format!("{what} at line {line} column {column}")
+    };
+    let text = std::str::from_utf8(bytes).map_err(|error| placed(error.valid_up_to(), "not UTF-8"))?;
+    toml::from_str(text).map_err(|error| {
+        // The parser's sentences may have lines; what is missing is missing at the end.
+        let what = error.message().lines().collect::<Vec<_>>().join(", ");
+        let is_missing = what.starts_with("missing field") && error.span().is_none_or(|span| span.start == 0);
+        let at = if is_missing { bytes.len() } else { error.span().map_or(bytes.len(), |span| span.start) };
+        placed(at, &what)
+    })
+}
+
 /// Reads a rubric and the files that it names, by paths from its own folder.
 ///
 /// # Errors
@@ -97,8 +120,7 @@ pub struct Rubric {
 pub fn load(path: &Path, scene: &SceneGraph) -> Result<Rubric, CliError> {
     let bad = |problem: String| CliError::bad_input(path.display(), problem);
     let bytes = storage::read(path, LARGEST_BYTES).map_err(|error| bad(error.to_string()))?;
-    let text: RubricText = serde_json::from_slice(bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes))
-        .map_err(|error| bad(crate::json::sentence(&error)))?;
+    let text = parse(path, bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes)).map_err(bad)?;
     if text.format != "inbetween.rubric" {
         return Err(bad(format!("format is {:?}, expected \"inbetween.rubric\"", text.format)));
     }
@@ -173,4 +195,38 @@ pub fn load(path: &Path, scene: &SceneGraph) -> Result<Rubric, CliError> {
         reference_bytes,
         script,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn broken_rubrics_are_sentences_with_a_place() {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/grading");
+        for name in ["rubric.json", "rubric.toml"] {
+            let path = folder.join(name);
+            let text = storage::read(&path, LARGEST_BYTES).unwrap();
+            assert!(parse(&path, &text).is_ok());
+            let mut refused = 0;
+            for at in 0..text.len() {
+                let mut broken: Vec<Vec<u8>> = vec![text[..at].to_vec(), [&text[..at], &text[at + 1..]].concat()];
+                for byte in [b'"', b'[', b'{', b'9', b'\n', 0, 0xff] {
+                    broken.push([&text[..at], &[byte], &text[at + 1..]].concat());
+                    broken.push([&text[..at], &[byte], &text[at..]].concat());
+                }
+                for text in broken {
+                    if let Err(sentence) = parse(&path, &text).map(|_| ()) {
+                        let place =
+                            sentence.rsplit_once(" at line ").and_then(|(_, place)| place.split_once(" column "));
+                        let (line, column) = place.unwrap_or_else(|| panic!("{sentence}"));
+                        assert!(line.parse::<usize>().is_ok() && column.parse::<usize>().is_ok(), "{sentence}");
+                        assert!(!sentence.contains('\n'), "{sentence}");
+                        refused += 1;
+                    }
+                }
+            }
+            assert!(refused > 1000, "{name}: {refused}");
+        }
+    }
 }

@@ -3,7 +3,7 @@
 use png::{BitDepth, ColorType, Compression, Encoder};
 
 use super::super::CliError;
-use super::super::picture::Painter;
+use crate::export::Painter;
 use crate::frame::Frame;
 use crate::render::node_picture;
 

@@ -8,7 +8,7 @@ use sha2::{Digest as _, Sha256};
 
 use super::super::CliError;
 use super::super::compare::LARGEST_IMAGE_BYTES;
-use super::super::picture::Painter;
+use crate::export::Painter;
 use crate::storage;
 
 /// The adapter, the versions and the files written so far.

@@ -8,9 +8,9 @@ use std::path::Path;
 use super::parse::{Action, Line};
 use super::trace::Trace;
 use crate::cli::CliError;
-use crate::cli::picture::Painter;
 use crate::clock::AnimationClock;
 use crate::editor::{Command, Editor, Effect};
+use crate::export::Painter;
 use crate::frame::Frame;
 use crate::keyframe::LARGEST_FILE_BYTES;
 use crate::storage;
@@ -106,6 +106,9 @@ impl Runner {
                 }
                 Effect::ChooseOpen | Effect::ChooseSaveAs => {
                     said = Some("Without a window there is no dialog: use --keyframes FILE.".to_owned());
+                }
+                Effect::Export(_) | Effect::CancelExport | Effect::ChooseExport { .. } => {
+                    said = Some("Without a window nothing is exported: use `inbetween render`.".to_owned());
                 }
                 Effect::Quit => flow = Flow::Quit,
                 // There is no window to change.

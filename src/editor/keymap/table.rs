@@ -272,6 +272,13 @@ pub fn bindings() -> Vec<Binding> {
             "Screenshot",
             "Write a screenshot beside the keyframe file",
         ),
+        row(
+            Group::File,
+            vec![held(ctrl, 'e')],
+            Command::Window(WindowCommand::ShowExport),
+            "Export…",
+            "Make a film of what plays: GIF, APNG, MP4, Y4M or numbered frames",
+        ),
         repeating(Group::File, vec![held(ctrl, 'z')], Command::Undo, "Undo", "Undo"),
         repeating(Group::File, vec![held(ctrl_shift, 'z'), held(ctrl, 'y')], Command::Redo, "Redo", "Redo"),
         row(

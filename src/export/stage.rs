@@ -2,9 +2,8 @@
 
 use glam::{Mat3, Quat, Vec2, Vec3};
 
-use super::moments::{Moment, Shown, Source};
+use super::{ExportError, Moment, Shown, Source};
 use crate::camera::Camera;
-use crate::cli::CliError;
 use crate::frame::{DrawItem, Frame, Ghost};
 use crate::keyframe::{KeyframeIndex, PlayRange};
 use crate::pose::{Pose, RbtIndex};
@@ -32,8 +31,8 @@ impl View {
     /// The view of that name; the scene's first eye where none is named.
     ///
     /// # Errors
-    /// [`CliError::BadInput`]: there is no such eye.
-    pub fn named(name: Option<&str>, scene: &SceneGraph) -> Result<Self, CliError> {
+    /// [`ExportError::BadInput`]: there is no such eye.
+    pub fn named(name: Option<&str>, scene: &SceneGraph) -> Result<Self, ExportError> {
         let Some(name) = name else { return Ok(Self::Eye(scene.eyes()[0])) };
         if let Some(&eye) = scene.eyes().iter().find(|&&eye| scene.rbt_path(eye) == name) {
             return Ok(Self::Eye(eye));
@@ -43,7 +42,7 @@ impl View {
         }
         let eyes: Vec<&str> = scene.eyes().iter().map(|&eye| scene.rbt_path(eye)).collect();
         let place = format!("camera \"{name}\"");
-        Err(CliError::bad_input(place, format!("the scene's eyes are {}; or: turntable", eyes.join(", "))))
+        Err(ExportError::bad_input(place, format!("the scene's eyes are {}; or: turntable", eyes.join(", "))))
     }
 }
 
@@ -59,6 +58,7 @@ pub struct Stage<'a> {
 
 impl<'a> Stage<'a> {
     /// A stage for pictures of a size, with the ghosts of so many keyframes before and after.
+    #[must_use]
     pub fn new(source: Source<'a>, view: View, ghosts: u8, size_px: Vec2) -> Self {
         let mut stage = Self { source, view, ghosts, size_px, distance: 1.0 };
         if view == View::Turntable {
@@ -70,8 +70,8 @@ impl<'a> Stage<'a> {
     /// The picture at a moment.
     ///
     /// # Errors
-    /// [`CliError::BadInput`]: the moment is not there.
-    pub fn frame(&self, moment: &Moment) -> Result<Frame, CliError> {
+    /// [`ExportError::BadInput`]: the moment is not there.
+    pub fn frame(&self, moment: &Moment) -> Result<Frame, ExportError> {
         let pose = self.pose(moment.shown)?;
         let camera = self.camera(&pose, moment);
         let mut frame = Frame::new(self.source.scene, &pose, moment.seconds, &camera, None);
@@ -81,7 +81,7 @@ impl<'a> Stage<'a> {
         Ok(frame)
     }
 
-    fn pose(&self, shown: Shown) -> Result<Pose, CliError> {
+    fn pose(&self, shown: Shown) -> Result<Pose, ExportError> {
         let (Some(animation), scene) = (self.source.animation, self.source.scene) else {
             return Ok(self.source.scene.rest_pose().clone());
         };

@@ -5,11 +5,7 @@ use std::path::Path;
 use num_rational::BigRational;
 use num_traits::FromPrimitive as _;
 
-use super::super::animation::Animation;
-use super::super::arguments::{RenderArguments, Size};
-use super::super::times::{FrameTime, frame_times};
-use super::super::{CliError, misuse};
-use super::View;
+use super::{Animation, ExportError, FrameTime, Size, View, frame_times};
 use crate::film::{Grid, Plan};
 use crate::keyframe::{KeyframeIndex, PlayRange};
 use crate::scene::SceneGraph;
@@ -39,6 +35,17 @@ pub enum Shown {
     KeyTime(f64),
 }
 
+/// Which part of an animation pictures are of.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Span {
+    /// The key time at which it begins; the playing range's start where it is not said.
+    pub from: Option<f64>,
+    /// The key time at which it ends; the playing range's end where it is not said.
+    pub to: Option<f64>,
+    /// How far the keys at their own times are at its beginning, in seconds.
+    pub seconds: f64,
+}
+
 /// One picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Moment {
@@ -52,6 +59,20 @@ pub struct Moment {
     pub turn: f64,
 }
 
+impl Moment {
+    /// What tells it from the others of a contact sheet: key time and seconds, seconds alone, or how far around the camera is.
+    #[must_use]
+    pub fn caption(&self) -> Vec<String> {
+        let seconds = format!("{:.2} s", self.seconds);
+        match self.shown {
+            Shown::KeyTime(key_time) => vec![format!("key {key_time:.2}"), seconds],
+            Shown::Keyframe(index) => vec![format!("key {}", index.get())],
+            Shown::Rest if self.seconds == 0.0 && self.turn > 0.0 => vec![format!("{:.0}°", 360.0 * self.turn)],
+            Shown::Rest => vec![seconds],
+        }
+    }
+}
+
 /// The pictures of a film or a contact sheet.
 pub struct Moments {
     /// In their order.
@@ -61,27 +82,18 @@ pub struct Moments {
 
 impl Source<'_> {
     /// Bad input with the file's name, or the scene's where there is no file.
-    pub fn bad_input(&self, problem: impl std::fmt::Display) -> CliError {
+    pub fn bad_input(&self, problem: impl std::fmt::Display) -> ExportError {
         match self.file {
-            Some(file) => CliError::bad_input(file.display(), problem),
-            None => CliError::bad_input(format!("scene \"{}\"", self.scene.name()), problem),
+            Some(file) => ExportError::bad_input(file.display(), problem),
+            None => ExportError::bad_input(format!("scene \"{}\"", self.scene.name()), problem),
         }
-    }
-
-    /// The one moment that the arguments name.
-    ///
-    /// # Errors
-    /// [`CliError::BadInput`]: it is not there.
-    pub fn still(&self, arguments: &RenderArguments) -> Result<Moment, CliError> {
-        let shown = self.shown(arguments.at, arguments.keyframe)?;
-        Ok(Moment { shown, seconds: arguments.seconds, start_ms: 0.0, turn: 0.0 })
     }
 
     /// The pose at a key time or of a keyframe; at the start of the playing range where neither is named.
     ///
     /// # Errors
-    /// [`CliError::BadInput`]: it is not there.
-    pub fn shown(&self, at: Option<f64>, keyframe: Option<i64>) -> Result<Shown, CliError> {
+    /// [`ExportError::BadInput`]: it is not there.
+    pub fn shown(&self, at: Option<f64>, keyframe: Option<i64>) -> Result<Shown, ExportError> {
         let Some(animation) = self.animation else { return Ok(Shown::Rest) };
         if let Some(index) = keyframe {
             let place = usize::try_from(index).ok().filter(|&place| place < animation.keyframes.len());
@@ -97,22 +109,25 @@ impl Source<'_> {
         Ok(Shown::KeyTime(key_time))
     }
 
-    fn range<'b>(&self, animation: &'b Animation) -> Result<PlayRange<'b>, CliError> {
+    fn range<'b>(&self, animation: &'b Animation) -> Result<PlayRange<'b>, ExportError> {
         PlayRange::new(&animation.keyframes).map_err(|error| self.bad_input(error))
     }
 
-    /// The key times between which the arguments want pictures.
+    /// The key times between which pictures are wanted.
     #[expect(clippy::cast_precision_loss, reason = "no list has 2^52 keyframes")]
-    fn span(&self, arguments: &RenderArguments, animation: &Animation) -> Result<[f64; 2], CliError> {
+    fn key_times(&self, span: Span, animation: &Animation) -> Result<[f64; 2], ExportError> {
         let range = self.range(animation)?;
-        let span = [arguments.from.unwrap_or(0.0), arguments.to.unwrap_or(range.last_key_time() as f64)];
-        for key_time in span {
+        let key_times = [span.from.unwrap_or(0.0), span.to.unwrap_or(range.last_key_time() as f64)];
+        for key_time in key_times {
             range.check(key_time).map_err(|error| self.bad_input(error))?;
         }
-        if span[0] > span[1] {
-            return Err(misuse("--from is after --to"));
+        if key_times[0] > key_times[1] {
+            return Err(ExportError::misuse(format!(
+                "it would end (key time {}) before it begins (key time {})",
+                key_times[1], key_times[0]
+            )));
         }
-        Ok(span)
+        Ok(key_times)
     }
 }
 
@@ -120,15 +135,15 @@ impl Moments {
     /// The pictures of a film: picture k is k · 1000/fps ms after the start while that is short of the end, and the end.
     ///
     /// # Errors
-    /// [`CliError`]: a range that is not there, or nothing that moves.
-    pub fn of_film(arguments: &RenderArguments, source: Source<'_>, view: View, fps: u32) -> Result<Self, CliError> {
-        let seconds_at = |ms: f64| arguments.seconds + ms / 1000.0;
+    /// [`ExportError`]: a range that is not there, or nothing that moves.
+    pub fn of_film(span: Span, source: Source<'_>, view: View, fps: u32) -> Result<Self, ExportError> {
+        let seconds_at = |ms: f64| span.seconds + ms / 1000.0;
         let still = |start_ms| Moment { shown: Shown::Rest, seconds: seconds_at(start_ms), start_ms, turn: 0.0 };
         let mut all: Vec<Moment> = if let Some(animation) = source.animation {
-            let [from, to] = source.span(arguments, animation)?;
+            let [from, to] = source.key_times(span, animation)?;
             let (ms, timing) = (animation.ms_between_keyframes, source.range(animation)?.timing());
             let moment = |key_time: f64, start_ms| Moment { shown: Shown::KeyTime(key_time), ..still(start_ms) };
-            if arguments.from.is_none() && arguments.to.is_none() {
+            if span.from.is_none() && span.to.is_none() {
                 frame_times(fps, ms, timing).map(|time| moment(time.key_time, time.ms)).collect()
             } else {
                 let [start, end] = [from, to].map(|key_time| FrameTime::at_key_time(key_time, ms, timing).ms);
@@ -143,8 +158,8 @@ impl Moments {
                 (all[last].shown, all[0].shown) = (Shown::KeyTime(to), Shown::KeyTime(from));
                 all
             }
-        } else if let Some(last_second) = source.scene.last_second().filter(|&second| second > arguments.seconds) {
-            starts((last_second - arguments.seconds) * 1000.0, fps).map(still).collect()
+        } else if let Some(last_second) = source.scene.last_second().filter(|&second| second > span.seconds) {
+            starts((last_second - span.seconds) * 1000.0, fps).map(still).collect()
         } else if view == View::Turntable {
             // The end would be the start again.
             starts(f64::from(TURN_MS), fps).take((TURN_MS * fps / 1000) as usize).map(still).collect()
@@ -162,25 +177,25 @@ impl Moments {
     /// The pictures of a contact sheet, evenly spread, both ends included.
     ///
     /// # Errors
-    /// [`CliError`]: a range that is not there, or nothing that moves.
-    pub fn of_sheet(arguments: &RenderArguments, source: Source<'_>, grid: Grid) -> Result<Self, CliError> {
+    /// [`ExportError`]: a range that is not there, or nothing that moves.
+    pub fn of_sheet(span: Span, source: Source<'_>, grid: Grid) -> Result<Self, ExportError> {
         let count = grid.columns * grid.rows;
         let fractions = (0..count).map(|place| f64::from(place) / f64::from((count - 1).max(1)));
-        let still = Moment { shown: Shown::Rest, seconds: arguments.seconds, start_ms: 0.0, turn: 0.0 };
+        let still = Moment { shown: Shown::Rest, seconds: span.seconds, start_ms: 0.0, turn: 0.0 };
         let all = if let Some(animation) = source.animation {
-            let [from, to] = source.span(arguments, animation)?;
+            let [from, to] = source.key_times(span, animation)?;
             let (ms, timing) = (animation.ms_between_keyframes, source.range(animation)?.timing());
             fractions
                 .map(|fraction| {
                     let key_time = (from + (to - from) * fraction).min(to);
-                    let seconds = arguments.seconds + FrameTime::at_key_time(key_time, ms, timing).ms / 1000.0;
+                    let seconds = span.seconds + FrameTime::at_key_time(key_time, ms, timing).ms / 1000.0;
                     Moment { shown: Shown::KeyTime(key_time), seconds, turn: fraction, ..still }
                 })
                 .collect()
         } else if let Some(last_second) = source.scene.last_second() {
-            let length = (last_second - arguments.seconds).max(0.0);
+            let length = (last_second - span.seconds).max(0.0);
             fractions
-                .map(|fraction| Moment { seconds: arguments.seconds + length * fraction, turn: fraction, ..still })
+                .map(|fraction| Moment { seconds: span.seconds + length * fraction, turn: fraction, ..still })
                 .collect()
         } else {
             (0..count).map(|place| Moment { turn: f64::from(place) / f64::from(count), ..still }).collect()
@@ -189,6 +204,7 @@ impl Moments {
     }
 
     /// When a picture disappears, in milliseconds.
+    #[must_use]
     pub fn end_ms(&self, place: usize) -> f64 {
         self.all.get(place + 1).map_or(self.end_ms, |next| next.start_ms)
     }
@@ -197,8 +213,9 @@ impl Moments {
     ///
     /// # Errors
     /// Wrong usage: more pictures than a film can count.
-    pub fn plan(&self, size: Size, frames_per_second: u32, is_opaque: bool) -> Result<Plan, CliError> {
-        let frames = u32::try_from(self.all.len()).map_err(|_| misuse("a film has fewer than 2^32 frames"))?;
+    pub fn plan(&self, size: Size, frames_per_second: u32, is_opaque: bool) -> Result<Plan, ExportError> {
+        let frames =
+            u32::try_from(self.all.len()).map_err(|_| ExportError::misuse("a film has fewer than 2^32 frames"))?;
         Ok(Plan { width: size.width, height: size.height, frames, frames_per_second, is_opaque })
     }
 }

@@ -26,6 +26,7 @@ impl FrameTime {
 ///
 /// What is short of the end is decided exactly; each time is rounded once.
 #[expect(clippy::range_plus_one, reason = "a range with its end included does not know its length")]
+#[must_use]
 pub fn frame_times(
     fps: u32,
     ms_between_keyframes: u32,

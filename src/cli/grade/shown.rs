@@ -1,0 +1,120 @@
+//! What a student's own program showed, thinned out for pictures: so many poses evenly over its samples, and the farthest from right.
+
+use std::collections::BTreeMap;
+
+use glam::Quat;
+
+use super::rubric::Rubric;
+use crate::diagnosis::{Row, Samples};
+use crate::difference::distances;
+use crate::interpolation::Interpolation;
+use crate::keyframe::PlayRange;
+use crate::pose::{Pose, RbtIndex};
+use crate::rbt::Rbt;
+
+/// The frames of an animated picture.
+pub const FRAMES: usize = 16;
+/// How many moments are shown beside the reference.
+const MOMENTS: usize = 2;
+/// What is no number is as far off as this many tolerances.
+const NO_NUMBER: f64 = 1e6;
+
+/// A pose that was shown; perhaps with what is no number, and with rotations that are not of unit length.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ShownPose {
+    /// The key time at which it was shown.
+    pub key_time: f64,
+    /// The pose; a node without a sample is where it should be.
+    pub pose: Pose,
+    /// What should have been shown.
+    pub right: Pose,
+}
+
+/// What is kept of samples.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ShownPoses {
+    /// At most [`FRAMES`], in order of time.
+    pub frames: Vec<ShownPose>,
+    /// The moments at which it is farthest off; none where all is right.
+    pub moments: Vec<ShownPose>,
+}
+
+/// Thins samples out.
+pub fn thinned(samples: &Samples, interpolation: Interpolation, rubric: &Rubric) -> Option<ShownPoses> {
+    let range = PlayRange::new(&rubric.reference).ok()?;
+    // Key times are finite and not negative: their bits are in their order.
+    let mut by_time: BTreeMap<u64, Vec<&Row>> = BTreeMap::new();
+    for row in &samples.rows {
+        by_time.entry(row.key_time.to_bits()).or_default().push(row);
+    }
+    let times: Vec<(f64, Vec<&Row>)> = by_time.into_iter().map(|(bits, rows)| (f64::from_bits(bits), rows)).collect();
+    let right_at = |key_time: f64| {
+        let last = range.last_key_time() as f64;
+        range.pose_at(key_time.clamp(0.0, last), interpolation).ok()
+    };
+    let tolerances = rubric.tolerances;
+    let off: Option<Vec<f64>> = times
+        .iter()
+        .map(|(key_time, rows)| {
+            let right = right_at(*key_time)?;
+            let off = |row: &&Row| {
+                let shown = rbt(row);
+                let (translation, degrees) = distances(shown, right.get(RbtIndex::new(row.node)));
+                // A rotation that is not of unit length makes its part smaller or larger.
+                let length = f64::from((shown.rotation.length() - 1.0).abs());
+                let off = (translation + length) / tolerances.translation.max(1e-9)
+                    + degrees / tolerances.rotation_degrees.max(1e-9);
+                if off.is_finite() { off.min(NO_NUMBER) } else { NO_NUMBER }
+            };
+            Some(rows.iter().map(off).sum())
+        })
+        .collect();
+    let shown = |place: usize| {
+        let (key_time, rows) = &times[place];
+        let right = right_at(*key_time)?;
+        let mut pose = right.clone();
+        for row in rows {
+            pose.set(RbtIndex::new(row.node), rbt(row));
+        }
+        Some(ShownPose { key_time: *key_time, pose, right })
+    };
+    let count = times.len().min(FRAMES);
+    let frames = (0..count).filter_map(|frame| shown(frame * (times.len() - 1) / (count - 1).max(1))).collect();
+    let moments = farthest(&off?).into_iter().filter_map(shown).collect();
+    Some(ShownPoses { frames, moments })
+}
+
+fn rbt(row: &Row) -> Rbt {
+    let [w, x, y, z] = row.rotation_wxyz.map(|part| part as f32);
+    Rbt { translation: row.translation.as_vec3(), rotation: Quat::from_xyzw(x, y, z, w) }
+}
+
+/// The frames that are farthest off, in order of time: the worst, and the worst of those well away from it; none where all are right.
+pub fn farthest(off_by_frame: &[f64]) -> Vec<usize> {
+    let apart = (off_by_frame.len() / 10).max(1);
+    let mut found: Vec<usize> = Vec::new();
+    while found.len() < MOMENTS {
+        let is_free =
+            |place: &usize| found.iter().all(|other| place.abs_diff(*other) >= apart) && off_by_frame[*place] > 1.0;
+        let farthest =
+            (0..off_by_frame.len()).filter(is_free).max_by(|a, b| off_by_frame[*a].total_cmp(&off_by_frame[*b]));
+        let Some(place) = farthest else { break };
+        found.push(place);
+    }
+    found.sort_unstable();
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::farthest;
+
+    #[test]
+    fn moments_are_apart_and_only_where_something_is_off() {
+        assert_eq!(farthest(&[0.0; 20]), [0; 0]);
+        let mut off = [0.5; 40];
+        off[10..13].copy_from_slice(&[5.0, 9.0, 8.0]);
+        off[30] = 2.0;
+        assert_eq!(farthest(&off), [11, 30]);
+    }
+}

@@ -1,0 +1,89 @@
+//! Frames to pictures, with no window.
+
+use glam::Vec2;
+
+use super::ExportError;
+use crate::frame::Frame;
+use crate::render::{Background, Gpu, GpuError, Image, Offscreen, Renderer, default_samples};
+
+/// Width and height of a picture in pixels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Size {
+    /// Width, at least 1.
+    pub width: u32,
+    /// Height, at least 1.
+    pub height: u32,
+}
+
+impl std::fmt::Display for Size {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(formatter, "{}x{}", self.width, self.height)
+    }
+}
+
+/// A renderer with its target.
+pub struct Painter {
+    size: Size,
+    samples: u32,
+    gpu: Gpu,
+    renderer: Renderer,
+    offscreen: Offscreen,
+}
+
+impl Painter {
+    /// A painter of pictures of a size on an adapter; with as many samples a pixel as suit it, unless told.
+    ///
+    /// # Errors
+    /// [`GpuError::Size`] where the adapter cannot draw pictures so large.
+    pub fn on(gpu: Gpu, size: Size, samples: Option<u32>) -> Result<Self, GpuError> {
+        let offscreen = Offscreen::new(&gpu, size.width, size.height)?;
+        let samples = samples.unwrap_or_else(|| default_samples(gpu.is_software));
+        Ok(Self { size, samples, renderer: Renderer::new(&gpu, Offscreen::FORMAT, samples), offscreen, gpu })
+    }
+
+    /// The pictures' width and height in pixels.
+    #[must_use]
+    #[expect(clippy::cast_precision_loss, reason = "sides are far below 2^24")]
+    pub fn size_px(&self) -> Vec2 {
+        Vec2::new(self.size.width as f32, self.size.height as f32)
+    }
+
+    /// Draws a frame.
+    ///
+    /// # Errors
+    /// [`GpuError`]
+    pub fn image(&mut self, frame: &Frame) -> Result<Image, GpuError> {
+        self.offscreen.render(&self.gpu, &mut self.renderer, frame)
+    }
+
+    /// Draws a frame and encodes it: 8 bits a channel, not interlaced.
+    ///
+    /// # Errors
+    /// [`ExportError`]
+    pub fn png(&mut self, frame: &Frame) -> Result<Vec<u8>, ExportError> {
+        Ok(self.image(frame)?.to_png()?)
+    }
+
+    /// What is behind everything from now on.
+    pub fn set_background(&mut self, background: Background) {
+        self.renderer.set_background(background);
+    }
+
+    /// The pictures' width and height in pixels.
+    #[must_use]
+    pub const fn size(&self) -> Size {
+        self.size
+    }
+
+    /// The GPU adapter, for naming it and for pictures of other kinds.
+    #[must_use]
+    pub const fn gpu(&self) -> &Gpu {
+        &self.gpu
+    }
+
+    /// Samples a pixel.
+    #[must_use]
+    pub const fn samples(&self) -> u32 {
+        self.samples
+    }
+}

@@ -1,0 +1,68 @@
+//! Two threads: one draws, the other takes what is drawn, in its order.
+
+use std::sync::mpsc;
+use std::thread;
+
+use super::{ExportError, Moments, Painter, Stage};
+use crate::render::Image;
+
+/// Pictures that wait at most: enough for one thread not to stop for a slow picture of the other.
+const WAITING: usize = 4;
+
+/// Is told how many frames are drawn and of how many, before each and after the last; says whether to go on.
+pub type Watch<'a> = dyn FnMut(usize, usize) -> bool + 'a;
+
+/// What is drawn, with what, and under whose eyes.
+pub struct Drawing<'a> {
+    /// What there is to see.
+    pub stage: &'a Stage<'a>,
+    /// When.
+    pub moments: &'a Moments,
+    /// Who draws it.
+    pub painter: &'a mut Painter,
+    /// Who may end it.
+    pub watch: &'a mut Watch<'a>,
+}
+
+impl Drawing<'_> {
+    /// Draws every moment and gives the pictures to `take` in their order, on another thread than the drawing. Ends at the first error.
+    ///
+    /// # Errors
+    /// [`ExportError`] of the drawing, of `take`, or [`ExportError::Cancelled`].
+    pub fn draw(
+        &mut self,
+        mut take: impl FnMut(usize, Image) -> Result<(), ExportError> + Send,
+    ) -> Result<(), ExportError> {
+        let Self { stage, moments, painter, watch } = self;
+        let count = moments.all.len();
+        let mut goes_on = |done: usize| if watch(done, count) { Ok(()) } else { Err(ExportError::Cancelled) };
+        thread::scope(|scope| {
+            let (sender, receiver) = mpsc::sync_channel::<Image>(WAITING);
+            let taker =
+                scope.spawn(move || receiver.into_iter().enumerate().try_for_each(|(place, image)| take(place, image)));
+            let drawn = moments.all.iter().enumerate().try_for_each(|(place, moment)| -> Result<(), Stop> {
+                goes_on(place)?;
+                let image = painter.image(&stage.frame(moment)?)?;
+                // Where the other side is gone it has an error to tell.
+                sender.send(image).map_err(|_| Stop(None))
+            });
+            drop(sender);
+            let taken = taker.join().expect("taking pictures does not panic");
+            match drawn {
+                Err(Stop(Some(error))) => Err(error),
+                _ => taken,
+            }
+        })?;
+        // Taking what waited took its time.
+        goes_on(count)
+    }
+}
+
+/// Why drawing stopped: an error of its own, or one that the other side tells.
+struct Stop(Option<ExportError>);
+
+impl<E: Into<ExportError>> From<E> for Stop {
+    fn from(error: E) -> Self {
+        Self(Some(error.into()))
+    }
+}

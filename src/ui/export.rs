@@ -1,0 +1,341 @@
+//! The question what film to make, and how far the film is that is being made.
+
+use std::path::{Path, PathBuf};
+
+use egui::{
+    Align, Align2, Area, Button, ComboBox, DragValue, Frame, Grid, Id, Label, Layout, Margin, Order, ProgressBar,
+    Response, RichText, Role, TextEdit, Ui, WidgetInfo, vec2,
+};
+
+use super::Shown;
+use super::dialogs::primary;
+use super::icons::was_pressed;
+use super::theme::{CORNER, GRID, ROW, Tokens};
+use super::words::Words;
+use crate::editor::{Command, Editor, ExportBackground, ExportFormat, ExportOptions, FileCommand};
+use crate::keyframe::{PlayRange, to_f64};
+
+/// Width of the dialog, in points.
+const WIDTH: f32 = 460.0;
+/// Width of the labels before the fields, in points.
+const LABELS: f32 = 108.0;
+/// Width of what shows how far an export is, in points.
+const PROGRESS: f32 = 260.0;
+/// The sizes that are proposed, in pixels.
+const SIZES: [[u32; 2]; 4] = [[320, 240], [640, 480], [1280, 720], [1920, 1080]];
+/// The colour behind everything that is proposed.
+const COLOUR: [u8; 3] = [0xff, 0xff, 0xff];
+
+/// The dialog.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ExportDialog {
+    /// What was exported last, and of which keyframe file.
+    last: Option<(PathBuf, ExportOptions)>,
+    options: Option<ExportOptions>,
+    /// The path as it is typed.
+    typed: String,
+    has_begun: bool,
+}
+
+/// The export that is under way.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Exporting {
+    /// Where it goes.
+    pub path: PathBuf,
+    /// Frames that are drawn.
+    pub done: usize,
+    /// Frames in all; 0 where that is not known yet.
+    pub count: usize,
+    /// Whether it was told to end.
+    pub is_ending: bool,
+}
+
+impl ExportDialog {
+    /// A dialog that proposes what was chosen last.
+    pub fn new(last: Option<(PathBuf, ExportOptions)>) -> Self {
+        Self { last, ..Self::default() }
+    }
+
+    /// Puts a path in that the system's dialog was answered with.
+    pub fn choose(&mut self, path: &Path) {
+        self.typed = path.to_string_lossy().into_owned();
+    }
+
+    /// Shows it. Says whether it is over.
+    pub fn show(&mut self, ui: &mut Ui, shown: Shown<'_>, is_busy: bool, commands: &mut Vec<Command>) -> bool {
+        let words = Words::of(ui);
+        let tokens = Tokens::of(ui);
+        let Self { last, options, typed, has_begun } = self;
+        let options = options.get_or_insert_with(|| proposed(last.take(), shown.editor.path()));
+        if typed.is_empty() && !*has_begun {
+            *typed = options.path.to_string_lossy().into_owned();
+        }
+        ui.set_width(WIDTH);
+        ui.heading(words.say("Export a film"));
+        ui.add_space(2.0 * GRID);
+        Grid::new("export").num_columns(2).min_col_width(LABELS).spacing(vec2(2.0 * GRID, 1.5 * GRID)).show(ui, |ui| {
+            row(ui, words.say("Format"), |ui| format(ui, options, typed, words));
+            let is_folder = options.format == ExportFormat::Frames;
+            let label = if is_folder { words.say("Folder") } else { words.say("File") };
+            row(ui, label, |ui| {
+                let browse = Button::new(words.say("Browse…"));
+                ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                    if was_pressed(&ui.add(browse)) {
+                        let proposed = PathBuf::from(typed.trim());
+                        commands.push(Command::File(FileCommand::ChooseExport { proposed, is_folder }));
+                    }
+                    let field = ui.add(TextEdit::singleline(typed).desired_width(f32::INFINITY));
+                    named(&field, Role::TextInput, words.say("Path"));
+                    if !std::mem::replace(has_begun, true) {
+                        field.request_focus();
+                    }
+                });
+            });
+            row(ui, words.say("Size"), |ui| size(ui, options, words));
+            row(ui, words.say("Frames a second"), |ui| {
+                let most = if options.format == ExportFormat::Gif { 50 } else { ExportOptions::MOST_FPS };
+                number(ui, &mut options.fps, 1..=most, words.say("Frames a second"));
+            });
+            row(ui, words.say("Key times"), |ui| range(ui, options, shown.editor, words));
+            row(ui, words.say("Camera"), |ui| camera(ui, options, shown.editor, words));
+            row(ui, words.say("Ghosts"), |ui| {
+                let hint = words.say("Neighbouring keyframes on each side, translucent");
+                number(ui, &mut options.ghosts, 0..=ExportOptions::MOST_GHOSTS, words.say("Ghosts"))
+                    .on_hover_text(hint);
+            });
+            row(ui, words.say("Background"), |ui| background(ui, options, words));
+            row(ui, words.say("Samples a pixel"), |ui| samples(ui, options, words));
+        });
+        ui.add_space(2.0 * GRID);
+        let problem = problem(options, shown.editor, is_busy, words);
+        let said = problem.clone().unwrap_or_else(|| summary(options, shown.editor, words));
+        let colour = if problem.is_some() { tokens.error } else { tokens.dim };
+        // There is always room for the sentence, so that nothing jumps.
+        ui.allocate_ui_with_layout(vec2(WIDTH, 2.0 * ROW), Layout::left_to_right(Align::Center), |ui| {
+            ui.set_min_height(2.0 * ROW);
+            ui.add(Label::new(RichText::new(said).small().color(colour)).wrap());
+        });
+        let (mut is_confirmed, mut is_cancelled) = (false, false);
+        let can = problem.is_none() && !typed.trim().is_empty();
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            is_confirmed = ui.add_enabled(can, primary(ui, words.say("Export"))).clicked();
+            is_cancelled = ui.button(words.say("Cancel")).clicked();
+        });
+        if is_confirmed {
+            options.path = options.format.path(Path::new(typed.trim()));
+            commands.push(Command::File(FileCommand::Export(Box::new(options.clone()))));
+        }
+        is_confirmed || is_cancelled
+    }
+}
+
+/// What was chosen last, beside the keyframe file that is at hand now.
+fn proposed(last: Option<(PathBuf, ExportOptions)>, keyframe_file: &Path) -> ExportOptions {
+    let beside = ExportOptions::beside(keyframe_file);
+    match last {
+        Some((of, options)) if of == keyframe_file => options,
+        Some((_, options)) => ExportOptions { path: options.format.path(&beside.path), range: None, ..options },
+        None => beside,
+    }
+}
+
+/// A label and its fields.
+fn row(ui: &mut Ui, label: &str, fields: impl FnOnce(&mut Ui)) {
+    ui.label(RichText::new(label).color(Tokens::of(ui).dim));
+    ui.horizontal(|ui| {
+        ui.set_min_width(WIDTH - LABELS - 2.0 * GRID);
+        fields(ui);
+    });
+    ui.end_row();
+}
+
+fn named(response: &Response, role: Role, name: &str) {
+    response.widget_info(|| WidgetInfo::labeled(role, true, name));
+}
+
+fn number<N: egui::emath::Numeric>(
+    ui: &mut Ui,
+    value: &mut N,
+    range: std::ops::RangeInclusive<N>,
+    name: &str,
+) -> Response {
+    let response = ui.add_sized(vec2(72.0, ROW), DragValue::new(value).range(range).speed(0.25));
+    named(&response, Role::SpinButton, name);
+    response
+}
+
+fn choose<T: PartialEq + Copy>(ui: &mut Ui, name: &str, value: &mut T, all: &[(T, &str)]) -> bool {
+    let shown = all.iter().find(|(one, _)| one == value).map_or("", |(_, label)| label);
+    let before = *value;
+    let response = ComboBox::from_id_salt(("export", name))
+        .selected_text(shown)
+        .width(200.0)
+        .show_ui(ui, |ui| {
+            for (one, label) in all {
+                ui.selectable_value(value, *one, *label);
+            }
+        })
+        .response;
+    named(&response, Role::ComboBox, name);
+    *value != before
+}
+
+fn format(ui: &mut Ui, options: &mut ExportOptions, typed: &mut String, words: Words) {
+    let label = |format: ExportFormat| match format {
+        ExportFormat::Frames => words.say("PNG frames in a folder"),
+        ExportFormat::Gif => "GIF",
+        ExportFormat::Apng => "APNG",
+        ExportFormat::Y4m => "Y4M",
+        ExportFormat::Mp4 => words.say("MP4 (through ffmpeg)"),
+    };
+    let before = options.format;
+    let all = ExportFormat::ALL.map(|format| (format, label(format)));
+    if choose(ui, words.say("Format"), &mut options.format, &all) {
+        *typed = options.format.path(Path::new(typed.trim())).to_string_lossy().into_owned();
+        if options.fps == before.usual_frames_per_second() {
+            options.fps = options.format.usual_frames_per_second();
+        }
+    }
+}
+
+fn size(ui: &mut Ui, options: &mut ExportOptions, words: Words) {
+    let [width, height] = &mut options.size;
+    number(ui, width, 1..=ExportOptions::LONGEST_SIDE, words.say("Width"));
+    ui.label("×");
+    number(ui, height, 1..=ExportOptions::LONGEST_SIDE, words.say("Height"));
+    let labels = SIZES.map(|[width, height]| format!("{width}×{height}"));
+    let response = ComboBox::from_id_salt("sizes").selected_text(words.say("Sizes")).width(96.0).show_ui(ui, |ui| {
+        for (size, label) in SIZES.iter().zip(&labels) {
+            ui.selectable_value(&mut options.size, *size, label);
+        }
+    });
+    named(&response.response, Role::ComboBox, words.say("Sizes"));
+}
+
+fn range(ui: &mut Ui, options: &mut ExportOptions, editor: &Editor, words: Words) {
+    let last = PlayRange::new(&editor.document().keyframes).ok().map(|range| range.last_key_time() as f64);
+    let Some(last) = last else {
+        options.range = None;
+        ui.label("–");
+        return;
+    };
+    let mut is_whole = options.range.is_none();
+    if ui.checkbox(&mut is_whole, words.say("All that plays")).changed() {
+        options.range = (!is_whole).then_some([0.0, last]);
+    }
+    if let Some([from, to]) = &mut options.range {
+        *to = to.clamp(0.0, last);
+        *from = from.clamp(0.0, *to);
+        ui.label(words.say("from"));
+        number(ui, from, 0.0..=*to, words.say("from"));
+        ui.label(words.say("to"));
+        number(ui, to, *from..=last, words.say("to"));
+    }
+}
+
+fn camera(ui: &mut Ui, options: &mut ExportOptions, editor: &Editor, words: Words) {
+    let scene = editor.scene();
+    let eyes = scene.eyes().iter().map(|&eye| (Some(scene.rbt_path(eye)), scene.rbt_path(eye)));
+    let all: Vec<(Option<&str>, &str)> = eyes.chain([(Some("turntable"), words.say("Turntable"))]).collect();
+    let known = all.iter().map(|(path, _)| *path).find(|path| *path == options.camera.as_deref());
+    // At first as one looks now.
+    let mut chosen = known.unwrap_or(all[editor.session().eye].0);
+    if choose(ui, words.say("Camera"), &mut chosen, &all) || known.is_none() {
+        options.camera = chosen.map(str::to_owned);
+    }
+}
+
+fn background(ui: &mut Ui, options: &mut ExportOptions, words: Words) {
+    let mut colour = match options.background {
+        ExportBackground::Colour(colour) => colour,
+        _ => COLOUR,
+    };
+    let all = [
+        (ExportBackground::Sky, words.say("Sky")),
+        (ExportBackground::Colour(colour), words.say("Colour")),
+        (ExportBackground::Transparent, words.say("Transparent")),
+    ];
+    choose(ui, words.say("Background"), &mut options.background, &all);
+    if matches!(options.background, ExportBackground::Colour(_)) && ui.color_edit_button_srgb(&mut colour).changed() {
+        options.background = ExportBackground::Colour(colour);
+    }
+}
+
+fn samples(ui: &mut Ui, options: &mut ExportOptions, words: Words) {
+    let all = [(None, words.say("As suits the graphics adapter")), (Some(1), "1"), (Some(4), "4")];
+    choose(ui, words.say("Samples a pixel"), &mut options.samples, &all);
+}
+
+/// Why there can be no such film; a sentence.
+fn problem(options: &ExportOptions, editor: &Editor, is_busy: bool, words: Words) -> Option<String> {
+    if is_busy {
+        return Some(words.say("An export is under way: this one can begin when it is done.").to_owned());
+    }
+    let keyframes = &editor.document().keyframes;
+    if keyframes.is_empty() {
+        let is_moving = editor.scene().last_second().is_some() || options.camera.as_deref() == Some("turntable");
+        let sentence = words.say("Nothing moves: make 4 keyframes, or let the turntable go around.");
+        return (!is_moving).then(|| sentence.to_owned());
+    }
+    if PlayRange::new(keyframes).is_err() {
+        return Some(words.say("Fewer than 4 keyframes: nothing to play yet. Press n to add one.").to_owned());
+    }
+    let is_seen_through = options.background == ExportBackground::Transparent;
+    let problem = options.format.problem(options.size, Some(options.fps), is_seen_through)?;
+    let said = words.say(problem);
+    let mut letters = said.chars();
+    letters.next().map(|first| format!("{}{}.", first.to_uppercase(), letters.as_str().trim_end_matches('.')))
+}
+
+/// How much film it is.
+fn summary(options: &ExportOptions, editor: &Editor, words: Words) -> String {
+    let document = editor.document();
+    let Ok(played) = PlayRange::new(&document.keyframes) else { return String::new() };
+    let whole = [0.0, played.last_key_time() as f64];
+    let [from, to] = options.range.unwrap_or(whole).map(|key_time| to_f64(&played.timing().elapsed_at(key_time)));
+    let seconds = (to - from).max(0.0) * f64::from(document.ms_between_keyframes) / 1000.0;
+    let frames = (seconds * f64::from(options.fps) - 1e-6).ceil().max(0.0) + 1.0;
+    words.fill("{} frames, {} seconds", &[&frames.to_string(), &format!("{seconds:.2}")])
+}
+
+/// Shows how far an export is, at the top right of the 3D view, with a button that ends it.
+pub fn show_progress(ui: &Ui, viewport: egui::Rect, exporting: &Exporting, commands: &mut Vec<Command>) {
+    let words = Words::of(ui);
+    let tokens = Tokens::of(ui);
+    Area::new(Id::unique("exporting"))
+        .order(Order::Middle)
+        .pivot(Align2::RIGHT_TOP)
+        .fixed_pos(viewport.right_top() + vec2(-2.0 * GRID, 2.0 * GRID))
+        .fade_in(false)
+        .show(ui.ctx(), |ui| {
+            let frame = Frame::new()
+                .fill(tokens.panel)
+                .stroke(egui::Stroke::new(1.0, tokens.line))
+                .corner_radius(CORNER)
+                .inner_margin(Margin::symmetric(12, 8));
+            frame.show(ui, |ui| {
+                ui.set_width(PROGRESS);
+                let name = exporting.path.file_name().unwrap_or(exporting.path.as_os_str()).to_string_lossy();
+                let text = RichText::new(words.fill("Exporting {}", &[&name]));
+                ui.add(Label::new(text).truncate()).on_hover_text(exporting.path.display().to_string());
+                let share = exporting.done as f32 / exporting.count.max(1) as f32;
+                let bar = ProgressBar::new(share).desired_height(6.0).corner_radius(3).fill(tokens.accent);
+                ui.add(bar);
+                ui.horizontal(|ui| {
+                    let (done, count) = (exporting.done.to_string(), exporting.count.to_string());
+                    let text = match (exporting.is_ending, exporting.count) {
+                        (true, _) => words.say("Ending…").to_owned(),
+                        (false, 0) => words.say("Beginning…").to_owned(),
+                        (false, _) => words.fill("frame {} of {}", &[&done, &count]),
+                    };
+                    ui.label(RichText::new(text).small().color(tokens.dim));
+                    ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                        let cancel = ui.add_enabled(!exporting.is_ending, Button::new(words.say("Cancel export")));
+                        if was_pressed(&cancel) {
+                            commands.push(Command::File(FileCommand::CancelExport));
+                        }
+                    });
+                });
+            });
+        });
+}

@@ -1,0 +1,89 @@
+//! The export that is under way: on a thread and a device of its own, so that the window goes on meanwhile.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread::{self, JoinHandle};
+
+use super::Happening;
+use super::shell::Shell;
+use crate::editor::{ExportEnd, ExportOptions, Severity};
+use crate::export::Job;
+use crate::ui::Exporting;
+
+/// How often the window hears of progress, at most.
+const MOST_NEWS: usize = 200;
+
+/// An export that is under way.
+#[derive(Debug)]
+pub struct Export {
+    thread: JoinHandle<()>,
+    is_ending: Arc<AtomicBool>,
+    path: PathBuf,
+}
+
+impl Export {
+    /// Ends it, and waits until nothing of it is left half done.
+    pub fn end(self) {
+        self.is_ending.store(true, Ordering::Relaxed);
+        // A thread that panicked has ended as well.
+        let _ = self.thread.join();
+    }
+}
+
+impl Shell {
+    /// Begins an export of the document as it is now.
+    pub(super) fn export(&mut self, options: ExportOptions) {
+        if self.export.is_some() {
+            let text = "An export is under way: this one can begin when it is done.".to_owned();
+            self.editor.say_of(Severity::Error, text);
+            return;
+        }
+        let job = Job::new(&self.editor, options);
+        let path = job.path().to_owned();
+        let is_ending = Arc::new(AtomicBool::new(false));
+        let (asked, proxy) = (Arc::clone(&is_ending), self.proxy.clone());
+        let thread = thread::spawn(move || {
+            let mut news = None;
+            let mut watch = |done: usize, count: usize| {
+                let now = done * MOST_NEWS / count.max(1);
+                if news.replace(now) != Some(now) {
+                    // Without a window nobody wants to know.
+                    let _ = proxy.send_event(Happening::ExportAt { done, count });
+                }
+                !asked.load(Ordering::Relaxed)
+            };
+            let end = catch_unwind(AssertUnwindSafe(|| job.run(&mut watch)))
+                .unwrap_or_else(|_| ExportEnd::Failed("the program failed on it; please report it".to_owned()));
+            let _ = proxy.send_event(Happening::ExportEnded(end));
+        });
+        self.export = Some(Export { thread, is_ending, path });
+        self.export_at(0, 0);
+    }
+
+    /// So many frames of so many are drawn.
+    pub(super) fn export_at(&mut self, done: usize, count: usize) {
+        self.ui.exporting = self.export.as_ref().map(|export| Exporting {
+            path: export.path.clone(),
+            done,
+            count,
+            is_ending: export.is_ending.load(Ordering::Relaxed),
+        });
+    }
+
+    pub(super) fn cancel_export(&mut self) {
+        if let (Some(export), Some(shown)) = (&self.export, &mut self.ui.exporting) {
+            export.is_ending.store(true, Ordering::Relaxed);
+            shown.is_ending = true;
+        }
+    }
+
+    pub(super) fn export_ended(&mut self, end: ExportEnd) {
+        if let Some(export) = self.export.take() {
+            self.editor.exported(&export.path, end);
+            export.end();
+        }
+        self.ui.exporting = None;
+    }
+}
