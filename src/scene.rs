@@ -17,7 +17,7 @@ pub use builder::SceneBuilder;
 pub use built_in::{DEFAULT_SCENE, built_in_scene, built_in_scene_names};
 pub use file::{SceneError, scene_from_json};
 pub use graph::{Node, NodeId, NodeKind, SceneGraph};
-pub use keys::{Channel, KeyValue};
+pub use keys::{Channel, KeyValue, moved_seconds};
 pub use pick::{Pick, Ray};
 pub use shape::{Colour, MeshKind, PlacedShape, Placement, Shape};
 pub use write::scene_to_json;

@@ -166,18 +166,15 @@ impl<V: Copy> Keyframes<V> {
         Self::with_interpolation(left, self.interpolate).ok()
     }
 
-    /// The keys, those at `times` moved by so many seconds; a key that one of them comes to stand on gives way to it.
+    /// The keys, those at `times` moved to where `moved` says; a key that one of them comes to stand on gives way to it.
     ///
     /// # Errors
-    /// [`KeyError::TimeNotFinite`]; [`KeyError::TwoAtOneTime`] where two that move are rounded to one time.
-    pub fn moved(&self, times: &[f64], by: f64) -> Result<Self, KeyError> {
-        let moved: Vec<(f64, V)> =
-            self.keys().filter(|(key, _)| times.contains(key)).map(|(key, value)| (key + by + 0.0, value)).collect();
-        let stays = |key: f64| !times.contains(&key) && moved.iter().all(|&(to, _)| to != key);
-        Self::with_interpolation(
-            self.keys().filter(|&(key, _)| stays(key)).chain(moved.iter().copied()),
-            self.interpolate,
-        )
+    /// [`KeyError::TimeNotFinite`]; [`KeyError::TwoAtOneTime`] where two come to stand on one time.
+    pub fn moved(&self, times: &[f64], moved: impl Fn(f64) -> f64) -> Result<Self, KeyError> {
+        let (moving, staying): (Vec<_>, Vec<_>) = self.keys().partition(|(key, _)| times.contains(key));
+        let moving: Vec<(f64, V)> = moving.into_iter().map(|(key, value)| (moved(key), value)).collect();
+        let staying = staying.into_iter().filter(|(key, _)| moving.iter().all(|(to, _)| to != key));
+        Self::with_interpolation(staying.chain(moving.iter().copied()), self.interpolate)
     }
 
     /// How many keys there are; at least one.
@@ -294,9 +291,13 @@ mod tests {
         assert_eq!(pairs(&keys.with_key(1.5, 9.0).unwrap()), [(0.0, 1.0), (1.0, 2.0), (1.5, 9.0), (2.0, 3.0)]);
         assert_eq!(pairs(&keys.with_key(1.0, 9.0).unwrap()), [(0.0, 1.0), (1.0, 9.0), (2.0, 3.0)]);
         assert!(keys.with_key(f64::NAN, 9.0).is_err());
-        assert_eq!(pairs(&keys.moved(&[0.0, 1.0], 1.0).unwrap()), [(1.0, 1.0), (2.0, 2.0)], "the last gave way");
-        assert_eq!(pairs(&keys.moved(&[0.0], 5.0).unwrap()), [(1.0, 2.0), (2.0, 3.0), (5.0, 1.0)]);
-        assert_eq!(keys.moved(&[0.0, 1.0], 1e300), Err(KeyError::TwoAtOneTime { seconds: 1e300 }));
+        assert_eq!(
+            pairs(&keys.moved(&[0.0, 1.0], |at| at + 1.0).unwrap()),
+            [(1.0, 1.0), (2.0, 2.0)],
+            "the last gave way"
+        );
+        assert_eq!(pairs(&keys.moved(&[0.0], |at| at + 5.0).unwrap()), [(1.0, 2.0), (2.0, 3.0), (5.0, 1.0)]);
+        assert_eq!(keys.moved(&[0.0, 1.0], |at| at + 1e300), Err(KeyError::TwoAtOneTime { seconds: 1e300 }));
         assert_eq!(pairs(&keys.without(&[0.0, 7.0]).unwrap()), [(1.0, 2.0), (2.0, 3.0)]);
         assert!(keys.without(&[0.0, 1.0, 2.0]).is_none());
         assert_eq!((keys.key_at(1.0), keys.key_at(1.25)), (Some(2.0), None));

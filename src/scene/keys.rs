@@ -101,7 +101,7 @@ impl Change<'_> {
         let Some(keys) = keys else { return Ok(None) };
         match *self {
             Self::Without(times) => Ok(keys.without(times)),
-            Self::Moved(times, by) => keys.moved(times, by).map(Some),
+            Self::Moved(times, by) => keys.moved(times, |seconds| moved_seconds(seconds, by)).map(Some),
         }
     }
 }
@@ -231,6 +231,13 @@ impl SceneGraph {
         };
         SceneError::Misplaced { path, field: channel.field(), reason }
     }
+}
+
+/// Where a key comes to stand that is moved by so many seconds: at a whole microsecond, unless it stays where it is.
+#[must_use]
+pub fn moved_seconds(seconds: f64, by: f64) -> f64 {
+    // No zero has a sign.
+    if by == 0.0 { seconds } else { ((seconds + by) * 1e6).round() / 1e6 + 0.0 }
 }
 
 fn with<V: Interpolate>(keys: Option<&Keyframes<V>>, seconds: f64, value: V) -> Result<Keyframes<V>, KeyError> {

@@ -20,7 +20,11 @@ pub fn ask(purpose: PathPurpose, current: &Path, words: Words, proxy: EventLoopP
     let name = current.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
     thread::spawn(move || {
         let start = now();
-        let mut dialog = FileDialog::new().add_filter(words.say("Keyframe files"), &["json"]);
+        let kind = match purpose {
+            PathPurpose::Open | PathPurpose::SaveAs => words.say("Keyframe files"),
+            PathPurpose::SaveSceneAs => words.say("Scene files"),
+        };
+        let mut dialog = FileDialog::new().add_filter(kind, &["json"]);
         if purpose == PathPurpose::Open {
             dialog = dialog.add_filter(words.say("Keyframes as text"), &["txt", "csv"]);
         }
@@ -30,7 +34,7 @@ pub fn ask(purpose: PathPurpose, current: &Path, words: Words, proxy: EventLoopP
         }
         let path = match purpose {
             PathPurpose::Open => dialog.pick_file(),
-            PathPurpose::SaveAs => dialog.set_file_name(name).save_file(),
+            PathPurpose::SaveAs | PathPurpose::SaveSceneAs => dialog.set_file_name(name).save_file(),
         };
         // Where the window is gone, so is the question.
         let _ = proxy.send_event(Happening::PathChosen { purpose, path, took: start.elapsed() });

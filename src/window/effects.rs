@@ -34,6 +34,10 @@ impl Shell {
                     self.used(&path);
                 }
             }
+            Effect::WriteScene { path, text, is_known } => {
+                let outcome = write(&path, &text, is_known);
+                let _ = self.editor.scene_written(&path, outcome);
+            }
             Effect::Screenshot { path } => {
                 let path = path.unwrap_or_else(|| storage::next_screenshot_path(self.editor.path()));
                 let outcome = self.screenshot(&path);
@@ -41,6 +45,7 @@ impl Shell {
             }
             Effect::ChooseOpen => self.choose_path(PathPurpose::Open),
             Effect::ChooseSaveAs => self.choose_path(PathPurpose::SaveAs),
+            Effect::ChooseSaveSceneAs => self.choose_path(PathPurpose::SaveSceneAs),
             Effect::Quit => self.quit_or_ask(),
             Effect::Window(command) => self.window_command(&command),
         }
@@ -86,7 +91,15 @@ impl Shell {
     fn choose_path(&mut self, purpose: PathPurpose) {
         if !std::mem::replace(&mut self.is_choosing_path, true) {
             let words = Words::new(self.kept.settings.language);
-            dialog::ask(purpose, self.editor.path(), words, self.proxy.clone());
+            dialog::ask(purpose, &self.proposed(purpose), words, self.proxy.clone());
+        }
+    }
+
+    /// The path that a dialog begins with.
+    fn proposed(&self, purpose: PathPurpose) -> PathBuf {
+        match purpose {
+            PathPurpose::Open | PathPurpose::SaveAs => self.editor.path().to_owned(),
+            PathPurpose::SaveSceneAs => self.editor.proposed_scene_path(),
         }
     }
 
@@ -96,7 +109,11 @@ impl Shell {
         match (path, purpose) {
             (Some(path), PathPurpose::Open) => self.apply(Command::File(FileCommand::Open(path))),
             (Some(path), PathPurpose::SaveAs) => self.apply(Command::File(FileCommand::SaveAs(path))),
-            (None, _) if took < dialog::TOO_FAST_FOR_A_USER => self.ui.ask_for_path(purpose, self.editor.path()),
+            (Some(path), PathPurpose::SaveSceneAs) => self.apply(Command::File(FileCommand::SaveSceneAs(path))),
+            (None, _) if took < dialog::TOO_FAST_FOR_A_USER => {
+                let proposed = self.proposed(purpose);
+                self.ui.ask_for_path(purpose, &proposed);
+            }
             (None, _) => {}
         }
     }
@@ -109,19 +126,28 @@ impl Shell {
         }
     }
 
-    /// Does what the user answered to the question about unsaved work. A file that cannot be written keeps the window open.
+    /// Does what the user answered to the question about unsaved work. A file that cannot be written, or is not named yet, keeps the
+    /// window open.
     pub(super) fn quit_answered(&mut self, answer: QuitAnswer) {
+        if answer == QuitAnswer::Discard {
+            self.is_quitting = true;
+            return;
+        }
         if answer == QuitAnswer::KeepPoseAndSave {
             self.apply(Command::Edit(Edit::CreateKeyframe));
         }
-        if answer != QuitAnswer::Discard {
+        if self.editor.has_unsaved_keyframes() {
             self.apply(Command::File(FileCommand::Write));
         }
-        self.is_quitting = answer == QuitAnswer::Discard || self.editor.message().severity != Severity::Error;
+        let is_written = self.editor.message().severity != Severity::Error;
+        if is_written && self.editor.has_unsaved_scene() {
+            self.apply(Command::File(FileCommand::WriteScene));
+        }
+        self.is_quitting = is_written && !self.editor.has_unsaved_changes();
     }
 }
 
-/// Writes a keyframe file; what stood there and is not known is kept beside it.
+/// Writes a file; what stood there and is not known is kept beside it.
 fn write(path: &Path, text: &str, is_known: bool) -> Result<Option<PathBuf>, String> {
     let kept = if is_known { None } else { storage::keep_copy(path).map_err(|error| error.to_string())? };
     storage::write(path, text.as_bytes()).map_err(|error| error.to_string())?;
