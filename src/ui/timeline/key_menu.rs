@@ -212,7 +212,7 @@ fn value(ui: &mut Ui, menu: &mut Menu, editor: &Editor, id: NodeId, key: &KeyAt,
                 KeyValue::Scale(_) => number.range(1e-6..=1e6),
                 _ => number.range(-1e6..=1e6),
             };
-            let response = field(ui, 70.0, &format!("{channel} {name}"), number);
+            let response = field(ui, 70.0, &words.fill("Key: {} {}", &[channel, name]), number);
             if response.changed() && matches!(value, KeyValue::Rotation(_)) {
                 menu.angles = Some(numbers);
             }
