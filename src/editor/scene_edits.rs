@@ -197,9 +197,12 @@ fn no_channel(scene: &SceneGraph, id: NodeId, channel: Channel) -> SceneError {
     scene.without_keys(id, channel, &[]).err().unwrap_or(SceneError::NotControl { path: scene.node(id).path.clone() })
 }
 
+/// A channel's node, the channel, and the times of some of its keys.
+type TrackTimes<'a> = (NodeId, &'a Track, Vec<f64>);
+
 /// The times of some keys, those of one channel together; all of them must be there.
-fn by_track<'a>(scene: &SceneGraph, keys: &'a [KeyAt]) -> Result<Vec<(NodeId, &'a Track, Vec<f64>)>, CommandError> {
-    let mut tracks: Vec<(NodeId, &Track, Vec<f64>)> = Vec::new();
+fn by_track<'a>(scene: &SceneGraph, keys: &'a [KeyAt]) -> Result<Vec<TrackTimes<'a>>, CommandError> {
+    let mut tracks: Vec<TrackTimes<'a>> = Vec::new();
     for key in keys {
         let path = &key.track.node;
         let id = scene.find(path).ok_or_else(|| CommandError::NoSuchNode { path: path.to_string() })?;

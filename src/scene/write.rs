@@ -176,7 +176,10 @@ fn control(keys: &TransformKeyframes, depth: usize) -> String {
             text.push(',');
         }
         push_line(&mut text, depth + 1);
-        text.push_str(&format!("\"{name}\": {list}"));
+        text.push('"');
+        text.push_str(name);
+        text.push_str("\": ");
+        text.push_str(&list);
     }
     if text.len() > 1 {
         push_line(&mut text, depth);

@@ -9,6 +9,7 @@ mod graphs;
 mod hit;
 mod key_menu;
 mod key_rows;
+mod key_view;
 mod keys;
 mod labels;
 mod menu;
@@ -26,7 +27,8 @@ use crate::keyframe::{KeyframeIndex, PlayRange};
 use columns::Columns;
 use drag::Drag;
 use hit::{Hit, Layout, RADIUS, Target};
-use keys::{KeyView, Keys};
+use key_view::KeyView;
+use keys::Keys;
 use paint::Look;
 use rows::{Rows, has_key_rows};
 use scale::{MOST_POINTS, Scale, View};
@@ -95,7 +97,7 @@ impl Timeline {
         ui.advance_cursor_after_rect(whole);
         let mut columns = std::mem::take(&mut self.columns);
         columns.update(&editor.document().keyframes);
-        columns.set_keys(keys::ends(editor));
+        columns.set_keys(key_view::ends(editor));
         let layout = Layout::of(whole);
         let response = ui.interact(layout.scaled(), ui.scope_id().with("tracks"), Sense::click_and_drag());
         response.widget_info(|| WidgetInfo::labeled(Role::Group, true, "Timeline"));
@@ -280,7 +282,7 @@ impl Timeline {
 
     /// Brings the keyframes at hand into sight, with their neighbours where it is one.
     fn fit_selection(&mut self, editor: &Editor, layout: &Layout, columns: &Columns) {
-        if let Some((first, last)) = keys::ends_of_selection(editor) {
+        if let Some((first, last)) = key_view::ends_of_selection(editor) {
             self.view = Some(View::fitting(first, last.max(first + 0.1), layout.tracks.width()));
             return;
         }

@@ -211,7 +211,7 @@ impl Timeline {
                 if let Some(command) = scrubbing(target, editor, at.x, modifiers.shift) {
                     commands.push(command);
                 }
-                commands.extend(super::keys::scrubbing(target, editor, at.x));
+                commands.extend(super::key_view::scrubbing(target, editor, at.x));
             }
             Some(Drag::Range { is_start }) => {
                 if let Some(command) = ranging(target, at.x, *is_start) {

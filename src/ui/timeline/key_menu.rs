@@ -10,7 +10,8 @@ use glam::Vec3;
 
 use super::drag_of_number;
 use super::key_rows::{channel_name, put_control_above};
-use super::keys::{KeyHit, KeyView, Keys, add, pick, playhead, scene};
+use super::key_view::{KeyHit, KeyView, playhead};
+use super::keys::{Keys, add, pick, scene};
 use super::rows::Subject;
 use crate::editor::{Command, Edit, Editor, GestureCommand, KeyAt, SceneEdit, TimelineEdit, Track, ViewCommand};
 use crate::scene::{Channel, Colour, KeyValue, NodeId, NodeKind};
@@ -146,7 +147,7 @@ fn of_key(ui: &mut Ui, menu: &mut Menu, view: &KeyView<'_>, row: usize, seconds:
 }
 
 /// A field, a little sunken.
-fn field<'a>(ui: &mut Ui, width: f32, name: &str, number: DragValue<'a>) -> Response {
+fn field(ui: &mut Ui, width: f32, name: &str, number: DragValue<'_>) -> Response {
     let tokens = Tokens::of(ui);
     let inactive = &mut ui.visuals_mut().widgets.inactive;
     inactive.weak_bg_fill = tokens.window;
@@ -160,7 +161,10 @@ fn time(ui: &mut Ui, menu: &mut Menu, here: Vec<KeyAt>, seconds: f64, commands: 
     let words = Words::of(ui);
     ui.horizontal(|ui| {
         ui.add_space(2.0);
-        ui.add_sized(vec2(72.0, ROW), egui::Label::new(words.say("Time")).halign(Align::Min));
+        ui.allocate_ui_with_layout(vec2(66.0, ROW), Layout::left_to_right(Align::Center), |ui| {
+            ui.set_min_width(66.0);
+            ui.label(words.say("Time"));
+        });
         let mut typed = seconds;
         let number = DragValue::new(&mut typed).speed(0.01).max_decimals(3).suffix(" s");
         let response = field(ui, 144.0, words.say("Time of the key in seconds"), number);

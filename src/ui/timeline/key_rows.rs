@@ -3,7 +3,8 @@
 use egui::{Align2, Color32, Painter, Rect, Response, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
 
 use super::hit::SMALL_RADIUS;
-use super::keys::{KeyHit, KeyView, Keys, add, pick, playhead, scene};
+use super::key_view::{KeyHit, KeyView, playhead};
+use super::keys::{Keys, add, pick, scene};
 use super::labels::depth;
 use super::paint::{Look, label};
 use super::rows::{Row, Subject, has_key_rows};
