@@ -73,7 +73,7 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>) -> Result<(), CliErro
         Some(Subcommand::Grade(arguments)) => grade::run(&arguments, scene),
         Some(Subcommand::Verify(arguments)) => verify::run(&arguments, scene),
         Some(Subcommand::Compare(arguments)) => compare::run(&arguments),
-        Some(Subcommand::Script(arguments)) => script::run(&arguments, scene::load(scene)?),
+        Some(Subcommand::Script(arguments)) => script::run(&arguments, scene),
     }
 }
 

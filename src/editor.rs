@@ -16,6 +16,8 @@ mod manipulate;
 mod playback;
 mod playing;
 mod said;
+mod scene_edits;
+mod seconds;
 mod timeline;
 mod view;
 
@@ -33,13 +35,14 @@ pub use manipulate::{DragKind, Manipulation};
 pub use playback::PlayMode;
 pub use playing::SPEED_PERCENT_RANGE;
 pub use said::Said;
+pub use scene_edits::{KeyAt, SceneEdit, Track};
 
-use crate::clock::TICKS_PER_SECOND;
 use crate::keyframe::KeyframeIndex;
 use crate::pose::{Pose, RbtIndex};
 use crate::scene::{Ray, SceneGraph};
 use history::History;
 use playback::Playback;
+use seconds::SecondsClock;
 use timeline::Clipboard;
 
 /// How a message is meant.
@@ -92,6 +95,8 @@ pub struct Session {
     pub compares: bool,
     /// The keyframes that are selected in the timeline, in order.
     pub selected: Vec<KeyframeIndex>,
+    /// The keys at their own times that are selected there; where some are, no keyframe is.
+    pub selected_keys: Vec<KeyAt>,
     /// What happens at the end of what plays.
     pub play_mode: PlayMode,
     /// The first and the last keyframe of the list that play; `None`: all but the first and the last of the list.
@@ -108,24 +113,9 @@ pub struct Session {
     pub shows_panels: bool,
 }
 
-/// The clock of keys at their own times: ticks since the start of the program, or since it was set to zero.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-struct SecondsClock {
-    ticks: u64,
-    is_held: bool,
-}
-
-impl SecondsClock {
-    #[expect(clippy::cast_precision_loss, reason = "no program runs for 2^52 ticks")]
-    fn seconds(self) -> f64 {
-        self.ticks as f64 / f64::from(TICKS_PER_SECOND)
-    }
-}
-
 /// All state of the program but the window's.
 #[derive(Clone, Debug)]
 pub struct Editor {
-    scene: Arc<SceneGraph>,
     document: Document,
     history: History,
     session: Session,
@@ -140,14 +130,20 @@ pub struct Editor {
     /// The document as the file has it, where it was read or written; before that, the empty one.
     saved: Document,
     is_file_known: bool,
+    /// The scene's file; `None` as long as it has none.
+    scene_path: Option<PathBuf>,
+    /// The scene as its file has it, or as it was at first.
+    saved_scene: Arc<SceneGraph>,
 }
 
 impl Editor {
     /// An editor of a scene at rest, with no keyframes, whose keyframe file is `path`.
     #[must_use]
     pub fn new(scene: Arc<SceneGraph>, path: PathBuf) -> Self {
-        let document = Document::new(scene.rest_pose().clone());
+        let document = Document::new(Arc::clone(&scene));
         Self {
+            saved_scene: scene,
+            scene_path: None,
             saved: document.clone(),
             document,
             history: History::default(),
@@ -160,6 +156,7 @@ impl Editor {
                 shows_path: true,
                 compares: false,
                 selected: Vec::new(),
+                selected_keys: Vec::new(),
                 play_mode: PlayMode::default(),
                 play_range: None,
                 speed_percent: 100,
@@ -176,17 +173,22 @@ impl Editor {
             said: Said::default(),
             path,
             is_file_known: false,
-            scene,
         }
+    }
+
+    /// The same with a scene that was read from this file, which is where it is saved.
+    #[must_use]
+    pub fn with_scene_path(self, path: PathBuf) -> Self {
+        Self { scene_path: Some(path), ..self }
     }
 
     /// The scene.
     #[must_use]
     pub const fn scene(&self) -> &Arc<SceneGraph> {
-        &self.scene
+        &self.document.scene
     }
 
-    /// The document: keyframes, live pose, interpolation, ms between keyframes.
+    /// The document: scene, keyframes, live pose, interpolation, ms between keyframes.
     #[must_use]
     pub const fn document(&self) -> &Document {
         &self.document
@@ -216,18 +218,37 @@ impl Editor {
         &self.path
     }
 
-    /// Whether the keyframes, the interpolation or the ms between keyframes differ from what the file holds.
+    /// The file that the scene is saved in; `None` where it was not read from one and not saved yet.
+    #[must_use]
+    pub fn scene_path(&self) -> Option<&Path> {
+        self.scene_path.as_deref()
+    }
+
+    /// Whether a file, that of the keyframes or that of the scene, does not hold all that it should.
     #[must_use]
     pub fn has_unsaved_changes(&self) -> bool {
+        self.has_unsaved_keyframes() || self.has_unsaved_scene()
+    }
+
+    /// Whether the keyframes, the interpolation or the ms between keyframes differ from what the file holds.
+    #[must_use]
+    pub fn has_unsaved_keyframes(&self) -> bool {
         !self.document.same_file_as(&self.saved)
+    }
+
+    /// Whether control nodes or keys at their own times differ from what the scene's file holds.
+    #[must_use]
+    pub fn has_unsaved_scene(&self) -> bool {
+        !Arc::ptr_eq(&self.document.scene, &self.saved_scene) && self.document.scene != self.saved_scene
     }
 
     /// Whether the robots stand in a pose that no keyframe holds; the eyes' own places do not count.
     #[must_use]
     pub fn has_unsaved_posing(&self) -> bool {
-        let kept = self.document.keyframes.current_keyframe().map_or(self.scene.rest_pose(), |keyframe| &keyframe.pose);
-        let sky = self.scene.eyes()[0];
-        self.scene.rbt_indices().any(|rbt| rbt != sky && kept.get(rbt) != self.document.live_pose.get(rbt))
+        let kept =
+            self.document.keyframes.current_keyframe().map_or(self.scene().rest_pose(), |keyframe| &keyframe.pose);
+        let sky = self.scene().eyes()[0];
+        self.scene().rbt_indices().any(|rbt| rbt != sky && kept.get(rbt) != self.document.live_pose.get(rbt))
     }
 
     /// Whether something plays; paused is not playing.
@@ -257,13 +278,13 @@ impl Editor {
     /// The RBT node that is looked from.
     #[must_use]
     pub fn eye(&self) -> RbtIndex {
-        self.scene.eyes()[self.session.eye]
+        self.scene().eyes()[self.session.eye]
     }
 
     /// The node that a ray through the view meets: what a click there would choose.
     #[must_use]
     pub fn node_under(&self, ray: Ray) -> Option<RbtIndex> {
-        self.scene.pick(&self.displayed_pose(), self.seconds(), ray)?.rbt
+        self.scene().pick(&self.displayed_pose(), self.seconds(), ray)?.rbt
     }
 
     /// What the next undo would take back, as in "new keyframe".
@@ -276,36 +297,5 @@ impl Editor {
     #[must_use]
     pub fn redo_label(&self) -> Option<&'static str> {
         self.history.redo_label()
-    }
-
-    /// How far the keys at their own times are, in seconds; 0 in a scene that has none.
-    #[must_use]
-    pub fn seconds(&self) -> f64 {
-        self.seconds_clock.seconds()
-    }
-
-    /// Whether the clock of the keys at their own times is held.
-    #[must_use]
-    pub const fn holds_seconds(&self) -> bool {
-        self.seconds_clock.is_held
-    }
-
-    /// Whether something moves with time, so that ticks are wanted: something plays, or keys at their own times are not over.
-    #[must_use]
-    pub fn wants_ticks(&self) -> bool {
-        self.is_playing() || self.moves_by_itself()
-    }
-
-    fn moves_by_itself(&self) -> bool {
-        !self.seconds_clock.is_held && self.scene.last_second().is_some_and(|last| self.seconds() < last)
-    }
-
-    /// Takes in ticks of the animation clock. Says whether the picture may have changed.
-    pub fn tick(&mut self, ticks: u64) -> bool {
-        let moved_by_itself = self.moves_by_itself() && ticks > 0;
-        if self.scene.is_timed() && !self.seconds_clock.is_held {
-            self.seconds_clock.ticks += ticks;
-        }
-        self.tick_playback(ticks) || moved_by_itself
     }
 }

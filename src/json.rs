@@ -20,6 +20,15 @@ pub fn push_f32(text: &mut String, number: f32) {
     }
 }
 
+/// The same for a number of twice the precision.
+pub fn push_f64(text: &mut String, number: f64) {
+    debug_assert!(number.is_finite(), "JSON has no {number}");
+    let _ = write!(text, "{number:?}");
+    if text.ends_with(".0") {
+        text.truncate(text.len() - 2);
+    }
+}
+
 /// Appends numbers as an array: `[0, 0.25, 4]`.
 pub fn push_f32s(text: &mut String, numbers: &[f32]) {
     text.push('[');

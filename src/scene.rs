@@ -1,16 +1,24 @@
-//! The scene: a graph of RBT nodes and shape nodes, its file, and the scenes that are built in.
+//! The scene: a graph of RBT nodes, control nodes and shape nodes, its file, and the scenes that are built in.
 //!
-//! Topology, shapes and the rest pose live here and do not change while animating; where things are is a [`crate::pose::Pose`].
+//! Topology, shapes, the rest pose and the keys at their own times live here; where RBT nodes are is a [`crate::pose::Pose`].
 
+mod builder;
 mod built_in;
+mod edit;
 mod file;
 mod graph;
+mod keys;
 mod pick;
+mod place;
 mod shape;
 mod walk;
+mod write;
 
+pub use builder::SceneBuilder;
 pub use built_in::{DEFAULT_SCENE, built_in_scene, built_in_scene_names};
 pub use file::{SceneError, scene_from_json};
-pub use graph::{Node, NodeId, NodeKind, SceneBuilder, SceneGraph};
+pub use graph::{Node, NodeId, NodeKind, SceneGraph};
+pub use keys::{Channel, KeyValue, moved_seconds};
 pub use pick::{Pick, Ray};
-pub use shape::{Colour, MeshKind, PlacedShape, Shape};
+pub use shape::{Colour, MeshKind, PlacedShape, Placement, Shape};
+pub use write::scene_to_json;

@@ -2,6 +2,8 @@
 //!
 //! They drive parts of a scene by themselves, apart from the keyframe list. Time is elapsed seconds on the animation clock.
 
+use std::sync::Arc;
+
 use glam::{Affine3A, Quat, Vec3};
 use thiserror::Error;
 
@@ -65,11 +67,11 @@ impl Interpolate for Quat {
     }
 }
 
-/// Values at their own times, sorted by time; never empty.
+/// Values at their own times, sorted by time; never empty. Cloning shares.
 #[derive(Clone, Debug)]
 pub struct Keyframes<V> {
-    seconds: Vec<f64>,
-    values: Vec<V>,
+    seconds: Arc<[f64]>,
+    values: Arc<[V]>,
     interpolate: fn(V, V, f64) -> V,
 }
 
@@ -85,7 +87,7 @@ impl<V: Interpolate> Keyframes<V> {
     /// The same value at all times.
     #[must_use]
     pub fn constant(value: V) -> Self {
-        Self { seconds: vec![0.0], values: vec![value], interpolate: V::interpolate }
+        Self { seconds: [0.0].into(), values: [value].into(), interpolate: V::interpolate }
     }
 }
 
@@ -109,8 +111,8 @@ impl<V: Copy> Keyframes<V> {
         if pairs.is_empty() {
             return Err(KeyError::NoKeys);
         }
-        let (seconds, values) = pairs.into_iter().unzip();
-        Ok(Self { seconds, values, interpolate })
+        let (seconds, values): (Vec<f64>, Vec<V>) = pairs.into_iter().unzip();
+        Ok(Self { seconds: seconds.into(), values: values.into(), interpolate })
     }
 
     /// The value at a time: interpolated between its neighbours; the first before the first key, the last after the last.
@@ -136,6 +138,45 @@ impl<V: Copy> Keyframes<V> {
         self.seconds.iter().copied().zip(self.values.iter().copied())
     }
 
+    /// The times of all keys in seconds, ascending.
+    #[must_use]
+    pub fn seconds(&self) -> &[f64] {
+        &self.seconds
+    }
+
+    /// The value of the key at just this time, if there is one.
+    #[must_use]
+    pub fn key_at(&self, seconds: f64) -> Option<V> {
+        self.seconds.iter().position(|&key| key == seconds).map(|place| self.values[place])
+    }
+
+    /// These keys and one more; one at the same time gives way to it.
+    ///
+    /// # Errors
+    /// [`KeyError::TimeNotFinite`]
+    pub fn with_key(&self, seconds: f64, value: V) -> Result<Self, KeyError> {
+        let others = self.keys().filter(|&(key, _)| key != seconds);
+        Self::with_interpolation(others.chain([(seconds, value)]), self.interpolate)
+    }
+
+    /// The keys but those at these times; `None` where none is left.
+    #[must_use]
+    pub fn without(&self, times: &[f64]) -> Option<Self> {
+        let left = self.keys().filter(|(key, _)| !times.contains(key));
+        Self::with_interpolation(left, self.interpolate).ok()
+    }
+
+    /// The keys, those at `times` moved to where `moved` says; a key that one of them comes to stand on gives way to it.
+    ///
+    /// # Errors
+    /// [`KeyError::TimeNotFinite`]; [`KeyError::TwoAtOneTime`] where two come to stand on one time.
+    pub fn moved(&self, times: &[f64], moved: impl Fn(f64) -> f64) -> Result<Self, KeyError> {
+        let (moving, staying): (Vec<_>, Vec<_>) = self.keys().partition(|(key, _)| times.contains(key));
+        let moving: Vec<(f64, V)> = moving.into_iter().map(|(key, value)| (moved(key), value)).collect();
+        let staying = staying.into_iter().filter(|(key, _)| moving.iter().all(|(to, _)| to != key));
+        Self::with_interpolation(staying.chain(moving.iter().copied()), self.interpolate)
+    }
+
     /// How many keys there are; at least one.
     #[must_use]
     #[expect(clippy::len_without_is_empty, reason = "there is always a key")]
@@ -150,42 +191,55 @@ impl<V: PartialEq> PartialEq for Keyframes<V> {
     }
 }
 
-/// A translation, a rotation and a scale, each with keys at its own times.
-#[derive(Clone, Debug, PartialEq)]
+/// A translation, a rotation and a scale, each with keys at its own times, or with none: then it is that of the identity.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct TransformKeyframes {
     /// Translation in the parent's space, in scene units.
-    pub translation: Keyframes<Vec3>,
+    pub translation: Option<Keyframes<Vec3>>,
     /// Rotation, by slerp.
-    pub rotation: Keyframes<Quat>,
+    pub rotation: Option<Keyframes<Quat>>,
     /// Scale along each axis; above 0.
-    pub scale: Keyframes<Vec3>,
+    pub scale: Option<Keyframes<Vec3>>,
 }
 
 impl TransformKeyframes {
-    /// No movement at all.
+    /// The translation at a time, in scene units.
     #[must_use]
-    pub fn identity() -> Self {
-        Self {
-            translation: Keyframes::constant(Vec3::ZERO),
-            rotation: Keyframes::constant(Quat::IDENTITY),
-            scale: Keyframes::constant(Vec3::ONE),
-        }
+    pub fn translation_at(&self, seconds: f64) -> Vec3 {
+        self.translation.as_ref().map_or(Vec3::ZERO, |keys| keys.value_at(seconds))
+    }
+
+    /// The rotation at a time.
+    #[must_use]
+    pub fn rotation_at(&self, seconds: f64) -> Quat {
+        self.rotation.as_ref().map_or(Quat::IDENTITY, |keys| keys.value_at(seconds))
+    }
+
+    /// The scale along each axis at a time.
+    #[must_use]
+    pub fn scale_at(&self, seconds: f64) -> Vec3 {
+        self.scale.as_ref().map_or(Vec3::ONE, |keys| keys.value_at(seconds))
     }
 
     /// The affine `T · R · S` at a time: `parent_from_node`.
     #[must_use]
     pub fn value_at(&self, seconds: f64) -> Affine3A {
         Affine3A::from_scale_rotation_translation(
-            self.scale.value_at(seconds),
-            self.rotation.value_at(seconds),
-            self.translation.value_at(seconds),
+            self.scale_at(seconds),
+            self.rotation_at(seconds),
+            self.translation_at(seconds),
         )
     }
 
-    /// The time of the last key of the three, in seconds.
+    /// The time of the last key of the three, in seconds; `None` where there is no key.
     #[must_use]
-    pub fn last_second(&self) -> f64 {
-        self.translation.last_second().max(self.rotation.last_second()).max(self.scale.last_second())
+    pub fn last_second(&self) -> Option<f64> {
+        let lasts = [
+            self.translation.as_ref().map(Keyframes::last_second),
+            self.rotation.as_ref().map(Keyframes::last_second),
+            self.scale.as_ref().map(Keyframes::last_second),
+        ];
+        lasts.into_iter().flatten().reduce(f64::max)
     }
 }
 
@@ -228,6 +282,25 @@ mod tests {
         assert!(Keyframes::new([(f64::NAN, 1.0)]).is_err());
         assert_eq!(Keyframes::new([(2.0, 1.0), (1.0, 0.0), (2.0, 3.0)]), Err(KeyError::TwoAtOneTime { seconds: 2.0 }));
         assert_eq!(Keyframes::new([(0.0, 1.0), (-0.0, 0.0)]), Err(KeyError::TwoAtOneTime { seconds: -0.0 }));
+    }
+
+    #[test]
+    fn keys_are_added_moved_and_taken_away() {
+        let keys = Keyframes::new([(0.0, 1.0), (1.0, 2.0), (2.0, 3.0)]).unwrap();
+        let pairs = |keys: &Keyframes<f64>| keys.keys().collect::<Vec<_>>();
+        assert_eq!(pairs(&keys.with_key(1.5, 9.0).unwrap()), [(0.0, 1.0), (1.0, 2.0), (1.5, 9.0), (2.0, 3.0)]);
+        assert_eq!(pairs(&keys.with_key(1.0, 9.0).unwrap()), [(0.0, 1.0), (1.0, 9.0), (2.0, 3.0)]);
+        assert!(keys.with_key(f64::NAN, 9.0).is_err());
+        assert_eq!(
+            pairs(&keys.moved(&[0.0, 1.0], |at| at + 1.0).unwrap()),
+            [(1.0, 1.0), (2.0, 2.0)],
+            "the last gave way"
+        );
+        assert_eq!(pairs(&keys.moved(&[0.0], |at| at + 5.0).unwrap()), [(1.0, 2.0), (2.0, 3.0), (5.0, 1.0)]);
+        assert_eq!(keys.moved(&[0.0, 1.0], |at| at + 1e300), Err(KeyError::TwoAtOneTime { seconds: 1e300 }));
+        assert_eq!(pairs(&keys.without(&[0.0, 7.0]).unwrap()), [(1.0, 2.0), (2.0, 3.0)]);
+        assert!(keys.without(&[0.0, 1.0, 2.0]).is_none());
+        assert_eq!((keys.key_at(1.0), keys.key_at(1.25)), (Some(2.0), None));
     }
 
     #[test]

@@ -54,6 +54,8 @@ pub enum PathPurpose {
     Open,
     /// To write to it.
     SaveAs,
+    /// To write the scene to it.
+    SaveSceneAs,
 }
 
 /// What came of showing the panels once.

@@ -6,11 +6,12 @@ use std::path::Path;
 
 use common::{apply, editor, press};
 use glam::{Quat, Vec3};
-use inbetween::editor::{Command, Edit, Editor, GestureCommand, PlaybackCommand, ViewCommand};
+use inbetween::editor::{Command, Edit, Editor, GestureCommand, KeyAt, PlaybackCommand, SceneEdit, ViewCommand};
 use inbetween::interpolation::Interpolation;
 use inbetween::keyframe::{KeyframeIndex, keyframes_to_json};
 use inbetween::pose::RbtIndex;
 use inbetween::rbt::Rbt;
+use inbetween::scene::{Channel, KeyValue, scene_to_json};
 use proptest::prelude::*;
 
 #[derive(Clone, Debug)]
@@ -53,9 +54,33 @@ fn any_edit() -> impl Strategy<Value = Command> {
     .prop_map(Command::Edit)
 }
 
+/// Edits of a control node above robot 1, which is there or not.
+fn any_scene_edit() -> impl Strategy<Value = Command> {
+    let key = |place: u8| KeyAt::new("robot1_control", Channel::Translation, f64::from(place) * 0.5);
+    prop_oneof![
+        3 => Just(SceneEdit::PutControlAbove("robot1".into())),
+        1 => Just(SceneEdit::PutControlAboveChosen),
+        1 => Just(SceneEdit::RemoveControl("robot1_control".into())),
+        1 => Just(SceneEdit::RenameControl("robot1_control2".into(), "spin".to_owned())),
+        4 => (0u8..8).prop_map(move |place| SceneEdit::AddKeys(vec![key(place)])),
+        4 => (0u8..8, any_rbt()).prop_map(|(place, rbt)| SceneEdit::SetKey {
+            node: "robot1_control".into(),
+            seconds: f64::from(place) * 0.5,
+            value: KeyValue::Translation(rbt.translation),
+        }),
+        3 => (0u8..8, -3i8..4).prop_map(move |(place, by)| {
+            SceneEdit::MoveKeys { keys: vec![key(place)], by: f64::from(by) * 0.5 }
+        }),
+        1 => (0u8..8).prop_map(move |place| SceneEdit::DeleteKeys(vec![key(place)])),
+    ]
+    .prop_map(|edit| Command::Edit(Edit::Scene(edit)))
+}
+
 fn any_step() -> impl Strategy<Value = Step> {
     let command = prop_oneof![
         12 => any_edit(),
+        5 => any_scene_edit(),
+        1 => (0.0f64..5.0).prop_map(|seconds| Command::View(ViewCommand::ScrubSeconds(seconds))),
         2 => Just(Command::Playback(PlaybackCommand::PlayOrStop)),
         1 => Just(Command::Playback(PlaybackCommand::PauseOrResume)),
         1 => Just(Command::View(ViewCommand::NextEye)),
@@ -120,6 +145,7 @@ proptest! {
             press(&mut editor, "ctrl+shift+z");
         }
         let end = text_of(&editor);
+        let end_scene = scene_to_json(editor.scene());
         let mut undone = 0;
         while editor.undo_label().is_some() {
             press(&mut editor, "ctrl+z");
@@ -127,11 +153,13 @@ proptest! {
             prop_assert!(undone <= 2000);
         }
         prop_assert!(editor.document().keyframes.is_empty());
+        prop_assert!(!editor.has_unsaved_scene(), "undoing all leads back to the scene");
         prop_assert_eq!(editor.document().ms_between_keyframes, 2000);
         while editor.redo_label().is_some() {
             press(&mut editor, "ctrl+shift+z");
         }
         prop_assert!(text_of(&editor) == end, "redoing all does not lead back to the end");
+        prop_assert!(scene_to_json(editor.scene()) == end_scene);
     }
 }
 

@@ -1,8 +1,10 @@
 //! The scene that `--scene` names.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use super::CliError;
+use crate::editor::Editor;
 use crate::scene::{DEFAULT_SCENE, SceneGraph, built_in_scene, built_in_scene_names, scene_from_json};
 use crate::storage;
 
@@ -26,4 +28,13 @@ pub fn load(name_or_file: Option<&Path>) -> Result<SceneGraph, CliError> {
     let text = std::str::from_utf8(&bytes)
         .map_err(|error| CliError::bad_input(&place, format!("not UTF-8 at byte {}", error.valid_up_to())))?;
     scene_from_json(text.strip_prefix('\u{feff}').unwrap_or(text)).map_err(|error| CliError::bad_input(&place, error))
+}
+
+/// An editor of a scene that was loaded so; where it came from a file, that is where it is saved.
+pub fn editor_of(scene: SceneGraph, name_or_file: Option<&Path>, keyframes: PathBuf) -> Editor {
+    let editor = Editor::new(Arc::new(scene), keyframes);
+    match name_or_file {
+        Some(file) if file.to_str().and_then(built_in_scene).is_none() => editor.with_scene_path(file.to_owned()),
+        _ => editor,
+    }
 }

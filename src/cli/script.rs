@@ -6,13 +6,11 @@ pub(super) mod trace;
 
 use std::io;
 use std::path::Path;
-use std::sync::Arc;
 
 use super::CliError;
 use super::arguments::ScriptArguments;
-use crate::editor::Editor;
+use super::scene;
 use crate::export::Painter;
-use crate::scene::SceneGraph;
 use crate::storage;
 
 /// The largest script that is read: 16 MiB.
@@ -22,7 +20,8 @@ const LARGEST_SCRIPT_BYTES: u64 = 16 << 20;
 ///
 /// # Errors
 /// [`CliError`]: bad lines before anything has run, a missing GPU adapter if the script needs one, a file that cannot be written.
-pub fn run(arguments: &ScriptArguments, scene: SceneGraph) -> Result<(), CliError> {
+pub fn run(arguments: &ScriptArguments, named_scene: Option<&Path>) -> Result<(), CliError> {
+    let scene = scene::load(named_scene)?;
     let (place, bytes) = read(&arguments.file);
     let bytes = bytes.map_err(|error| CliError::bad_input(&place, error))?;
     let lines = parse::parse(&bytes, &scene).map_err(|problems| CliError::BadInput {
@@ -33,7 +32,7 @@ pub fn run(arguments: &ScriptArguments, scene: SceneGraph) -> Result<(), CliErro
     } else {
         None
     };
-    let editor = Editor::new(Arc::new(scene), arguments.keyframes.clone());
+    let editor = scene::editor_of(scene, named_scene, arguments.keyframes.clone());
     let trace = arguments.trace.then(trace::Trace::new);
     let editor = run::Runner::new(editor, painter, trace).run(&lines)?;
     if let Some(path) = &arguments.state {

@@ -1,11 +1,10 @@
 //! `inbetween [FILE]`: the window.
 
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 use super::arguments::DEFAULT_KEYFRAME_FILE;
 use super::{CliError, scene};
-use crate::editor::{Command, Editor, FileCommand};
+use crate::editor::{Command, FileCommand};
 use crate::storage;
 
 /// Opens the window on a scene, with a keyframe file, which is loaded if it is named and exists. What is wrong with it the window says.
@@ -13,11 +12,11 @@ use crate::storage;
 /// # Errors
 /// [`CliError`]: a bad scene, no display, no GPU adapter.
 pub fn run(scene: Option<&Path>, file: Option<PathBuf>) -> Result<(), CliError> {
-    let scene = Arc::new(scene::load(scene)?);
+    let loaded = scene::load(scene)?;
     let at_start = match &file {
         Some(file) if storage::exists(file) => vec![Command::File(FileCommand::Import)],
         _ => Vec::new(),
     };
     let path = file.unwrap_or_else(|| PathBuf::from(DEFAULT_KEYFRAME_FILE));
-    Ok(crate::window::run(Editor::new(scene, path), at_start)?)
+    Ok(crate::window::run(scene::editor_of(loaded, scene, path), at_start)?)
 }

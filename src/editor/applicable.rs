@@ -1,6 +1,8 @@
 //! Whether a command would do anything: what menus and buttons show as disabled.
 
-use super::{Command, Edit, Editor, FileCommand, GestureCommand, PlaybackCommand, SkyMode, TimelineEdit, ViewCommand};
+use super::{
+    Command, Edit, Editor, FileCommand, GestureCommand, PlaybackCommand, SceneEdit, SkyMode, TimelineEdit, ViewCommand,
+};
 use crate::keyframe::PlayRange;
 
 impl Editor {
@@ -51,6 +53,11 @@ impl Editor {
             Edit::GoToPrevious => is_still && keyframes.current().is_some_and(|current| current.get() > 0),
             Edit::GoTo(index) => is_still && keyframes.get(*index).is_some(),
             Edit::RotateChosen { .. } | Edit::TranslateChosen(_) => is_still && self.session.chosen.is_some(),
+            Edit::Timeline(TimelineEdit::DeleteKeyframes) => {
+                is_still && !(keyframes.is_empty() && self.session.selected_keys.is_empty())
+            }
+            Edit::Scene(SceneEdit::PutControlAboveChosen) => is_still && self.session.chosen.is_some(),
+            Edit::Scene(_) => is_still,
             Edit::Timeline(TimelineEdit::PasteKeyframes) => is_still && self.has_copied_keyframes(),
             Edit::Timeline(TimelineEdit::PastePose) => {
                 is_still && self.has_copied_pose() && self.session.chosen.is_some()
@@ -68,9 +75,9 @@ impl Editor {
     /// What the eye is and how a drag moves, in a few words: `sky view · world-sky`.
     #[must_use]
     pub fn view_sentence(&self) -> String {
-        let eye = self.scene.node(self.scene.rbt_node(self.eye())).name.as_str();
+        let eye = self.document.scene.node(self.document.scene.rbt_node(self.eye())).name.as_str();
         let handled = match (self.session.chosen, self.session.eye, self.session.sky_mode) {
-            (Some(chosen), ..) => format!("moves {}", self.scene.rbt_path(chosen)),
+            (Some(chosen), ..) => format!("moves {}", self.document.scene.rbt_path(chosen)),
             (None, 0, SkyMode::WorldCentre) => "world-sky".to_owned(),
             (None, 0, SkyMode::Eye) => "sky-sky".to_owned(),
             (None, ..) => "moves itself".to_owned(),

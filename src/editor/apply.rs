@@ -4,7 +4,9 @@ use glam::Quat;
 
 use super::history::Run;
 use super::playback::Playback;
-use super::{Command, CommandError, Document, Edit, Editor, Effect, GestureCommand, Message, Severity, TimelineEdit};
+use super::{
+    Command, CommandError, Document, Edit, Editor, Effect, GestureCommand, Message, SceneEdit, Severity, TimelineEdit,
+};
 use crate::keyframe::{Keyframe, KeyframeIndex, KeyframeList, MS_BETWEEN_KEYFRAMES_RANGE};
 use crate::pose::RbtIndex;
 use crate::rbt::Rbt;
@@ -73,6 +75,7 @@ impl Editor {
         }
         match edit {
             Edit::Timeline(edit) => self.edit_timeline(edit),
+            Edit::Scene(edit) => self.edit_scene(edit),
             Edit::DisplayCurrent => self.display_current(),
             Edit::UpdateCurrent => Ok(self.update_current()),
             Edit::CreateKeyframe => Ok(self.create_keyframe()),
@@ -82,7 +85,7 @@ impl Editor {
             Edit::DeleteCurrent => self.delete_current(),
             Edit::ResetPose => {
                 self.end_scrub();
-                let rest = self.scene.rest_pose().clone();
+                let rest = self.document.scene.rest_pose().clone();
                 self.record("return to the rest pose", None, |document| document.live_pose = rest);
                 Ok("The scene is back in its rest pose.".to_owned())
             }
@@ -128,7 +131,7 @@ impl Editor {
     /// Copies a keyframe's pose to the scene, which is a step of undo only where it discards unsaved posing.
     pub(super) fn show_keyframe(&mut self, label: &'static str, index: KeyframeIndex) {
         self.end_scrub();
-        let discards = self.document.has_unsaved_posing(self.scene.rest_pose());
+        let discards = self.document.has_unsaved_posing(self.document.scene.rest_pose());
         let before = self.document.clone();
         if !self.document.keyframes.set_current(index) {
             return;
@@ -252,7 +255,7 @@ impl Editor {
         label: &'static str,
         run: Option<Run>,
     ) -> Outcome {
-        if rbt.get() >= self.scene.rbt_count() {
+        if rbt.get() >= self.document.scene.rbt_count() {
             return Err(CommandError::NotInScene { what: "node" });
         }
         let placed = change(self.pose_at_hand().get(rbt));
@@ -389,6 +392,7 @@ const fn is_continuous(edit: &Edit) -> bool {
             | Edit::TranslateChosen(_)
             | Edit::Wheel(_)
             | Edit::SetMsBetweenKeyframes(_)
+            | Edit::Scene(SceneEdit::MoveKeys { .. } | SceneEdit::SetKey { .. })
             | Edit::Timeline(
                 TimelineEdit::SetDuration { .. }
                     | TimelineEdit::SetTranslationInKeyframe(..)
@@ -409,6 +413,7 @@ const fn what_playing_refuses(edit: &Edit) -> Option<&'static str> {
         Edit::SetTranslation(..) | Edit::TranslateChosen(_) | Edit::Wheel(_) => "move a node",
         Edit::SetRotation(..) | Edit::RotateChosen { .. } => "turn a node",
         Edit::Timeline(_) => "edit the timeline",
+        Edit::Scene(_) => "edit the scene",
         Edit::NextInterpolation
         | Edit::SetInterpolation(_)
         | Edit::Faster

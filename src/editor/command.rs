@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use glam::{Quat, Vec3};
 
-use super::{ExportOptions, PlayMode};
+use super::{ExportOptions, KeyAt, PlayMode, SceneEdit};
 use crate::interpolation::Interpolation;
 use crate::keyframe::{Easing, KeyframeIndex};
 use crate::pose::RbtIndex;
@@ -111,6 +111,8 @@ pub enum Edit {
     TranslateChosen(Vec3),
     /// Edits the list as a timeline.
     Timeline(TimelineEdit),
+    /// Edits control nodes and keys at their own times, which are a part of the scene.
+    Scene(SceneEdit),
     /// Moves the node at hand (the chosen one, or the eye) along the view, with respect to its auxiliary frame; a run of these is one step.
     Wheel(Rbt),
 }
@@ -175,7 +177,7 @@ pub enum PlaybackCommand {
 }
 
 /// How the scene is looked at.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum ViewCommand {
     /// Looks from the next eye.
     NextEye,
@@ -207,10 +209,14 @@ pub enum ViewCommand {
     ToggleAutoKeys,
     /// Shows so many neighbouring keyframes on each side as ghosts, at most 3.
     SetGhosts(u8),
+    /// Selects these keys at their own times, and no others, and no keyframes.
+    SelectKeys(Vec<KeyAt>),
     /// Sets the clock of keys at their own times to zero.
     RestartSeconds,
     /// Holds that clock, or lets it go on.
     HoldSeconds,
+    /// Sets that clock to so many seconds, and holds it until something plays.
+    ScrubSeconds(f64),
 }
 
 /// Files and the program itself.
@@ -228,6 +234,12 @@ pub enum FileCommand {
     ChooseSaveAs,
     /// Writes to a file, which becomes the one that is written from now on.
     SaveAs(PathBuf),
+    /// Writes the scene's file; asks where to, as long as it has none.
+    WriteScene,
+    /// Asks where to save the scene.
+    ChooseSaveSceneAs,
+    /// Writes the scene to a file, which becomes its own from now on.
+    SaveSceneAs(PathBuf),
     /// Writes a picture of the scene: to a path, or beside the keyframe file under the next free name.
     Screenshot(Option<PathBuf>),
     /// Makes a film of what the keyframes play, beside whatever else goes on.
@@ -275,6 +287,17 @@ pub enum Effect {
         /// Whether the file was read or written before: where not, what it held is not known here, and a careful shell keeps it.
         is_known: bool,
     },
+    /// Write this text and hand the outcome to [`super::Editor::scene_written`].
+    WriteScene {
+        /// Which file.
+        path: PathBuf,
+        /// All of its text.
+        text: String,
+        /// Whether the file was read or written before, as for keyframes.
+        is_known: bool,
+    },
+    /// Ask where to save the scene.
+    ChooseSaveSceneAs,
     /// Render what is displayed and hand the path, or what went wrong, to [`super::Editor::screenshot_taken`].
     Screenshot {
         /// Where to; `None`: the next free `inbetween-0001.png` beside the keyframe file.

@@ -1,12 +1,17 @@
 //! The document: exactly what undo restores.
 
+use std::sync::Arc;
+
 use crate::interpolation::Interpolation;
 use crate::keyframe::{DEFAULT_MS_BETWEEN_KEYFRAMES, KeyframeList};
 use crate::pose::Pose;
+use crate::scene::SceneGraph;
 
-/// The live pose, the keyframe list, and how it is played. Cloning shares the poses and the list.
+/// The scene with its keys, the live pose, the keyframe list, and how it is played. Cloning shares the scene, the poses and the list.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Document {
+    /// The scene: its control nodes and the keys at their own times can change; its RBT nodes stay.
+    pub scene: Arc<SceneGraph>,
     /// The pose in the scene: what is shown while nothing plays, and what `n` and `u` capture.
     pub live_pose: Pose,
     /// The keyframes and the current one.
@@ -18,11 +23,12 @@ pub struct Document {
 }
 
 impl Document {
-    /// No keyframes, and this pose in the scene.
+    /// A scene at rest, with no keyframes.
     #[must_use]
-    pub fn new(live_pose: Pose) -> Self {
+    pub fn new(scene: Arc<SceneGraph>) -> Self {
         Self {
-            live_pose,
+            live_pose: scene.rest_pose().clone(),
+            scene,
             keyframes: KeyframeList::default(),
             interpolation: Interpolation::default(),
             ms_between_keyframes: DEFAULT_MS_BETWEEN_KEYFRAMES,
@@ -32,17 +38,25 @@ impl Document {
     /// Whether two documents are the same, fast where they share.
     #[must_use]
     pub fn same_as(&self, other: &Self) -> bool {
-        self.live_pose.same_as(&other.live_pose)
+        self.same_scene_as(other)
+            && self.live_pose.same_as(&other.live_pose)
             && self.keyframes.current() == other.keyframes.current()
             && self.same_file_as(other)
     }
 
-    /// Whether saving either would give the same file.
+    /// Whether saving the scene of either would give the same file.
+    #[must_use]
+    pub fn same_scene_as(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.scene, &other.scene) || self.scene == other.scene
+    }
+
+    /// Whether saving the keyframes of either would give the same file.
     #[must_use]
     pub fn same_file_as(&self, other: &Self) -> bool {
         self.interpolation == other.interpolation
             && self.ms_between_keyframes == other.ms_between_keyframes
             && self.keyframes.same_keyframes(&other.keyframes)
+            && (Arc::ptr_eq(&self.scene, &other.scene) || self.scene.has_rbts_of(&other.scene))
     }
 
     /// Whether the pose in the scene is one that no keyframe holds: neither the current one, nor, with none, the rest pose.

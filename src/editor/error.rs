@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use thiserror::Error;
 
 use crate::keyframe::KeyframeFileError;
+use crate::scene::SceneError;
 use crate::text_layouts::TextError;
 
 /// A command that did nothing, and why.
@@ -69,10 +70,32 @@ pub enum CommandError {
         /// `node` or `eye`.
         what: &'static str,
     },
+    /// The scene has no node with that path.
+    #[error("The scene has no node {path:?}.")]
+    NoSuchNode {
+        /// The path.
+        path: String,
+    },
+    /// There is no key at that time.
+    #[error("{path} has no key of its {channel} at {seconds} s.")]
+    NoSuchKey {
+        /// The node's path.
+        path: String,
+        /// Which of its values.
+        channel: &'static str,
+        /// The time asked for.
+        seconds: f64,
+    },
+    /// No key is meant.
+    #[error("No keys are selected: click one in the timeline.")]
+    NoKeys,
+    /// The scene cannot become so.
+    #[error("{0}")]
+    Scene(#[from] SceneError),
     /// A number is not finite, or a rotation has no direction.
     #[error("That is not a {what}: nothing was changed.")]
     NotAValue {
-        /// `position`, `rotation`, `duration` or `key time`.
+        /// `position`, `rotation`, `duration`, `time` or `key time`.
         what: &'static str,
     },
     /// Undo and redo wait for the end of a drag.

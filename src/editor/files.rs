@@ -1,9 +1,11 @@
 //! What file commands ask of the shell, and what becomes of the outcome.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use super::{CommandError, Editor, Effect, FileCommand, Severity};
 use crate::keyframe::{KeyframeList, keyframes_counted, keyframes_to_json};
+use crate::scene::scene_to_json;
 use crate::text_layouts::{ImportError, Imported, Options, import};
 
 impl Editor {
@@ -26,6 +28,12 @@ impl Editor {
                 Effect::ChooseOpen
             }
             FileCommand::ChooseSaveAs => Effect::ChooseSaveAs,
+            FileCommand::WriteScene => match self.scene_path.clone() {
+                Some(path) => self.write_scene_effect(path),
+                None => Effect::ChooseSaveSceneAs,
+            },
+            FileCommand::ChooseSaveSceneAs => Effect::ChooseSaveSceneAs,
+            FileCommand::SaveSceneAs(path) => self.write_scene_effect(path),
             FileCommand::Screenshot(path) => Effect::Screenshot { path },
             FileCommand::Export(options) => Effect::Export(options),
             FileCommand::CancelExport => Effect::CancelExport,
@@ -42,11 +50,47 @@ impl Editor {
             is_known: self.is_file_known && path == self.path,
             path,
             text: keyframes_to_json(
-                &self.scene,
+                &self.document.scene,
                 &document.keyframes,
                 document.interpolation,
                 document.ms_between_keyframes,
             ),
+        }
+    }
+
+    fn write_scene_effect(&mut self, path: PathBuf) -> Effect {
+        self.commit_gesture();
+        let is_known = self.scene_path.as_ref() == Some(&path);
+        Effect::WriteScene { path, text: scene_to_json(&self.document.scene), is_known }
+    }
+
+    /// Where the scene is to be saved, as long as nobody says otherwise: its own file, or one of its name beside the keyframe file.
+    #[must_use]
+    pub fn proposed_scene_path(&self) -> PathBuf {
+        self.scene_path.clone().unwrap_or_else(|| self.path.with_file_name(format!("{}.json", self.scene().name())))
+    }
+
+    /// Takes in that the scene's file was written, or why it could not be. It becomes the scene's own.
+    ///
+    /// `kept` is where the shell put what stood in the file before, if it kept that.
+    ///
+    /// # Errors
+    /// Why the file is as it was.
+    pub fn scene_written(&mut self, path: &Path, outcome: Result<Option<PathBuf>, String>) -> Result<(), CommandError> {
+        match outcome {
+            Ok(kept) => {
+                let kept =
+                    kept.map_or_else(String::new, |kept| format!(" What it held before is in {}.", kept.display()));
+                self.say_of(Severity::Outcome, format!("Wrote the scene to {}.{kept}", path.display()));
+                self.scene_path = Some(path.to_owned());
+                self.saved_scene = Arc::clone(&self.document.scene);
+                Ok(())
+            }
+            Err(reason) => {
+                let error = CommandError::Write { path: path.to_owned(), reason };
+                self.say_error(&error);
+                Err(error)
+            }
         }
     }
 
@@ -67,7 +111,7 @@ impl Editor {
         self.refuse_while_playing("import")?;
         let path = path.to_owned();
         let bytes = bytes.map_err(|reason| CommandError::Read { path: path.clone(), reason })?;
-        let (file, summary) = match import(&bytes, &self.scene, &Options::default()) {
+        let (file, summary) = match import(&bytes, &self.document.scene, &Options::default()) {
             Ok(Imported::KeyframeFile(file)) => (file, String::new()),
             Ok(Imported::Text(file, report)) => {
                 let look = if report.has_warnings() { ", with warnings: see `inbetween convert`" } else { "" };

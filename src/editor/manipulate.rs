@@ -96,8 +96,8 @@ impl Editor {
     #[must_use]
     pub fn camera(&self, size_px: Vec2) -> Camera {
         Camera {
-            world_from_eye: self.scene.world_from_rbt(&self.displayed_pose(), self.seconds(), self.eye()),
-            vertical_fov: self.scene.vertical_fov(),
+            world_from_eye: self.document.scene.world_from_rbt(&self.displayed_pose(), self.seconds(), self.eye()),
+            vertical_fov: self.document.scene.vertical_fov(),
             size_px,
         }
     }
@@ -120,9 +120,12 @@ impl Editor {
     pub fn manipulation(&self, camera: &Camera) -> Manipulation {
         let style = self.style();
         let centre_in_world = match style {
-            Style::Node => {
-                Some(self.scene.world_from_rbt(&self.displayed_pose(), self.seconds(), self.node_at_hand()).translation)
-            }
+            Style::Node => Some(
+                self.document
+                    .scene
+                    .world_from_rbt(&self.displayed_pose(), self.seconds(), self.node_at_hand())
+                    .translation,
+            ),
             Style::Orbit => Some(Vec3::ZERO),
             Style::Ego => None,
         };
@@ -144,9 +147,9 @@ impl Editor {
         let pose = &self.pose_at_hand();
         let object = self.node_at_hand();
         let seconds = self.seconds();
-        let world_from_parent = Rbt::from_affine(&self.scene.world_from_parent(pose, seconds, object));
-        let world_from_object = self.scene.world_from_rbt(pose, seconds, object);
-        let world_from_eye = self.scene.world_from_rbt(pose, seconds, self.eye());
+        let world_from_parent = Rbt::from_affine(&self.document.scene.world_from_parent(pose, seconds, object));
+        let world_from_object = self.document.scene.world_from_rbt(pose, seconds, object);
+        let world_from_eye = self.document.scene.world_from_rbt(pose, seconds, self.eye());
         let world_from_auxiliary = match self.style() {
             Style::Node => Rbt::new(world_from_object.translation, world_from_eye.rotation),
             Style::Orbit => Rbt::from_rotation(world_from_eye.rotation),

@@ -109,6 +109,7 @@ impl Editor {
     fn start_at(&mut self, elapsed: &BigRational) -> Result<(), CommandError> {
         let position = Position::new(self.span()?, elapsed, self.pace());
         self.playback = Playback::Playing(position);
+        self.end_scrub_of_seconds(to_f64(elapsed) * f64::from(self.document.ms_between_keyframes) / 1000.0);
         Ok(())
     }
 
@@ -118,7 +119,7 @@ impl Editor {
                 let paused = Playback::Paused(position.clone());
                 let pose = self.displayed_pose();
                 self.playback = paused;
-                let discards = self.document.has_unsaved_posing(self.scene.rest_pose());
+                let discards = self.document.has_unsaved_posing(self.document.scene.rest_pose());
                 let before = self.document.clone();
                 self.document.live_pose = pose;
                 if discards {

@@ -45,6 +45,9 @@ impl Editor {
     }
 
     pub(super) fn edit_timeline(&mut self, edit: TimelineEdit) -> Outcome {
+        if edit == TimelineEdit::DeleteKeyframes && !self.session.selected_keys.is_empty() {
+            return self.delete_keys(self.session.selected_keys.clone());
+        }
         let shows_something_else = !matches!(
             edit,
             TimelineEdit::RenameKeyframe(..)
@@ -115,6 +118,9 @@ impl Editor {
         }
         selected.sort_unstable();
         selected.dedup();
+        if !selected.is_empty() {
+            self.session.selected_keys.clear();
+        }
         self.session.selected = selected;
         Ok(String::new())
     }
@@ -126,6 +132,7 @@ impl Editor {
         if self.session.play_range.is_some_and(|(_, last)| last + 1 >= count) {
             self.session.play_range = None;
         }
+        self.fit_keys_to_scene();
     }
 
     pub(super) fn copy_keyframes(&mut self) -> Outcome {
@@ -136,7 +143,7 @@ impl Editor {
     pub(super) fn copy_pose(&mut self) -> Outcome {
         let chosen = self.session.chosen.ok_or(CommandError::NothingChosen)?;
         self.clipboard.pose = Some((chosen, self.displayed_pose()));
-        Ok(format!("Copied the pose of {}.", self.scene.rbt_path(chosen)))
+        Ok(format!("Copied the pose of {}.", self.document.scene.rbt_path(chosen)))
     }
 
     fn rename(&mut self, index: KeyframeIndex, name: &str) -> Outcome {
@@ -272,16 +279,16 @@ impl Editor {
         let chosen = self.session.chosen.ok_or(CommandError::NothingChosen)?;
         let (source, pose) = self.clipboard.pose.clone().ok_or(CommandError::NoPoseCopied)?;
         let (source_path, chosen_path) =
-            (self.scene.rbt_path(source).to_owned(), self.scene.rbt_path(chosen).to_owned());
+            (self.document.scene.rbt_path(source).to_owned(), self.document.scene.rbt_path(chosen).to_owned());
         let mut pairs = Vec::new();
-        for rbt in self.scene.rbt_indices() {
-            let path = self.scene.rbt_path(rbt);
+        for rbt in self.document.scene.rbt_indices() {
+            let path = self.document.scene.rbt_path(rbt);
             let Some(below) =
                 path.strip_prefix(source_path.as_str()).filter(|below| below.is_empty() || below.starts_with('/'))
             else {
                 continue;
             };
-            let target = self.scene.find_rbt(&format!("{chosen_path}{below}")).ok_or_else(|| {
+            let target = self.document.scene.find_rbt(&format!("{chosen_path}{below}")).ok_or_else(|| {
                 CommandError::OtherNodes { path: below.trim_start_matches('/').to_owned(), chosen: chosen_path.clone() }
             })?;
             pairs.push((rbt, target));
@@ -304,7 +311,7 @@ impl Editor {
 
     fn place_in_keyframe(&mut self, index: KeyframeIndex, rbt: RbtIndex, change: impl FnOnce(Rbt) -> Rbt) -> Outcome {
         let keyframe = self.known(index)?.clone();
-        if rbt.get() >= self.scene.rbt_count() {
+        if rbt.get() >= self.document.scene.rbt_count() {
             return Err(CommandError::NotInScene { what: "node" });
         }
         let placed = change(keyframe.pose.get(rbt));

@@ -11,7 +11,7 @@ const MOST_GHOSTS: u8 = 3;
 impl Editor {
     pub(super) fn view(&mut self, command: ViewCommand) -> Outcome {
         match command {
-            ViewCommand::NextEye => self.set_eye((self.session.eye + 1) % self.scene.eyes().len()),
+            ViewCommand::NextEye => self.set_eye((self.session.eye + 1) % self.document.scene.eyes().len()),
             ViewCommand::SetEye(eye) => self.set_eye(eye),
             ViewCommand::ToggleSkyMode => {
                 if self.session.eye != 0 || self.session.chosen.is_some() {
@@ -49,15 +49,10 @@ impl Editor {
                     ghosts => format!("Ghosts of {ghosts} keyframes on each side."),
                 })
             }
-            ViewCommand::RestartSeconds => {
-                self.seconds_clock.ticks = 0;
-                Ok("Keys at their own times start again.".to_owned())
-            }
-            ViewCommand::HoldSeconds => {
-                self.seconds_clock.is_held = !self.seconds_clock.is_held;
-                let state = if self.seconds_clock.is_held { "are held" } else { "go on" };
-                Ok(format!("Keys at their own times {state} at {:.2} s.", self.seconds()))
-            }
+            ViewCommand::SelectKeys(keys) => self.select_keys(keys),
+            ViewCommand::RestartSeconds => Ok(self.restart_seconds()),
+            ViewCommand::HoldSeconds => Ok(self.hold_seconds()),
+            ViewCommand::ScrubSeconds(seconds) => self.scrub_seconds(seconds),
             ViewCommand::TogglePath => {
                 self.session.shows_path = !self.session.shows_path;
                 let state = if self.session.shows_path { "shown" } else { "hidden" };
@@ -88,21 +83,23 @@ impl Editor {
     }
 
     fn set_eye(&mut self, eye: usize) -> Outcome {
-        let Some(&rbt) = self.scene.eyes().get(eye) else { return Err(CommandError::NotInScene { what: "eye" }) };
+        let Some(&rbt) = self.document.scene.eyes().get(eye) else {
+            return Err(CommandError::NotInScene { what: "eye" });
+        };
         self.commit_gesture();
         self.session.eye = eye;
-        Ok(format!("Looking from {}.", self.scene.rbt_path(rbt)))
+        Ok(format!("Looking from {}.", self.document.scene.rbt_path(rbt)))
     }
 
     fn choose(&mut self, rbt: Option<RbtIndex>) -> Outcome {
-        if rbt.is_some_and(|rbt| rbt.get() >= self.scene.rbt_count()) {
+        if rbt.is_some_and(|rbt| rbt.get() >= self.document.scene.rbt_count()) {
             return Err(CommandError::NotInScene { what: "node" });
         }
         self.commit_gesture();
         self.session.chosen = rbt;
         self.session.is_picking = false;
         Ok(match rbt {
-            Some(rbt) => format!("Chosen: {}.", self.scene.rbt_path(rbt)),
+            Some(rbt) => format!("Chosen: {}.", self.document.scene.rbt_path(rbt)),
             None => "Nothing chosen: a drag moves the eye.".to_owned(),
         })
     }

@@ -1,20 +1,22 @@
 //! The scene file: JSON text to a [`SceneGraph`]. The README documents the format.
 
-use glam::{Affine3A, Quat, Vec3};
+use glam::{Quat, Vec3};
 use serde::Deserialize;
 use thiserror::Error;
 
-use super::graph::{SceneBuilder, SceneGraph};
-use super::shape::{Colour, PlacedShape, Shape};
+use super::builder::SceneBuilder;
+use super::graph::SceneGraph;
+use super::place::Place;
+use super::shape::{Colour, PlacedShape, Placement, Shape};
 use crate::rbt::Rbt;
 use crate::timed::{Interpolate, KeyError, Keyframes, TransformKeyframes, rotation_from_euler_degrees};
 
-const FORMAT: &str = "inbetween.scene";
-const VERSION: u32 = 1;
-const LARGEST_COORDINATE: f32 = 1e6;
+pub(super) const FORMAT: &str = "inbetween.scene";
+/// What a file says, and what one says that has a control node which paths do not name.
+const VERSIONS: std::ops::RangeInclusive<u32> = 1..=2;
 
 /// Why a text is not a scene.
-#[derive(Debug, Error, PartialEq)]
+#[derive(Clone, Debug, Error, PartialEq)]
 pub enum SceneError {
     /// The text is not JSON of the right shape; the message ends with line and column.
     #[error("{message}")]
@@ -29,7 +31,7 @@ pub enum SceneError {
         found: String,
     },
     /// `version` is not one that this program reads.
-    #[error("version is {found}, and this program reads version 1")]
+    #[error("version is {found}, and this program reads versions 1 and 2")]
     Version {
         /// What the file says.
         found: u32,
@@ -69,6 +71,12 @@ pub enum SceneError {
         field: &'static str,
         /// Why it cannot stand there.
         reason: &'static str,
+    },
+    /// What is asked of a control node is asked of another.
+    #[error("node {path:?} is not a control node")]
+    NotControl {
+        /// The node's path.
+        path: String,
     },
     /// Keys at their own times cannot be made of what stands there.
     #[error("node {path:?}: {field}: {error}")]
@@ -125,6 +133,7 @@ struct NodeText {
     colour: Option<ColourText>,
     colour_keys: Option<Vec<(f64, ColourText)>>,
     control: Option<ControlText>,
+    in_paths: Option<bool>,
     #[serde(default)]
     children: Vec<NodeText>,
 }
@@ -208,22 +217,29 @@ pub fn scene_from_json(text: &str) -> Result<SceneGraph, SceneError> {
     if text.format != FORMAT {
         return Err(SceneError::Format { found: text.format });
     }
-    if text.version != VERSION {
+    if !VERSIONS.contains(&text.version) {
         return Err(SceneError::Version { found: text.version });
     }
     let mut builder = SceneBuilder::new();
     for node in &text.nodes {
-        add(&mut builder, node, "")?;
+        add(&mut builder, node, "", text.version)?;
     }
-    builder.finish(&text.name, &text.eyes, text.vertical_fov_degrees.to_radians())
+    builder.finish(&text.name, &text.eyes, text.vertical_fov_degrees)
 }
 
-fn add(builder: &mut SceneBuilder, node: &NodeText, parent_path: &str) -> Result<(), SceneError> {
+/// `parent_path`: what the paths of the nodes under the same one begin with.
+fn add(builder: &mut SceneBuilder, node: &NodeText, parent_path: &str, version: u32) -> Result<(), SceneError> {
     let path = if parent_path.is_empty() { node.name.clone() } else { format!("{parent_path}/{}", node.name) };
     let place = Place { path: &path };
     let translation = place.coordinates("translation", Vec3::from(node.translation))?;
-    let rotation = place.rotation(node.rotation)?;
+    let rotation = rotation(place, node.rotation)?;
     let misplaced = |field, reason| Err(SceneError::Misplaced { path: path.clone(), field, reason });
+    if node.in_paths.is_some() && version < 2 {
+        return misplaced("in_paths", "needs version 2, and the file says version 1");
+    }
+    if node.in_paths == Some(false) && node.control.is_none() {
+        return misplaced("in_paths", "is false, which is for control nodes only");
+    }
     if let Some(shape) = &node.shape {
         if !node.children.is_empty() {
             return misplaced("children", "cannot stand under a shape");
@@ -231,20 +247,15 @@ fn add(builder: &mut SceneBuilder, node: &NodeText, parent_path: &str) -> Result
         if node.control.is_some() {
             return misplaced("control", "cannot stand beside a shape: put the shape under the control node");
         }
-        let scale = place.scale(node.scale)?;
-        builder.shape(
-            &node.name,
-            PlacedShape {
-                shape: place.shape(shape)?,
-                colour: node.colour.map_or(Colour(Vec3::splat(0.7)), |colour| colour.0),
-                colour_keys: node
-                    .colour_keys
-                    .as_ref()
-                    .map(|keys| place.keys("colour_keys", keys, |colour| Ok(colour.0.to_linear())))
-                    .transpose()?,
-                parent_from_shape: Affine3A::from_scale_rotation_translation(scale, rotation, translation),
-            },
-        )?;
+        let placement = Placement { translation, rotation, scale: scale(place, node.scale)? };
+        let colour = node.colour.map_or(Colour::DEFAULT, |colour| colour.0);
+        let colour_keys = node
+            .colour_keys
+            .as_ref()
+            .map(|texts| keys(place, "colour_keys", texts, |colour| Ok(colour.0.to_linear())))
+            .transpose()?;
+        let placed = PlacedShape::new(self::shape(place, shape)?, colour, colour_keys, placement);
+        builder.shape(&node.name, placed)?;
         return Ok(());
     }
     if node.scale.is_some() {
@@ -257,127 +268,94 @@ fn add(builder: &mut SceneBuilder, node: &NodeText, parent_path: &str) -> Result
         if node.translation != [0.0; 3] || node.rotation.is_some() {
             return misplaced("control", "has keys for the translation and the rotation: give them there");
         }
-        builder.open_control(&node.name, place.control(control)?)?;
+        builder.open_control(&node.name, self::control(place, control)?, node.in_paths.unwrap_or(true))?;
     } else {
         builder.open_rbt(&node.name, Rbt::new(translation, rotation))?;
     }
+    let path_above = if node.in_paths == Some(false) { parent_path } else { &path };
     for child in &node.children {
-        add(builder, child, &path)?;
+        add(builder, child, path_above, version)?;
     }
     builder.close();
     Ok(())
 }
 
-/// A node's path, for the messages about its values.
-struct Place<'a> {
-    path: &'a str,
+/// Keys from their texts; what is wrong with one is said with its time.
+fn keys<T: Copy, V: Interpolate>(
+    place: Place<'_>,
+    field: &'static str,
+    texts: &[(f64, T)],
+    value: impl Fn(T) -> Result<V, SceneError>,
+) -> Result<Keyframes<V>, SceneError> {
+    let pairs = texts.iter().map(|&(seconds, text)| Ok((seconds, value(text)?))).collect::<Result<Vec<_>, _>>()?;
+    Keyframes::new(pairs).map_err(|error| SceneError::Keys { path: place.path.to_owned(), field, error })
 }
 
-impl Place<'_> {
-    fn error(&self, field: &'static str, found: String, expected: &'static str) -> SceneError {
-        SceneError::Value { path: self.path.to_owned(), field, found, expected }
+fn control(place: Place<'_>, control: &ControlText) -> Result<TransformKeyframes, SceneError> {
+    let ControlText { translation, rotation, scale } = control;
+    let mut keys = TransformKeyframes::default();
+    if let Some(texts) = translation {
+        keys.translation = Some(self::keys(place, "control.translation", texts, |value| {
+            place.coordinates("control.translation", Vec3::from(value))
+        })?);
     }
-
-    fn coordinates(&self, field: &'static str, value: Vec3) -> Result<Vec3, SceneError> {
-        if value.abs().max_element() <= LARGEST_COORDINATE {
-            Ok(value)
-        } else {
-            Err(self.error(field, format!("{value}"), "coordinates between -1e6 and 1e6"))
-        }
+    if let Some(texts) = rotation {
+        keys.rotation = Some(self::keys(place, "control.rotation", texts, |value| self::rotation(place, Some(value)))?);
     }
-
-    /// Keys from their texts; what is wrong with one is said with its time.
-    fn keys<T: Copy, V: Interpolate>(
-        &self,
-        field: &'static str,
-        texts: &[(f64, T)],
-        value: impl Fn(T) -> Result<V, SceneError>,
-    ) -> Result<Keyframes<V>, SceneError> {
-        let pairs = texts.iter().map(|&(seconds, text)| Ok((seconds, value(text)?))).collect::<Result<Vec<_>, _>>()?;
-        Keyframes::new(pairs).map_err(|error| SceneError::Keys { path: self.path.to_owned(), field, error })
+    if let Some(texts) = scale {
+        keys.scale = Some(self::keys(place, "control.scale", texts, |value| self::scale(place, Some(value)))?);
     }
+    Ok(keys)
+}
 
-    fn control(&self, control: &ControlText) -> Result<TransformKeyframes, SceneError> {
-        let ControlText { translation, rotation, scale } = control;
-        let mut keys = TransformKeyframes::identity();
-        if let Some(texts) = translation {
-            keys.translation = self.keys("control.translation", texts, |value| {
-                self.coordinates("control.translation", Vec3::from(value))
-            })?;
+fn rotation(place: Place<'_>, value: Option<RotationText>) -> Result<Quat, SceneError> {
+    let rotation = match value {
+        None => Quat::IDENTITY,
+        Some(RotationText::Quaternion(components)) => Quat::from_array(components),
+        Some(RotationText::Euler(EulerText { euler_degrees })) => {
+            rotation_from_euler_degrees(euler_degrees).normalize()
         }
-        if let Some(texts) = rotation {
-            keys.rotation = self.keys("control.rotation", texts, |value| self.rotation(Some(value)))?;
-        }
-        if let Some(texts) = scale {
-            keys.scale = self.keys("control.scale", texts, |value| self.scale(Some(value)))?;
-        }
-        Ok(keys)
-    }
+    };
+    place.rotation(rotation)
+}
 
-    fn rotation(&self, value: Option<RotationText>) -> Result<Quat, SceneError> {
-        let rotation = match value {
-            None => Quat::IDENTITY,
-            Some(RotationText::Quaternion(components)) => Quat::from_array(components),
-            Some(RotationText::Euler(EulerText { euler_degrees })) => rotation_from_euler_degrees(euler_degrees),
-        };
-        if (rotation.length() - 1.0).abs() <= 0.01 {
-            Ok(rotation.normalize())
-        } else {
-            Err(self.error("rotation", format!("of length {}", rotation.length()), "a unit quaternion [x, y, z, w]"))
-        }
-    }
+fn scale(place: Place<'_>, value: Option<ScaleText>) -> Result<Vec3, SceneError> {
+    place.scale(match value {
+        None => Vec3::ONE,
+        Some(ScaleText::Uniform(scale)) => Vec3::splat(scale),
+        Some(ScaleText::PerAxis(scale)) => Vec3::from(scale),
+    })
+}
 
-    fn scale(&self, value: Option<ScaleText>) -> Result<Vec3, SceneError> {
-        let scale = match value {
-            None => Vec3::ONE,
-            Some(ScaleText::Uniform(scale)) => Vec3::splat(scale),
-            Some(ScaleText::PerAxis(scale)) => Vec3::from(scale),
-        };
-        if scale.min_element() > 0.0 && scale.max_element() <= LARGEST_COORDINATE {
-            Ok(scale)
-        } else {
-            Err(self.error("scale", format!("{scale}"), "numbers above 0, at most 1e6"))
-        }
-    }
-
-    fn length(&self, field: &'static str, value: f32) -> Result<f32, SceneError> {
-        if value > 0.0 && value <= LARGEST_COORDINATE {
-            Ok(value)
-        } else {
-            Err(self.error(field, value.to_string(), "a number above 0, at most 1e6"))
-        }
-    }
-
-    fn shape(&self, shape: &ShapeText) -> Result<Shape, SceneError> {
-        Ok(match *shape {
-            ShapeText::Box { size, bevel } => {
-                let size = Vec3::new(
-                    self.length("size", size[0])?,
-                    self.length("size", size[1])?,
-                    self.length("size", size[2])?,
-                );
-                if !(bevel >= 0.0 && bevel <= size.min_element() * 0.5) {
-                    return Err(self.error("bevel", bevel.to_string(), "0 to half the smallest extent"));
-                }
-                Shape::Box { size, bevel }
+fn shape(place: Place<'_>, shape: &ShapeText) -> Result<Shape, SceneError> {
+    Ok(match *shape {
+        ShapeText::Box { size, bevel } => {
+            let size = Vec3::new(
+                place.length("size", size[0])?,
+                place.length("size", size[1])?,
+                place.length("size", size[2])?,
+            );
+            if !(bevel >= 0.0 && bevel <= size.min_element() * 0.5) {
+                return Err(place.error("bevel", bevel.to_string(), "0 to half the smallest extent"));
             }
-            ShapeText::Sphere { radius } => Shape::Sphere { radius: self.length("radius", radius)? },
-            ShapeText::Cylinder { radius, height } => {
-                Shape::Cylinder { radius: self.length("radius", radius)?, height: self.length("height", height)? }
+            Shape::Box { size, bevel }
+        }
+        ShapeText::Sphere { radius } => Shape::Sphere { radius: place.length("radius", radius)? },
+        ShapeText::Cylinder { radius, height } => {
+            Shape::Cylinder { radius: place.length("radius", radius)?, height: place.length("height", height)? }
+        }
+        ShapeText::Cone { radius, height } => {
+            Shape::Cone { radius: place.length("radius", radius)?, height: place.length("height", height)? }
+        }
+        ShapeText::Capsule { radius, height } => {
+            let radius = place.length("radius", radius)?;
+            if height < 2.0 * radius {
+                return Err(place.error("height", height.to_string(), "at least twice the radius, caps included"));
             }
-            ShapeText::Cone { radius, height } => {
-                Shape::Cone { radius: self.length("radius", radius)?, height: self.length("height", height)? }
-            }
-            ShapeText::Capsule { radius, height } => {
-                let radius = self.length("radius", radius)?;
-                if height < 2.0 * radius {
-                    return Err(self.error("height", height.to_string(), "at least twice the radius, caps included"));
-                }
-                Shape::Capsule { radius, height: self.length("height", height)? }
-            }
-            ShapeText::Plane { size: [x, z] } => {
-                Shape::Plane { size: [self.length("size", x)?, self.length("size", z)?] }
-            }
-        })
-    }
+            Shape::Capsule { radius, height: place.length("height", height)? }
+        }
+        ShapeText::Plane { size: [x, z] } => {
+            Shape::Plane { size: [place.length("size", x)?, place.length("size", z)?] }
+        }
+    })
 }

@@ -2,10 +2,10 @@
 
 use std::collections::HashMap;
 use std::ops::Range;
+use std::sync::Arc;
 
 use glam::Affine3A;
 
-use super::file::SceneError;
 use super::shape::PlacedShape;
 use super::walk::Walk;
 use crate::pose::{Pose, RbtIndex};
@@ -23,7 +23,7 @@ impl NodeId {
         self.0 as usize
     }
 
-    fn from_place(place: usize) -> Self {
+    pub(super) fn from_place(place: usize) -> Self {
         Self(u32::try_from(place).expect("a scene has fewer than 2^32 nodes"))
     }
 }
@@ -40,19 +40,21 @@ pub enum NodeKind {
 }
 
 /// One node.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Node {
-    /// Its own name, unique among its siblings.
+    /// Its own name.
     pub name: String,
-    /// The names from the root down to it, joined by `/`; unique in the scene.
+    /// The names from the root down to it, joined by `/`, but those of control nodes above it that do not count; unique in the scene.
     pub path: String,
+    /// Whether the paths of the nodes below it name it. Only a control node's may not.
+    pub is_in_paths: bool,
     /// The node above it; `None` right under the root.
     pub parent: Option<NodeId>,
     /// What it is.
     pub kind: NodeKind,
     /// How many nodes stand above it: 0 right under the root.
     pub depth: usize,
-    subtree_end: u32,
+    pub(super) subtree_end: NodeId,
 }
 
 impl Node {
@@ -60,7 +62,7 @@ impl Node {
     fn parent_from_node(&self, seconds: f64, parent_from_rbt: impl Fn(RbtIndex) -> Affine3A) -> Affine3A {
         match &self.kind {
             NodeKind::Rbt(rbt) => parent_from_rbt(*rbt),
-            NodeKind::Shape(placed) => placed.parent_from_shape,
+            NodeKind::Shape(placed) => placed.parent_from_shape(),
             NodeKind::Control(keys) => keys.value_at(seconds),
         }
     }
@@ -70,41 +72,75 @@ impl Node {
         match &self.kind {
             NodeKind::Rbt(_) => None,
             NodeKind::Shape(placed) => placed.colour_keys.as_ref().map(Keyframes::last_second),
-            NodeKind::Control(keys) => Some(keys.last_second()),
+            NodeKind::Control(keys) => keys.last_second(),
         }
     }
 }
 
-/// Nodes, shapes and the rest pose. Immutable once built.
+/// Nodes, shapes and the rest pose. A change makes another scene, which shares all that stayed as it was.
 #[derive(Clone, Debug)]
 pub struct SceneGraph {
-    name: String,
-    nodes: Vec<Node>,
-    rbt_nodes: Vec<NodeId>,
-    by_path: HashMap<String, NodeId>,
-    rest: Pose,
-    walk: Walk,
-    eyes: Vec<RbtIndex>,
-    vertical_fov: f32,
+    nodes: Vec<Arc<Node>>,
+    index: Arc<Index>,
     last_second: Option<f64>,
+}
+
+/// What a scene knows beside its nodes: the same as long as only their keys change.
+#[derive(Debug, PartialEq)]
+pub(super) struct Index {
+    pub(super) name: String,
+    pub(super) rbt_nodes: Vec<NodeId>,
+    pub(super) by_path: HashMap<String, NodeId>,
+    pub(super) rest: Pose,
+    pub(super) walk: Walk,
+    pub(super) eyes: Vec<RbtIndex>,
+    pub(super) vertical_fov_degrees: f32,
+}
+
+impl PartialEq for SceneGraph {
+    /// Fast where the two share.
+    fn eq(&self, other: &Self) -> bool {
+        let same = |(a, b): (&Arc<Node>, &Arc<Node>)| Arc::ptr_eq(a, b) || a == b;
+        (Arc::ptr_eq(&self.index, &other.index) || self.index == other.index)
+            && self.nodes.len() == other.nodes.len()
+            && self.nodes.iter().zip(&other.nodes).all(same)
+    }
 }
 
 impl SceneGraph {
     /// The scene's name, as keyframe files carry it.
     #[must_use]
     pub fn name(&self) -> &str {
-        &self.name
+        &self.index.name
     }
 
     /// Every node, parents before children.
     #[must_use]
-    pub fn nodes(&self) -> &[Node] {
+    pub fn nodes(&self) -> &[Arc<Node>] {
         &self.nodes
     }
 
     /// Every node with its id, parents before children.
     pub fn nodes_with_ids(&self) -> impl Iterator<Item = (NodeId, &Node)> {
-        self.nodes.iter().enumerate().map(|(place, node)| (NodeId::from_place(place), node))
+        self.nodes.iter().enumerate().map(|(place, node)| (NodeId::from_place(place), &**node))
+    }
+
+    /// Whether poses and keyframe files mean the same nodes by the same paths in both scenes.
+    #[must_use]
+    pub fn has_rbts_of(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.index, &other.index) || self.rbt_paths().eq(other.rbt_paths())
+    }
+
+    /// This scene with another node of the same name and the same place in the tree in place of one: the same but for its keys.
+    pub(super) fn with_kind(&self, id: NodeId, kind: NodeKind) -> Self {
+        let mut nodes = self.nodes.clone();
+        nodes[id.get()] = Arc::new(Node { kind, ..(*self.nodes[id.get()]).clone() });
+        Self::of_parts(nodes, Arc::clone(&self.index))
+    }
+
+    pub(super) fn of_parts(nodes: Vec<Arc<Node>>, index: Arc<Index>) -> Self {
+        let last_second = nodes.iter().filter_map(|node| node.last_second()).reduce(f64::max);
+        Self { nodes, index, last_second }
     }
 
     /// One node.
@@ -116,24 +152,24 @@ impl SceneGraph {
     /// The node and all below it, as a range of arena places.
     #[must_use]
     pub fn subtree(&self, id: NodeId) -> Range<usize> {
-        id.get()..self.nodes[id.get()].subtree_end as usize
+        id.get()..self.nodes[id.get()].subtree_end.get()
     }
 
     /// How many RBT nodes there are: the length of every pose.
     #[must_use]
     pub fn rbt_count(&self) -> usize {
-        self.rbt_nodes.len()
+        self.index.rbt_nodes.len()
     }
 
     /// The RBT nodes, in the order of poses and files.
     pub fn rbt_indices(&self) -> impl Iterator<Item = RbtIndex> + use<> {
-        (0..self.rbt_nodes.len()).map(RbtIndex::new)
+        (0..self.index.rbt_nodes.len()).map(RbtIndex::new)
     }
 
     /// The node that an index of a pose stands for.
     #[must_use]
     pub fn rbt_node(&self, rbt: RbtIndex) -> NodeId {
-        self.rbt_nodes[rbt.get()]
+        self.index.rbt_nodes[rbt.get()]
     }
 
     /// The path of an RBT node.
@@ -144,13 +180,13 @@ impl SceneGraph {
 
     /// The paths of all RBT nodes, in the order of poses and files.
     pub fn rbt_paths(&self) -> impl Iterator<Item = &str> {
-        self.rbt_nodes.iter().map(|&id| self.node(id).path.as_str())
+        self.index.rbt_nodes.iter().map(|&id| self.node(id).path.as_str())
     }
 
     /// The node with this path.
     #[must_use]
     pub fn find(&self, path: &str) -> Option<NodeId> {
-        self.by_path.get(path).copied()
+        self.index.by_path.get(path).copied()
     }
 
     /// The RBT node with this path; `None` if there is none or it is of another kind.
@@ -165,19 +201,25 @@ impl SceneGraph {
     /// The pose that the scene was built with.
     #[must_use]
     pub fn rest_pose(&self) -> &Pose {
-        &self.rest
+        &self.index.rest
     }
 
     /// The RBT nodes that can be looked from, in the order in which the hotkey goes through them; never empty. The first is the sky camera.
     #[must_use]
     pub fn eyes(&self) -> &[RbtIndex] {
-        &self.eyes
+        &self.index.eyes
     }
 
     /// Vertical field of view of every eye, in radians.
     #[must_use]
     pub fn vertical_fov(&self) -> f32 {
-        self.vertical_fov
+        self.index.vertical_fov_degrees.to_radians()
+    }
+
+    /// The same in degrees, as scene files have it.
+    #[must_use]
+    pub fn vertical_fov_degrees(&self) -> f32 {
+        self.index.vertical_fov_degrees
     }
 
     /// Whether anything in the scene has keys at its own times.
@@ -207,7 +249,7 @@ impl SceneGraph {
             NodeKind::Control(keys) => keys.value_at(seconds),
             NodeKind::Rbt(_) | NodeKind::Shape(_) => Affine3A::IDENTITY,
         };
-        self.walk.world_from_nodes(pose, keys_of, into);
+        self.index.walk.world_from_nodes(pose, keys_of, into);
     }
 
     /// The same for any affine in place of each RBT node's transform: one forward loop, since parents come first.
@@ -275,122 +317,5 @@ impl SceneGraph {
             next = node.parent;
         }
         None
-    }
-}
-
-/// Builds a [`SceneGraph`] node by node, in pre-order.
-#[derive(Debug, Default)]
-pub struct SceneBuilder {
-    nodes: Vec<Node>,
-    rbt_nodes: Vec<NodeId>,
-    rest: Vec<Rbt>,
-    by_path: HashMap<String, NodeId>,
-    open: Vec<NodeId>,
-}
-
-impl SceneBuilder {
-    /// A builder with no nodes.
-    #[must_use]
-    pub fn new() -> Self {
-        Self::default()
-    }
-
-    /// Adds an RBT node under the innermost open one and opens it, so that what follows is below it until [`Self::close`].
-    ///
-    /// # Errors
-    /// When the name is empty, contains `/`, or stands twice under one parent.
-    pub fn open_rbt(&mut self, name: &str, rest_parent_from_node: Rbt) -> Result<NodeId, SceneError> {
-        let rbt = RbtIndex::new(self.rbt_nodes.len());
-        let id = self.push(name, NodeKind::Rbt(rbt))?;
-        self.rbt_nodes.push(id);
-        self.rest.push(rest_parent_from_node);
-        self.open.push(id);
-        Ok(id)
-    }
-
-    /// Adds a control node under the innermost open node and opens it, so that what follows is below it until [`Self::close`].
-    ///
-    /// # Errors
-    /// When the name is empty, contains `/`, or stands twice under one parent.
-    pub fn open_control(&mut self, name: &str, keys: TransformKeyframes) -> Result<NodeId, SceneError> {
-        let id = self.push(name, NodeKind::Control(keys))?;
-        self.open.push(id);
-        Ok(id)
-    }
-
-    /// Adds a shape under the innermost open node.
-    ///
-    /// # Errors
-    /// When the name is empty, contains `/`, or stands twice under one parent.
-    pub fn shape(&mut self, name: &str, placed: PlacedShape) -> Result<NodeId, SceneError> {
-        self.push(name, NodeKind::Shape(placed))
-    }
-
-    /// Closes the innermost open node.
-    pub fn close(&mut self) {
-        if let Some(id) = self.open.pop() {
-            let end = NodeId::from_place(self.nodes.len()).0;
-            self.nodes[id.get()].subtree_end = end;
-        }
-    }
-
-    fn push(&mut self, name: &str, kind: NodeKind) -> Result<NodeId, SceneError> {
-        let parent = self.open.last().copied();
-        let parent_path = parent.map(|id| self.nodes[id.get()].path.as_str());
-        if name.is_empty() || name.contains('/') {
-            return Err(SceneError::NodeName {
-                name: name.to_owned(),
-                parent: parent_path.unwrap_or("the root").to_owned(),
-            });
-        }
-        let path = parent_path.map_or_else(|| name.to_owned(), |above| format!("{above}/{name}"));
-        let id = NodeId::from_place(self.nodes.len());
-        if self.by_path.insert(path.clone(), id).is_some() {
-            return Err(SceneError::DuplicatePath { path });
-        }
-        self.nodes.push(Node {
-            name: name.to_owned(),
-            path,
-            parent,
-            kind,
-            depth: self.open.len(),
-            subtree_end: id.0 + 1,
-        });
-        Ok(id)
-    }
-
-    /// The finished scene.
-    ///
-    /// `eye_paths` are the RBT nodes that can be looked from; `vertical_fov` is in radians, above 0 and below π.
-    ///
-    /// # Errors
-    /// When there is no RBT node, no eye, an eye that is no RBT node, or a field of view out of range.
-    pub fn finish(mut self, name: &str, eye_paths: &[String], vertical_fov: f32) -> Result<SceneGraph, SceneError> {
-        while !self.open.is_empty() {
-            self.close();
-        }
-        if !(vertical_fov > 0.0 && vertical_fov < std::f32::consts::PI) {
-            return Err(SceneError::FieldOfView { degrees: vertical_fov.to_degrees() });
-        }
-        let mut scene = SceneGraph {
-            name: name.to_owned(),
-            walk: Walk::through(&self.nodes),
-            nodes: self.nodes,
-            rbt_nodes: self.rbt_nodes,
-            by_path: self.by_path,
-            rest: Pose::new(self.rest),
-            eyes: Vec::new(),
-            vertical_fov,
-            last_second: None,
-        };
-        for path in eye_paths {
-            let eye = scene.find_rbt(path).ok_or_else(|| SceneError::Eye { path: path.clone() })?;
-            scene.eyes.push(eye);
-        }
-        scene.last_second = scene.nodes.iter().filter_map(Node::last_second).reduce(f64::max);
-        if scene.eyes.is_empty() {
-            return Err(SceneError::NoEyes);
-        }
-        Ok(scene)
     }
 }

@@ -1,6 +1,6 @@
 //! Shapes: the geometry under RBT nodes, as dimensions and a colour. No meshes here; those are the renderer's.
 
-use glam::{Affine3A, Vec3};
+use glam::{Affine3A, Quat, Vec3};
 
 use crate::timed::Keyframes;
 
@@ -112,11 +112,48 @@ impl Shape {
 pub struct Colour(pub Vec3);
 
 impl Colour {
+    /// The colour of a shape that is given none: a light grey.
+    pub const DEFAULT: Self = Self(Vec3::splat(0.7));
+
     /// Linear-light red, green and blue, 0 to 1 (IEC 61966-2-1).
     #[must_use]
     pub fn to_linear(self) -> Vec3 {
         let channel = |c: f32| if c <= 0.040_45 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) };
         Vec3::new(channel(self.0.x), channel(self.0.y), channel(self.0.z))
+    }
+
+    /// The colour of linear-light red, green and blue that `#rrggbb` can say, nearest to these.
+    #[must_use]
+    pub fn nearest_to_linear(linear: Vec3) -> Self {
+        let channel = |c: f32| if c <= 0.003_130_8 { c * 12.92 } else { 1.055 * c.powf(1.0 / 2.4) - 0.055 };
+        Self::nearest(Vec3::new(channel(linear.x), channel(linear.y), channel(linear.z)))
+    }
+
+    /// The colour that `#rrggbb` can say, nearest to red, green and blue in sRGB.
+    #[must_use]
+    pub fn nearest(srgb: Vec3) -> Self {
+        let [r, g, b] = Self(srgb).to_bytes();
+        Self::from_bytes([r, g, b])
+    }
+
+    /// Red, green and blue in sRGB, each 0 to 255.
+    #[must_use]
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it is rounded, from 0 to 255")]
+    pub fn to_bytes(self) -> [u8; 3] {
+        self.0.to_array().map(|channel| (channel.clamp(0.0, 1.0) * 255.0).round() as u8)
+    }
+
+    /// The colour of red, green and blue in sRGB, each 0 to 255.
+    #[must_use]
+    pub fn from_bytes(bytes: [u8; 3]) -> Self {
+        Self(Vec3::from(bytes.map(|channel| f32::from(channel) / 255.0)))
+    }
+
+    /// It as `#rrggbb`.
+    #[must_use]
+    pub fn to_hex(self) -> String {
+        let [r, g, b] = self.to_bytes();
+        format!("#{r:02x}{g:02x}{b:02x}")
     }
 
     /// The colour that `#rrggbb` means.
@@ -132,6 +169,17 @@ impl Colour {
     }
 }
 
+/// Where a shape is under the node that carries it: first scaled, then turned, then moved.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Placement {
+    /// Translation in the parent node's space, in scene units.
+    pub translation: Vec3,
+    /// Rotation.
+    pub rotation: Quat,
+    /// Scale along each axis of the shape; above 0.
+    pub scale: Vec3,
+}
+
 /// A shape with its colour and its place under the node that carries it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlacedShape {
@@ -141,14 +189,54 @@ pub struct PlacedShape {
     pub colour: Colour,
     /// Its colour over time: linear-light red, green and blue, 0 to 1, at elapsed seconds.
     pub colour_keys: Option<Keyframes<Vec3>>,
-    /// Where it is, with any scale: shape space to the parent node's space.
-    pub parent_from_shape: Affine3A,
+    placement: Placement,
+    parent_from_shape: Affine3A,
 }
 
 impl PlacedShape {
+    /// A shape in its place.
+    #[must_use]
+    pub fn new(shape: Shape, colour: Colour, colour_keys: Option<Keyframes<Vec3>>, placement: Placement) -> Self {
+        let Placement { translation, rotation, scale } = placement;
+        let parent_from_shape = Affine3A::from_scale_rotation_translation(scale, rotation, translation);
+        Self { shape, colour, colour_keys, placement, parent_from_shape }
+    }
+
+    /// It with other keys of its colour, or with none.
+    #[must_use]
+    pub fn with_colour_keys(&self, colour_keys: Option<Keyframes<Vec3>>) -> Self {
+        Self { colour_keys, ..self.clone() }
+    }
+
+    /// Where it is.
+    #[must_use]
+    pub const fn placement(&self) -> Placement {
+        self.placement
+    }
+
+    /// Where it is, with any scale: shape space to the parent node's space.
+    #[must_use]
+    pub const fn parent_from_shape(&self) -> Affine3A {
+        self.parent_from_shape
+    }
+
     /// Its linear-light colour at a time.
     #[must_use]
     pub fn colour_at(&self, seconds: f64) -> Vec3 {
         self.colour_keys.as_ref().map_or_else(|| self.colour.to_linear(), |keys| keys.value_at(seconds))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_level_of_a_colour_survives_linear_light() {
+        for level in 0..=255 {
+            let colour = Colour::from_bytes([level, 255 - level, level / 2]);
+            assert_eq!(Colour::nearest_to_linear(colour.to_linear()), colour, "level {level}");
+            assert_eq!(Colour::from_hex(&colour.to_hex()), Some(colour));
+        }
     }
 }

@@ -13,7 +13,7 @@ const BATCH: usize = 8;
 const NO_PARENT: u32 = u32::MAX;
 
 /// How each node stands to its parent, in arena order.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Walk {
     /// The parents' places.
     parents: Vec<u32>,
@@ -23,7 +23,7 @@ pub(super) struct Walk {
 }
 
 /// Nodes of one kind that follow each other.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Run {
     /// So many RBT nodes: the next of the pose's transforms.
     Rbts(usize),
@@ -43,7 +43,7 @@ impl Walk {
                 (NodeKind::Rbt(_), Some(Run::Rbts(count))) => *count += 1,
                 (NodeKind::Rbt(_), _) => walk.runs.push(Run::Rbts(1)),
                 (NodeKind::Shape(placed), last) => {
-                    walk.fixed.push(placed.parent_from_shape);
+                    walk.fixed.push(placed.parent_from_shape());
                     match last {
                         Some(Run::Shapes(count)) => *count += 1,
                         _ => walk.runs.push(Run::Shapes(1)),

@@ -90,11 +90,13 @@ fn path(ui: &mut Ui, purpose: PathPurpose, typed: &mut String, is_new: &mut bool
     let (heading, verb) = match purpose {
         PathPurpose::Open => (words.say("Open a keyframe file"), words.say("Open")),
         PathPurpose::SaveAs => (words.say("Save the keyframes as"), words.say("Save")),
+        PathPurpose::SaveSceneAs => (words.say("Save the scene as"), words.say("Save")),
     };
     ui.heading(heading);
     ui.add_space(8.0);
     ui.label(RichText::new(words.say("Path of the file")).small().color(Tokens::of(ui).dim));
-    let field = ui.add(TextEdit::singleline(typed).desired_width(f32::INFINITY).hint_text("animation.json"));
+    let hint = if purpose == PathPurpose::SaveSceneAs { "scene.json" } else { "animation.json" };
+    let field = ui.add(TextEdit::singleline(typed).desired_width(f32::INFINITY).hint_text(hint));
     if std::mem::take(is_new) {
         field.request_focus();
     }
@@ -112,6 +114,7 @@ fn path(ui: &mut Ui, purpose: PathPurpose, typed: &mut String, is_new: &mut bool
         output.commands.push(Command::File(match purpose {
             PathPurpose::Open => FileCommand::Open(path),
             PathPurpose::SaveAs => FileCommand::SaveAs(path),
+            PathPurpose::SaveSceneAs => FileCommand::SaveSceneAs(path),
         }));
     }
     entered || is_confirmed || is_cancelled
@@ -129,9 +132,17 @@ fn quit(ui: &mut Ui, shown: Shown<'_>, output: &mut UiOutput) -> bool {
         words.say("Quit before the export is done?")
     });
     ui.add_space(8.0);
-    if changes {
+    if editor.has_unsaved_keyframes() {
         let path = editor.path().display().to_string();
         ui.label(words.fill("{} does not hold all of your keyframes and settings.", &[&path]));
+    }
+    if editor.has_unsaved_scene() {
+        ui.label(match editor.scene_path() {
+            Some(path) => {
+                words.fill("{} does not hold all of your control nodes and keys.", &[&path.display().to_string()])
+            }
+            None => words.say("The scene's control nodes and keys are in no file yet.").to_owned(),
+        });
     }
     if posing {
         ui.label(words.say("The robots stand in a pose that no keyframe holds."));

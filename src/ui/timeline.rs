@@ -7,6 +7,10 @@ mod curves;
 mod drag;
 mod graphs;
 mod hit;
+mod key_menu;
+mod key_rows;
+mod key_view;
+mod keys;
 mod labels;
 mod menu;
 mod paint;
@@ -23,8 +27,10 @@ use crate::keyframe::{KeyframeIndex, PlayRange};
 use columns::Columns;
 use drag::Drag;
 use hit::{Hit, Layout, RADIUS, Target};
+use key_view::KeyView;
+use keys::Keys;
 use paint::Look;
-use rows::Rows;
+use rows::{Rows, has_key_rows};
 use scale::{MOST_POINTS, Scale, View};
 
 /// Width of the field that a name is typed into.
@@ -71,25 +77,27 @@ pub struct Timeline {
     /// The keyframe that the context menu is for.
     menu_for: Option<usize>,
     graphs: graphs::Graphs,
+    keys: Keys,
 }
 
 impl Timeline {
     /// Whether Escape is for the timeline: a drag goes on, which it ends.
     #[must_use]
     pub const fn takes_escape(&self) -> bool {
-        self.drag.is_some() || self.graphs.is_dragging()
+        self.drag.is_some() || self.graphs.is_dragging() || self.keys.is_dragging()
     }
 
     /// Shows the timeline.
     pub fn show(&mut self, ui: &mut Ui, editor: &Editor, bindings: &[Binding], commands: &mut Vec<Command>) {
         let whole = ui.available_rect_before_wrap();
-        if editor.document().keyframes.is_empty() {
+        if editor.document().keyframes.is_empty() && !has_key_rows(editor.scene()) {
             empty(ui);
             return;
         }
         ui.advance_cursor_after_rect(whole);
         let mut columns = std::mem::take(&mut self.columns);
         columns.update(&editor.document().keyframes);
+        columns.set_keys(key_view::ends(editor));
         let layout = Layout::of(whole);
         let response = ui.interact(layout.scaled(), ui.scope_id().with("tracks"), Sense::click_and_drag());
         response.widget_info(|| WidgetInfo::labeled(Role::Group, true, "Timeline"));
@@ -110,8 +118,14 @@ impl Timeline {
             rows: shown_rows,
             scroll: self.scroll,
         };
-        let takes_part = self.tab == Tab::Graphs && self.graphs.pointer(ui, &response, &target, editor, commands);
-        if !takes_part {
+        let key_view = KeyView { editor, target: &target, rows: &rows };
+        let takes_part = match self.tab {
+            Tab::Graphs => self.graphs.pointer(ui, &response, &target, editor, commands),
+            Tab::Keyframes => self.drag.is_none() && self.keys.pointer(ui, &response, &key_view, commands),
+        };
+        if takes_part {
+            self.hovered = None;
+        } else {
             self.pointer(ui, &response, &target, editor, commands);
         }
         let look = Look { editor, target: &target, tokens: Tokens::of(ui), hovered: self.hovered };
@@ -121,11 +135,16 @@ impl Timeline {
             Tab::Keyframes => {
                 labels::rows(self, ui, &look, &rows, commands);
                 diamonds(self, ui, &look, commands);
+                self.keys.diamonds(ui, &key_view, look.tokens, commands);
             }
             Tab::Graphs => self.graphs.legend(ui, &look),
         }
-        self.tips(&response, &look);
-        self.menu(ui, &response, &target, editor, bindings, commands);
+        if self.tab == Tab::Graphs || !self.keys.tip(&response, &look, &rows) {
+            self.tips(&response, &look);
+        }
+        if self.tab == Tab::Graphs || !self.keys.menu(ui, &response, &key_view, commands) {
+            self.menu(ui, &response, &target, editor, bindings, commands);
+        }
         self.rename_field(ui, &target, editor, commands);
         self.columns = columns;
     }
@@ -140,6 +159,7 @@ impl Timeline {
         if self.tab == Tab::Keyframes {
             paint::lines(&painter, look);
             paint::nodes(&painter, look, rows);
+            self.keys.paint(&painter, look, rows);
             paint::summary(&painter, look, self.drag.as_ref());
             missing(ui, look);
         } else {
@@ -158,7 +178,7 @@ impl Timeline {
     fn choose_view(&mut self, editor: &Editor, layout: &Layout, columns: &Columns) {
         let width = layout.tracks.width();
         let (first, last) = columns.ends();
-        let is_still = self.drag.is_none() && !self.graphs.is_dragging();
+        let is_still = self.drag.is_none() && !self.graphs.is_dragging() && !self.keys.is_dragging();
         let fitted_to = (columns.len(), width);
         if is_still && self.fitted_to != fitted_to {
             // More keyframes, or another width: what nobody zoomed fits itself. Retiming leaves it alone.
@@ -181,6 +201,7 @@ impl Timeline {
         } else if let Some(current) = now.0.filter(|_| is_new) {
             *view = view.showing(columns.time(current.get()), width);
         }
+        let (first, last) = columns.all();
         *view = view.kept_near(first, last, width);
     }
 
@@ -204,12 +225,13 @@ impl Timeline {
     fn set_view(&mut self, change: impl FnOnce(View) -> View, width: f32, columns: &Columns) {
         let (first, last) = columns.ends();
         let view = self.view.or(self.untouched).unwrap_or_else(|| View::at_first(first, last, width));
+        let (first, last) = columns.all();
         self.view = Some(change(view).kept_near(first, last, width));
     }
 
     fn pan(&mut self, by: f32, target: &Target<'_>) {
         let width = target.layout.tracks.width();
-        let (first, last) = target.columns.ends();
+        let (first, last) = target.columns.all();
         self.view = Some(target.scale.view.panned(by).kept_near(first, last, width));
     }
 
@@ -223,7 +245,7 @@ impl Timeline {
             ui.input(|input| (input.zoom_delta(), input.smooth_scroll_delta(), input.modifiers));
         let width = layout.tracks.width();
         if zoom != 1.0 {
-            let (first, last) = columns.ends();
+            let (first, last) = columns.all();
             let least = (View::fitting(first, last, width).points_per_unit / 2.0).min(MOST_POINTS);
             self.set_view(|view| view.zoomed(f64::from(zoom), at.x - layout.tracks.left(), least), width, columns);
         } else if scrolled != egui::Vec2::ZERO {
@@ -254,12 +276,16 @@ impl Timeline {
 
     /// Brings the whole list into sight.
     fn fit_all(&mut self, layout: &Layout, columns: &Columns) {
-        let (first, last) = columns.ends();
+        let (first, last) = columns.all();
         self.view = Some(View::fitting(first, last, layout.tracks.width()));
     }
 
     /// Brings the keyframes at hand into sight, with their neighbours where it is one.
     fn fit_selection(&mut self, editor: &Editor, layout: &Layout, columns: &Columns) {
+        if let Some((first, last)) = key_view::ends_of_selection(editor) {
+            self.view = Some(View::fitting(first, last.max(first + 0.1), layout.tracks.width()));
+            return;
+        }
         let places = editor.keyframes_at_hand();
         let (Some(&first), Some(&last)) = (places.first(), places.last()) else { return };
         let last_place = columns.len().saturating_sub(1);
@@ -313,6 +339,11 @@ impl Timeline {
     }
 }
 
+/// The context menu of a node in a list: a control node above it, keys of the colours of its shapes.
+pub fn node_menu(response: &Response, editor: &Editor, rbt: crate::pose::RbtIndex, commands: &mut Vec<Command>) {
+    key_menu::of_rbt(response, editor, editor.scene().rbt_node(rbt), commands);
+}
+
 fn select_all(ui: &Ui, id: Id, characters: usize) {
     let mut state = egui::text_edit::TextEditState::load(ui.ctx(), id).unwrap_or_default();
     let all = egui::text::CCursorRange::two(egui::text::CCursor::new(0), egui::text::CCursor::new(characters));
@@ -338,12 +369,14 @@ fn empty(ui: &mut Ui) {
 fn missing(ui: &Ui, look: &Look<'_>) {
     let count = look.target.columns.len();
     let text = match count {
+        0 => "No keyframes yet: pose, then press n.".to_owned(),
         1 | 2 => format!("{} more keyframes make an animation: pose, then press n.", 4 - count),
         3 => "1 more keyframe makes an animation: pose, then press n.".to_owned(),
         _ => return,
     };
     let (_, last) = look.target.columns.ends();
-    let at = pos2(look.target.scale.x_of(last) + 32.0, look.target.layout.summary.center().y);
+    let x = if count == 0 { look.target.layout.tracks.left() - 8.0 } else { look.target.scale.x_of(last) + 12.0 };
+    let at = pos2(x + 20.0, look.target.layout.summary.center().y);
     let painter = ui.painter().with_clip_rect(look.target.layout.tracks.intersect(ui.clip_rect()));
     painter.text(at, Align2::LEFT_CENTER, text, FontId::proportional(12.0), look.tokens.dim);
 }

@@ -91,11 +91,13 @@ impl Tree {
         if let Some(eye) = row.eye {
             self.eye(ui, editor, (eye, row.name, eye_key), rect, commands);
         }
-        if was_pressed(&response.on_hover_text(if is_chosen {
+        let response = response.on_hover_text(if is_chosen {
             words.say("A click chooses nothing")
         } else {
             words.say("Choose it: drags move it")
-        })) {
+        });
+        super::timeline::node_menu(&response, editor, row.rbt, commands);
+        if was_pressed(&response) {
             commands.push(Command::View(ViewCommand::Choose((!is_chosen).then_some(row.rbt))));
         }
     }

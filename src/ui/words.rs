@@ -3,6 +3,7 @@
 //! A widget says `Words::of(ui).say("New keyframe")`; what is missing in a language is said in English, and a test misses it.
 
 mod ko;
+mod ko_scene_keys;
 
 use egui::{Context, Id, Ui};
 
@@ -57,7 +58,7 @@ impl Words {
         if let Some(said) = self.entry(english) {
             return said.to_owned();
         }
-        let fitting = self.table().iter().filter_map(|(pattern, said)| Some((pattern, said, holes(pattern, english)?)));
+        let fitting = self.table().filter_map(|(pattern, said)| Some((pattern, said, holes(pattern, english)?)));
         // Where several fit, the one with the most words of its own is meant.
         match fitting.max_by_key(|(pattern, ..)| pattern.len()) {
             Some((_, said, found)) => {
@@ -75,14 +76,15 @@ impl Words {
     }
 
     fn entry(self, english: &str) -> Option<&'static str> {
-        self.table().iter().find(|(key, _)| *key == english).map(|(_, said)| *said)
+        self.table().find(|(key, _)| *key == english).map(|(_, said)| *said)
     }
 
-    fn table(self) -> &'static [(&'static str, &'static str)] {
-        match self.0 {
-            Language::English => &[],
-            Language::Korean => ko::WORDS,
-        }
+    fn table(self) -> impl Iterator<Item = &'static (&'static str, &'static str)> {
+        let (first, second) = match self.0 {
+            Language::English => (&[][..], &[][..]),
+            Language::Korean => (ko::WORDS, ko_scene_keys::WORDS),
+        };
+        first.iter().chain(second)
     }
 }
 

@@ -31,9 +31,14 @@ pub fn ask(question: Question, current: &Path, words: Words, proxy: EventLoopPro
     let name = current.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
     thread::spawn(move || {
         let start = now();
+        let kind = match question {
+            Question::Keyframes(PathPurpose::Open | PathPurpose::SaveAs) => Some("Keyframe files"),
+            Question::Keyframes(PathPurpose::SaveSceneAs) => Some("Scene files"),
+            Question::Film | Question::Folder => None,
+        };
         let mut dialog = FileDialog::new();
-        if matches!(question, Question::Keyframes(_)) {
-            dialog = dialog.add_filter(words.say("Keyframe files"), &["json"]);
+        if let Some(kind) = kind {
+            dialog = dialog.add_filter(words.say(kind), &["json"]);
         }
         if question == Question::Keyframes(PathPurpose::Open) {
             dialog = dialog.add_filter(words.say("Keyframes as text"), &["txt", "csv"]);
@@ -44,7 +49,9 @@ pub fn ask(question: Question, current: &Path, words: Words, proxy: EventLoopPro
         }
         let path = match question {
             Question::Keyframes(PathPurpose::Open) => dialog.pick_file(),
-            Question::Keyframes(PathPurpose::SaveAs) | Question::Film => dialog.set_file_name(name).save_file(),
+            Question::Keyframes(PathPurpose::SaveAs | PathPurpose::SaveSceneAs) | Question::Film => {
+                dialog.set_file_name(name).save_file()
+            }
             Question::Folder => dialog.pick_folder(),
         };
         // Where the window is gone, so is the question.

@@ -34,6 +34,10 @@ impl Shell {
                     self.used(&path);
                 }
             }
+            Effect::WriteScene { path, text, is_known } => {
+                let outcome = write(&path, &text, is_known);
+                let _ = self.editor.scene_written(&path, outcome);
+            }
             Effect::Screenshot { path } => {
                 let path = path.unwrap_or_else(|| storage::next_screenshot_path(self.editor.path()));
                 let outcome = self.screenshot(&path);
@@ -41,11 +45,11 @@ impl Shell {
             }
             Effect::Export(options) => self.export(*options),
             Effect::CancelExport => self.cancel_export(),
-            Effect::ChooseOpen => self.choose_path(Question::Keyframes(PathPurpose::Open), None),
-            Effect::ChooseSaveAs => self.choose_path(Question::Keyframes(PathPurpose::SaveAs), None),
+            Effect::ChooseOpen => self.choose_keyframes(PathPurpose::Open),
+            Effect::ChooseSaveAs => self.choose_keyframes(PathPurpose::SaveAs),
+            Effect::ChooseSaveSceneAs => self.choose_keyframes(PathPurpose::SaveSceneAs),
             Effect::ChooseExport { proposed, is_folder } => {
-                let question = if is_folder { Question::Folder } else { Question::Film };
-                self.choose_path(question, Some(&proposed));
+                self.choose_path(if is_folder { Question::Folder } else { Question::Film }, &proposed);
             }
             Effect::Quit => self.quit_or_ask(),
             Effect::Window(command) => self.window_command(&command),
@@ -89,10 +93,22 @@ impl Shell {
         storage::write(path, &png).map_err(|error| error.to_string())
     }
 
-    fn choose_path(&mut self, question: Question, proposed: Option<&Path>) {
+    fn choose_path(&mut self, question: Question, proposed: &Path) {
         if !std::mem::replace(&mut self.is_choosing_path, true) {
             let words = Words::new(self.kept.settings.language);
-            dialog::ask(question, proposed.unwrap_or(self.editor.path()), words, self.proxy.clone());
+            dialog::ask(question, proposed, words, self.proxy.clone());
+        }
+    }
+
+    fn choose_keyframes(&mut self, purpose: PathPurpose) {
+        self.choose_path(Question::Keyframes(purpose), &self.proposed(purpose));
+    }
+
+    /// The path that a dialog begins with.
+    fn proposed(&self, purpose: PathPurpose) -> PathBuf {
+        match purpose {
+            PathPurpose::Open | PathPurpose::SaveAs => self.editor.path().to_owned(),
+            PathPurpose::SaveSceneAs => self.editor.proposed_scene_path(),
         }
     }
 
@@ -101,13 +117,17 @@ impl Shell {
         self.is_choosing_path = false;
         let has_dialog = took >= dialog::TOO_FAST_FOR_A_USER;
         match (path, question) {
-            (Some(path), Question::Keyframes(PathPurpose::Open)) => self.apply(Command::File(FileCommand::Open(path))),
-            (Some(path), Question::Keyframes(PathPurpose::SaveAs)) => {
-                self.apply(Command::File(FileCommand::SaveAs(path)));
-            }
+            (Some(path), Question::Keyframes(purpose)) => self.apply(Command::File(match purpose {
+                PathPurpose::Open => FileCommand::Open(path),
+                PathPurpose::SaveAs => FileCommand::SaveAs(path),
+                PathPurpose::SaveSceneAs => FileCommand::SaveSceneAs(path),
+            })),
             (Some(path), Question::Film | Question::Folder) => self.ui.choose_export_path(&path),
             (None, _) if has_dialog => {}
-            (None, Question::Keyframes(purpose)) => self.ui.ask_for_path(purpose, self.editor.path()),
+            (None, Question::Keyframes(purpose)) => {
+                let proposed = self.proposed(purpose);
+                self.ui.ask_for_path(purpose, &proposed);
+            }
             (None, Question::Film | Question::Folder) => {
                 let text = "The system has no dialog for files: type the path.".to_owned();
                 self.editor.say_of(Severity::Error, text);
@@ -123,19 +143,28 @@ impl Shell {
         }
     }
 
-    /// Does what the user answered to the question about unsaved work. A file that cannot be written keeps the window open.
+    /// Does what the user answered to the question about unsaved work. A file that cannot be written, or is not named yet, keeps the
+    /// window open.
     pub(super) fn quit_answered(&mut self, answer: QuitAnswer) {
+        if answer == QuitAnswer::Discard {
+            self.is_quitting = true;
+            return;
+        }
         if answer == QuitAnswer::KeepPoseAndSave {
             self.apply(Command::Edit(Edit::CreateKeyframe));
         }
-        if answer != QuitAnswer::Discard {
+        if self.editor.has_unsaved_keyframes() {
             self.apply(Command::File(FileCommand::Write));
         }
-        self.is_quitting = answer == QuitAnswer::Discard || self.editor.message().severity != Severity::Error;
+        let is_written = self.editor.message().severity != Severity::Error;
+        if is_written && self.editor.has_unsaved_scene() {
+            self.apply(Command::File(FileCommand::WriteScene));
+        }
+        self.is_quitting = is_written && !self.editor.has_unsaved_changes();
     }
 }
 
-/// Writes a keyframe file; what stood there and is not known is kept beside it.
+/// Writes a file; what stood there and is not known is kept beside it.
 fn write(path: &Path, text: &str, is_known: bool) -> Result<Option<PathBuf>, String> {
     let kept = if is_known { None } else { storage::keep_copy(path).map_err(|error| error.to_string())? };
     storage::write(path, text.as_bytes()).map_err(|error| error.to_string())?;

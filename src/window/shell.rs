@@ -180,7 +180,7 @@ impl Shell {
 
     /// Gives the editor the ticks that passed, and says when the next one is due.
     fn tick(&mut self, at: Instant) -> Option<Instant> {
-        if !self.editor.is_playing() {
+        if !self.editor.wants_ticks() {
             self.last_tick = None;
             return None;
         }

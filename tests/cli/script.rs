@@ -178,7 +178,8 @@ fn bad_lines_are_named_and_nothing_is_run() {
     sandbox.write("s.txt", "key n\nkey w\nselect robot9\n\njump\nkey q # none\n");
     sandbox.run(&["script", "s.txt", "--trace", "--state", "state.json"]).refuses(
         "s.txt: line 3: node \"robot9\" is not in the scene \"two-robots\"\n\
-         s.txt: line 5: \"jump\" is not a command; the commands are select, rotate, translate, key, wait, undo, redo and screenshot\n\
+         s.txt: line 5: \"jump\" is not a command; the commands are select, rotate, translate, key, wait, undo, redo, \
+         screenshot, put-control, remove-control, rename-control, add-key, set-key, move-key, delete-key, seconds and save-scene\n\
          s.txt: line 6: \"q\" is not a hotkey",
     );
     sandbox.run(&["script", "none.txt"]).refuses("none.txt: there is no such file or folder");
@@ -217,4 +218,35 @@ fn an_empty_list_writes_a_file_with_no_keyframes() {
         sandbox.run(&["check", "animation.json"]).succeeds(),
         "animation.json: ok, 0 keyframes, linear, 2000 ms\n"
     );
+}
+
+#[test]
+fn control_nodes_and_their_keys_are_scripted_and_saved() {
+    let sandbox = Sandbox::new();
+    sandbox.write("animation.json", keyframe_file(2).to_string());
+    let trace = sandbox.trace(
+        "put-control robot1\nrename-control spin robot1_control\nset-key translation 0 0,0,0 spin\n\
+         set-key translation 2 4,0,0 spin\nadd-key translation 1.5 spin\nmove-key translation 1.5 1 spin\n\
+         set-key colour 1 ff8000 robot1/chest\ndelete-key scale 1 spin\nseconds 1\nsave-scene spin.json\n",
+    );
+    let message = |line: usize| trace[line]["message"].as_str().unwrap().to_owned();
+    assert!(message(0).starts_with("robot1_control stands above it"));
+    assert_eq!(message(4), "1 key at 1.500 s.");
+    assert_eq!(message(5), "Moved 1 key by -0.500 s.");
+    assert_eq!(message(7), "spin has no key of its scale at 1 s.");
+    assert_eq!(message(9), "Wrote the scene to spin.json.");
+    let saved = sandbox.json("spin.json");
+    assert_eq!(saved["version"], json!(2));
+    let spin = saved["nodes"].as_array().unwrap().iter().find(|node| node["name"] == json!("spin")).unwrap();
+    assert_eq!(spin["control"]["translation"], json!([[0, [0, 0, 0]], [1, [3, 0, 0]], [2, [4, 0, 0]]]));
+    // The same keyframe file fits both scenes, and what is sampled in the world has moved.
+    let run = |arguments: &[&str]| Sandbox::outcome(sandbox.command(arguments)).succeeds();
+    assert_eq!(run(&["nodes", "--scene", "spin.json"]), run(&["nodes"]));
+    assert!(run(&["check", "animation.json", "--scene", "spin.json"]).contains("animation.json"));
+    // Opened and written again, it is the same to the byte.
+    let mut again = sandbox.command(&["script", "-", "--scene", "spin.json"]);
+    again.write_stdin("save-scene again.json\n");
+    Sandbox::outcome(again).succeeds();
+    assert_eq!(sandbox.json("again.json"), saved);
+    assert_eq!(sandbox.read("again.json"), sandbox.read("spin.json"));
 }

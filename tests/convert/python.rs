@@ -26,23 +26,29 @@ fn keys(text: &str) -> TransformKeyframes {
 fn all_three_kinds() {
     for text in [PYTHON.to_owned(), PYTHON.replace('\n', "\r\n"), format!("\u{feff}{PYTHON}")] {
         let keys = keys(&text);
-        assert_eq!(keys.translation.value_at(1.0), Vec3::new(0.5, 0.5, 0.0));
-        assert_eq!(keys.translation.value_at(9.0), Vec3::new(0.0, -0.85, 0.0));
-        assert!(keys.rotation.value_at(2.0).dot(rotation_from_euler_degrees([180.0, 45.0, 90.0])).abs() > 0.999_999);
-        assert!(keys.rotation.value_at(3.0).dot(Quat::from_rotation_y(std::f32::consts::FRAC_PI_2)).abs() > 0.999_999);
-        assert_eq!(keys.rotation.value_at(4.0), Quat::from_xyzw(0.0, 0.0, 0.6, 0.8));
-        assert_eq!(keys.scale.value_at(2.0), Vec3::new(0.5, 1.0, 2.0));
-        assert_eq!(keys.scale.len(), 3);
+        assert_eq!(keys.translation.as_ref().unwrap().value_at(1.0), Vec3::new(0.5, 0.5, 0.0));
+        assert_eq!(keys.translation.as_ref().unwrap().value_at(9.0), Vec3::new(0.0, -0.85, 0.0));
+        assert!(
+            keys.rotation.as_ref().unwrap().value_at(2.0).dot(rotation_from_euler_degrees([180.0, 45.0, 90.0])).abs()
+                > 0.999_999
+        );
+        assert!(
+            keys.rotation.as_ref().unwrap().value_at(3.0).dot(Quat::from_rotation_y(std::f32::consts::FRAC_PI_2)).abs()
+                > 0.999_999
+        );
+        assert_eq!(keys.rotation.as_ref().unwrap().value_at(4.0), Quat::from_xyzw(0.0, 0.0, 0.6, 0.8));
+        assert_eq!(keys.scale.as_ref().unwrap().value_at(2.0), Vec3::new(0.5, 1.0, 2.0));
+        assert_eq!(keys.scale.as_ref().unwrap().len(), 3);
     }
 }
 
 #[test]
 fn a_dictionary_without_a_name_is_told_by_its_values() {
-    assert_eq!(keys("{0: vec(0, 0, 0), 2: vec(1, 1, 0)}").translation.len(), 2);
-    assert_eq!(keys("{ 0 : 1, 2: .5, }").scale.value_at(2.0), Vec3::splat(0.5));
-    assert_eq!(keys("{0: quaternion(), -1: quaternion(w=1)}").rotation.len(), 2);
-    assert_eq!(keys("translate_keys={0: (0, 1, 2), 1: [0, 1, 2]}, scale_keys={}").translation.len(), 2);
-    let radians = keys("{0: quaternion_from_axis_angle((0, 0, 2), radians=1.5707963)}").rotation.value_at(0.0);
+    assert_eq!(keys("{0: vec(0, 0, 0), 2: vec(1, 1, 0)}").translation.unwrap().len(), 2);
+    assert_eq!(keys("{ 0 : 1, 2: .5, }").scale.unwrap().value_at(2.0), Vec3::splat(0.5));
+    assert_eq!(keys("{0: quaternion(), -1: quaternion(w=1)}").rotation.unwrap().len(), 2);
+    assert_eq!(keys("translate_keys={0: (0, 1, 2), 1: [0, 1, 2]}, scale_keys={}").translation.unwrap().len(), 2);
+    let radians = keys("{0: quaternion_from_axis_angle((0, 0, 2), radians=1.5707963)}").rotation.unwrap().value_at(0.0);
     assert!(radians.dot(Quat::from_rotation_z(std::f32::consts::FRAC_PI_2)) > 0.999_999);
 }
 

@@ -1,5 +1,7 @@
 //! The script's text: bytes to lines that can be run.
 
+mod scene_lines;
+
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -56,7 +58,8 @@ pub enum LineProblem {
     NotUtf8,
     /// The first word is no command.
     #[error(
-        "{word:?} is not a command; the commands are select, rotate, translate, key, wait, undo, redo and screenshot"
+        "{word:?} is not a command; the commands are select, rotate, translate, key, wait, undo, redo, screenshot, \
+         put-control, remove-control, rename-control, add-key, set-key, move-key, delete-key, seconds and save-scene"
     )]
     Unknown {
         /// The word.
@@ -88,6 +91,22 @@ pub enum LineProblem {
         /// What stands there.
         word: String,
     },
+    /// Nothing of that name has keys at their own times.
+    #[error("{word:?} has no keys; expected translation, rotation, scale or colour")]
+    Channel {
+        /// What stands there.
+        word: String,
+    },
+    /// A key cannot hold that.
+    #[error("{word:?} is not a {channel}; expected {expected}")]
+    Value {
+        /// What stands there.
+        word: String,
+        /// What it should be.
+        channel: &'static str,
+        /// How that is written.
+        expected: &'static str,
+    },
     /// No hotkey is bound to that.
     #[error("{word:?} is not a hotkey")]
     Hotkey {
@@ -109,7 +128,7 @@ pub enum LineProblem {
 /// # Errors
 /// Every line that cannot be understood, in order; never empty.
 pub fn parse(bytes: &[u8], scene: &SceneGraph) -> Result<Vec<Line>, Vec<ScriptError>> {
-    let parser = Parser { scene, bindings: bindings() };
+    let mut parser = Parser { scene: scene.clone(), bindings: bindings() };
     let mut lines = Vec::new();
     let mut problems = Vec::new();
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
@@ -123,14 +142,15 @@ pub fn parse(bytes: &[u8], scene: &SceneGraph) -> Result<Vec<Line>, Vec<ScriptEr
     if problems.is_empty() { Ok(lines) } else { Err(problems) }
 }
 
-struct Parser<'a> {
-    scene: &'a SceneGraph,
+struct Parser {
+    /// The scene as it is after the lines so far.
+    scene: SceneGraph,
     bindings: Vec<Binding>,
 }
 
-impl Parser<'_> {
+impl Parser {
     /// The line's text without its comment, and what it does; nothing where nothing is left.
-    fn line<'t>(&self, line: &'t str) -> Result<Option<(&'t str, Action)>, LineProblem> {
+    fn line<'t>(&mut self, line: &'t str) -> Result<Option<(&'t str, Action)>, LineProblem> {
         if let Some(text) = self.select_of_a_path_with_number_signs(line) {
             return self.action(text).map(|action| Some((text, action)));
         }
@@ -153,9 +173,12 @@ impl Parser<'_> {
         })
     }
 
-    fn action(&self, text: &str) -> Result<Action, LineProblem> {
+    fn action(&mut self, text: &str) -> Result<Action, LineProblem> {
         let (name, rest) = text.split_once(char::is_whitespace).unwrap_or((text, ""));
         let rest = rest.trim_start();
+        if let Some(action) = self.scene_line(name, rest, text) {
+            return action;
+        }
         let words: Vec<&str> = rest.split_whitespace().collect();
         let usage = |usage| LineProblem::Usage { usage, found: text.to_owned() };
         Ok(Action::Apply(match (name, words.as_slice()) {

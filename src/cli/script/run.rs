@@ -100,9 +100,16 @@ impl Runner {
                     let written = storage::write(&path, text.as_bytes()).map(|()| None);
                     self.editor.keyframes_written(&path, written.map_err(|error| error.to_string()))?;
                 }
+                Effect::WriteScene { path, text, is_known: _ } => {
+                    let written = storage::write(&path, text.as_bytes()).map(|()| None);
+                    self.editor.scene_written(&path, written.map_err(|error| error.to_string()))?;
+                }
                 Effect::Screenshot { path } => {
                     let path = path.unwrap_or_else(|| storage::next_screenshot_path(self.editor.path()));
                     self.take_screenshot(&path)?;
+                }
+                Effect::ChooseSaveSceneAs => {
+                    said = Some("Without a window there is no dialog: use save-scene FILE.".to_owned());
                 }
                 Effect::ChooseOpen | Effect::ChooseSaveAs => {
                     said = Some("Without a window there is no dialog: use --keyframes FILE.".to_owned());

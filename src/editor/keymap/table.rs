@@ -1,7 +1,7 @@
 //! The bindings themselves.
 
 use super::{Binding, Chord, Group, Key, Modifiers};
-use crate::editor::{Command, Edit, FileCommand, PlaybackCommand, TimelineEdit, ViewCommand, WindowCommand};
+use crate::editor::{Command, Edit, FileCommand, PlaybackCommand, SceneEdit, TimelineEdit, ViewCommand, WindowCommand};
 
 /// The table of bindings. The order is the help's.
 #[must_use]
@@ -111,6 +111,13 @@ pub fn bindings() -> Vec<Binding> {
             edit(Edit::Timeline(TimelineEdit::ReverseKeyframes)),
             "Reverse keyframes",
             "Reverse the order of the selected keyframes, or of all",
+        ),
+        row(
+            Group::Timeline,
+            vec![],
+            edit(Edit::Scene(SceneEdit::PutControlAboveChosen)),
+            "Put control node above",
+            "Put a control node above the chosen node: its keys stand at their own times",
         ),
         row(
             Group::Timeline,
@@ -264,6 +271,20 @@ pub fn bindings() -> Vec<Binding> {
             Command::File(FileCommand::ChooseSaveAs),
             "Save As…",
             "Write to another keyframe file",
+        ),
+        row(
+            Group::File,
+            vec![],
+            Command::File(FileCommand::WriteScene),
+            "Save scene",
+            "Write the scene, with its control nodes and keys, to its file",
+        ),
+        row(
+            Group::File,
+            vec![],
+            Command::File(FileCommand::ChooseSaveSceneAs),
+            "Save scene as…",
+            "Write the scene to another file",
         ),
         row(
             Group::File,

@@ -9,6 +9,8 @@ use crate::keyframe::KeyframeList;
 pub struct Columns {
     list: KeyframeList,
     times: Vec<f64>,
+    /// From the first to the last key at its own time.
+    keys: Option<(f64, f64)>,
 }
 
 impl Columns {
@@ -26,6 +28,11 @@ impl Columns {
             // The first played keyframe is where times are counted from, to the bit.
             time = if self.times.len() == 1 { 0.0 } else { time + keyframe.duration };
         }
+    }
+
+    /// Takes in the first and the last time at which other keys stand.
+    pub const fn set_keys(&mut self, keys: Option<(f64, f64)>) {
+        self.keys = keys;
     }
 
     /// How many keyframes there are.
@@ -46,12 +53,24 @@ impl Columns {
         self.times.get(place + 1).copied().unwrap_or_else(|| self.time(place))
     }
 
-    /// The first and the last time; of an empty list a unit.
+    /// The first and the last time of keyframes; of an empty list those of all else.
     #[must_use]
     pub fn ends(&self) -> (f64, f64) {
         match (self.times.first(), self.times.last()) {
             (Some(&first), Some(&last)) => (first, last),
-            _ => (0.0, 1.0),
+            _ => self.all(),
+        }
+    }
+
+    /// The first and the last time of anything; of nothing a unit.
+    #[must_use]
+    pub fn all(&self) -> (f64, f64) {
+        let of_keyframes = self.times.first().copied().zip(self.times.last().copied());
+        match (of_keyframes, self.keys) {
+            (Some((first, last)), Some((first_key, last_key))) => (first.min(first_key), last.max(last_key)),
+            (Some(ends), None) => ends,
+            (None, Some((first, last))) => (first.min(0.0), last.max(first.min(0.0) + 1.0)),
+            (None, None) => (0.0, 1.0),
         }
     }
 

@@ -8,7 +8,7 @@ use crate::editor::{Command, Edit, Editor, GestureCommand, PlaybackCommand, Time
 use crate::keyframe::{DURATION_RANGE, KeyframeIndex};
 
 /// Nearer than this to one unit, in points, a dragged interval lasts just that.
-const SNAP: f32 = 4.0;
+pub(super) const SNAP: f32 = 4.0;
 
 /// A drag that goes on.
 #[derive(Clone, Debug, PartialEq)]
@@ -84,7 +84,7 @@ pub fn moves_anything(places: &[usize], to: usize) -> bool {
     !(is_one_run && (first..=last + 1).contains(&to))
 }
 
-const fn mode_of(modifiers: Modifiers) -> Mode {
+pub(super) const fn mode_of(modifiers: Modifiers) -> Mode {
     if modifiers.command || modifiers.ctrl {
         Mode::Toggle
     } else if modifiers.shift {
@@ -211,6 +211,7 @@ impl Timeline {
                 if let Some(command) = scrubbing(target, editor, at.x, modifiers.shift) {
                     commands.push(command);
                 }
+                commands.extend(super::key_view::scrubbing(target, editor, at.x));
             }
             Some(Drag::Range { is_start }) => {
                 if let Some(command) = ranging(target, at.x, *is_start) {

@@ -5,9 +5,10 @@ use egui::{Align2, Painter, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetIn
 use super::columns::Columns;
 use super::hit::Layout;
 use super::paint::Look;
-use super::rows::Row;
-use super::{Tab, Timeline};
+use super::rows::{Row, Subject};
+use super::{Tab, Timeline, key_menu};
 use crate::editor::{Command, Editor, ViewCommand};
+use crate::pose::RbtIndex;
 use crate::ui::icons::{Icon, button_at, was_pressed};
 use crate::ui::theme::{CORNER, ROW, Tokens, small_font, text_font};
 
@@ -60,7 +61,11 @@ pub fn rows(timeline: &mut Timeline, ui: &Ui, look: &Look<'_>, rows: &[Row], com
     for place in look.target.rows_in_sight() {
         let row = &rows[place];
         let rect = Rect::from_x_y_ranges(column.x_range(), look.target.row_rect(place).y_range());
-        name(ui, &painter, look, row, rect.intersect(area), rect, commands);
+        let seen = rect.intersect(area);
+        match row.subject {
+            Subject::Rbt { rbt, .. } => name(ui, &painter, look, (row, rbt), seen, rect, commands),
+            _ => timeline.keys.label(ui, &painter, look, row, (rect, seen), commands),
+        }
         let left = column.left() + 12.0 + 12.0 * depth(row);
         if row.has_children {
             triangle(timeline, ui, &painter, look, row, pos2(left, rect.center().y));
@@ -68,12 +73,20 @@ pub fn rows(timeline: &mut Timeline, ui: &Ui, look: &Look<'_>, rows: &[Row], com
     }
 }
 
-fn name(ui: &Ui, painter: &Painter, look: &Look<'_>, row: &Row, seen: Rect, rect: Rect, commands: &mut Vec<Command>) {
+fn name(
+    ui: &Ui,
+    painter: &Painter,
+    look: &Look<'_>,
+    (row, rbt): (&Row, RbtIndex),
+    seen: Rect,
+    rect: Rect,
+    commands: &mut Vec<Command>,
+) {
     let tokens = look.tokens;
     let scene = look.editor.scene();
-    let is_chosen = look.editor.session().chosen == Some(row.rbt);
-    let response = ui.interact(seen.shrink2(vec2(1.0, 0.0)), ui.scope_id().with(("row", row.rbt)), Sense::click());
-    let path = scene.rbt_path(row.rbt);
+    let is_chosen = look.editor.session().chosen == Some(rbt);
+    let response = ui.interact(seen.shrink2(vec2(1.0, 0.0)), ui.scope_id().with(("row", rbt)), Sense::click());
+    let path = scene.rbt_path(rbt);
     response.widget_info(|| WidgetInfo::selected(Role::ListBoxOption, true, is_chosen, format!("Row of {path}")));
     let fill = if is_chosen {
         Some(tokens.accent_fill)
@@ -90,20 +103,22 @@ fn name(ui: &Ui, painter: &Painter, look: &Look<'_>, row: &Row, seen: Rect, rect
         painter.rect_stroke(inside, CORNER, Stroke::new(1.0, tokens.accent), egui::StrokeKind::Inside);
     }
     let text = pos2(rect.left() + 22.0 + 12.0 * depth(row), rect.center().y);
-    let name = &scene.node(scene.rbt_node(row.rbt)).name;
+    let name = &scene.node(row.node).name;
     let font = if row.depth == 0 { text_font() } else { small_font() };
     painter.text(text, Align2::LEFT_CENTER, name, font, if is_chosen { tokens.accent } else { tokens.text });
     let tip = if is_chosen { "A click chooses nothing" } else { "Choose it: drags move it, and the graphs show it" };
-    if was_pressed(&response.on_hover_text(tip)) {
-        commands.push(Command::View(ViewCommand::Choose((!is_chosen).then_some(row.rbt))));
+    let response = response.on_hover_text(tip);
+    key_menu::of_rbt(&response, look.editor, row.node, commands);
+    if was_pressed(&response) {
+        commands.push(Command::View(ViewCommand::Choose((!is_chosen).then_some(rbt))));
     }
 }
 
 fn triangle(timeline: &mut Timeline, ui: &Ui, painter: &Painter, look: &Look<'_>, row: &Row, centre: Pos2) {
     let tokens = look.tokens;
     let area = Rect::from_center_size(centre, vec2(18.0, ROW)).intersect(painter.clip_rect());
-    let response = ui.interact(area, ui.scope_id().with(("fold row", row.rbt)), Sense::click());
-    let path = look.editor.scene().rbt_path(row.rbt);
+    let response = ui.interact(area, ui.scope_id().with(("fold row", row.node)), Sense::click());
+    let path = &look.editor.scene().node(row.node).path;
     let verb = if row.is_unfolded { "Fold" } else { "Unfold" };
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("{verb} the row of {path}")));
     let at = |x: f32, y: f32| centre + vec2(x, y);
@@ -115,11 +130,11 @@ fn triangle(timeline: &mut Timeline, ui: &Ui, painter: &Painter, look: &Look<'_>
     let colour = if response.hovered() || response.has_focus() { tokens.text } else { tokens.dim };
     painter.add(Shape::convex_polygon(corners, colour, Stroke::NONE));
     if was_pressed(&response) {
-        timeline.rows.toggle(row.rbt);
+        timeline.rows.toggle(path);
     }
 }
 
 #[expect(clippy::cast_precision_loss, reason = "trees are not that deep")]
-const fn depth(row: &Row) -> f32 {
+pub(super) const fn depth(row: &Row) -> f32 {
     row.depth as f32
 }

@@ -4,7 +4,7 @@ use egui::{Align2, Color32, FontFamily, FontId, Painter, Pos2, Rect, Shape, Stro
 
 use super::drag::Drag;
 use super::hit::{Hit, LEAST_GAP, RADIUS, RANGE_BAR, SMALL_RADIUS, Target};
-use super::rows::{Row, differs};
+use super::rows::{Row, Subject, differs};
 use super::scale::{marks, seconds_text};
 use crate::editor::Editor;
 use crate::keyframe::{Easing, Keyframe, KeyframeIndex};
@@ -32,7 +32,7 @@ pub struct Look<'a> {
 }
 
 /// The font of the ruler.
-fn ruler_font() -> FontId {
+pub(super) fn ruler_font() -> FontId {
     FontId::new(10.0, FontFamily::Monospace)
 }
 
@@ -282,10 +282,10 @@ pub fn nodes(painter: &Painter, look: &Look<'_>, rows: &[Row]) {
     let groups: Vec<(f32, Group)> = groups(look).collect();
     for row in in_sight {
         let y = look.target.row_middle(row);
+        let Subject::Rbt { rbts, .. } = &rows[row].subject else { continue };
         for (x, group) in &groups {
-            let moves = (group.start..group.end.min(group.start + LOOKED_AT)).any(|place| {
-                place == 0 || differs(&keyframes[place].pose, &keyframes[place - 1].pose, &rows[row].rbts)
-            });
+            let moves = (group.start..group.end.min(group.start + LOOKED_AT))
+                .any(|place| place == 0 || differs(&keyframes[place].pose, &keyframes[place - 1].pose, rbts));
             let colour = match (moves, colour(group, tokens)) {
                 (false, colour) if colour == tokens.dim => tokens.strong_line,
                 (_, colour) => colour,
@@ -389,7 +389,7 @@ fn insertion(painter: &Painter, look: &Look<'_>, grabbed: usize, at: Pos2) {
 }
 
 /// A label over the tracks, kept within them.
-fn label(painter: &Painter, look: &Look<'_>, centre: Pos2, text: &str) {
+pub(super) fn label(painter: &Painter, look: &Look<'_>, centre: Pos2, text: &str) {
     let tokens = look.tokens;
     let galley = painter.layout_no_wrap(text.to_owned(), ruler_font(), tokens.text);
     let size = galley.size() + vec2(12.0, 6.0);

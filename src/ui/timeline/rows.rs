@@ -1,37 +1,77 @@
-//! The rows of the timeline: the tree of RBT nodes as far as it is unfolded.
+//! The rows of the timeline: the tree of nodes as far as it is unfolded, and the channels of those that have keys at their own times.
 
 use std::collections::HashSet;
 use std::ops::Range;
 
 use crate::pose::{Pose, RbtIndex};
-use crate::scene::{NodeKind, SceneGraph};
+use crate::scene::{Channel, Node, NodeId, NodeKind, SceneGraph};
+
+/// What a row is of.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Subject {
+    /// An RBT node: its diamonds are keyframes.
+    Rbt {
+        /// The node.
+        rbt: RbtIndex,
+        /// The RBT nodes that its diamonds stand for: its own, and where it is folded all below it.
+        rbts: Range<usize>,
+    },
+    /// A control node: its diamonds are the keys of all its channels.
+    Control,
+    /// A shape: its diamonds are the keys of its colour.
+    Shape,
+    /// A channel of the control node above.
+    Channel(Channel),
+}
 
 /// One row.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Row {
-    /// Its node.
-    pub rbt: RbtIndex,
-    /// How many RBT nodes stand above it.
+    /// The node.
+    pub node: NodeId,
+    /// What the row is of.
+    pub subject: Subject,
+    /// How far it is indented.
     pub depth: usize,
-    /// Whether RBT nodes stand below it.
+    /// Whether it can be folded.
     pub has_children: bool,
-    /// Whether those are shown.
+    /// Whether it is not.
     pub is_unfolded: bool,
-    /// The RBT nodes that its diamonds stand for: its own, and where it is folded all below it.
-    pub rbts: Range<usize>,
 }
 
-/// Which rows there are.
+impl Row {
+    /// The channels whose keys its diamonds are; empty where they are keyframes.
+    #[must_use]
+    pub fn channels(&self, scene: &SceneGraph) -> &'static [Channel] {
+        match self.subject {
+            Subject::Rbt { .. } => &[],
+            Subject::Control | Subject::Shape => scene.channels(self.node),
+            Subject::Channel(channel) => {
+                let own = scene.channels(self.node).iter().position(|&own| own == channel);
+                own.map_or(&[], |own| &scene.channels(self.node)[own..=own])
+            }
+        }
+    }
+
+    /// Whether its diamonds are keys at their own times.
+    #[must_use]
+    pub const fn has_keys(&self) -> bool {
+        !matches!(self.subject, Subject::Rbt { .. })
+    }
+}
+
+/// Which rows there are. RBT nodes are folded at first, control nodes are not.
 #[derive(Clone, Debug, Default)]
 pub struct Rows {
-    unfolded: HashSet<RbtIndex>,
+    /// The paths of those that are not as at first.
+    toggled: HashSet<String>,
 }
 
 impl Rows {
     /// Folds a node, or unfolds it.
-    pub fn toggle(&mut self, rbt: RbtIndex) {
-        if !self.unfolded.remove(&rbt) {
-            self.unfolded.insert(rbt);
+    pub fn toggle(&mut self, path: &str) {
+        if !self.toggled.remove(path) {
+            self.toggled.insert(path.to_owned());
         }
     }
 
@@ -40,37 +80,51 @@ impl Rows {
     pub fn of(&self, scene: &SceneGraph) -> Vec<Row> {
         let mut rows = Vec::new();
         let mut folded_until = 0;
-        for rbt in scene.rbt_indices() {
-            let id = scene.rbt_node(rbt);
-            if id.get() < folded_until {
+        for (id, node) in scene.nodes_with_ids() {
+            if id.get() < folded_until || !has_row(scene, node) {
                 continue;
             }
+            let is_control = matches!(node.kind, NodeKind::Control(_));
+            let is_unfolded = is_control != self.toggled.contains(&node.path);
             let below = scene.subtree(id);
-            let count =
-                scene.nodes()[below.clone()].iter().filter(|node| matches!(node.kind, NodeKind::Rbt(_))).count();
-            let has_children = count > 1;
-            let is_unfolded = self.unfolded.contains(&rbt);
+            let nodes = &scene.nodes()[below.clone()];
+            let subject = match node.kind {
+                NodeKind::Control(_) => Subject::Control,
+                NodeKind::Shape(_) => Subject::Shape,
+                NodeKind::Rbt(rbt) => {
+                    let all = nodes.iter().filter(|node| matches!(node.kind, NodeKind::Rbt(_))).count();
+                    Subject::Rbt { rbt, rbts: rbt.get()..rbt.get() + if is_unfolded { 1 } else { all } }
+                }
+            };
+            let row = |subject, depth, has_children| Row { node: id, subject, depth, has_children, is_unfolded };
+            let has_children = is_control || nodes[1..].iter().any(|node| has_row(scene, node));
+            rows.push(row(subject, node.depth, has_children));
             if !is_unfolded {
                 folded_until = below.end;
+            } else if is_control {
+                let channels = scene.channels(id).iter();
+                rows.extend(channels.map(|&channel| row(Subject::Channel(channel), node.depth + 1, false)));
             }
-            let stands_for = if is_unfolded { 1 } else { count };
-            rows.push(Row {
-                rbt,
-                depth: depth(scene, rbt),
-                has_children,
-                is_unfolded,
-                rbts: rbt.get()..rbt.get() + stands_for,
-            });
         }
         rows
     }
 }
 
-/// How many RBT nodes stand above one.
-fn depth(scene: &SceneGraph, rbt: RbtIndex) -> usize {
-    std::iter::successors(scene.node(scene.rbt_node(rbt)).parent, |&above| scene.node(above).parent)
-        .filter(|&above| matches!(scene.node(above).kind, NodeKind::Rbt(_)))
-        .count()
+/// Shapes have one where their colour has keys, or where they hang on a control node.
+fn has_row(scene: &SceneGraph, node: &Node) -> bool {
+    match &node.kind {
+        NodeKind::Rbt(_) | NodeKind::Control(_) => true,
+        NodeKind::Shape(placed) => {
+            let hangs_on = node.parent.map(|parent| &scene.node(parent).kind);
+            placed.colour_keys.is_some() || matches!(hangs_on, Some(NodeKind::Control(_)))
+        }
+    }
+}
+
+/// Whether a scene has rows of keys at their own times.
+#[must_use]
+pub fn has_key_rows(scene: &SceneGraph) -> bool {
+    scene.nodes().iter().any(|node| !matches!(node.kind, NodeKind::Rbt(_)) && has_row(scene, node))
 }
 
 /// Whether any of these nodes stands in one pose as it does not in the one before.
@@ -85,20 +139,27 @@ mod tests {
     use crate::rbt::Rbt;
     use crate::scene::{DEFAULT_SCENE, built_in_scene};
 
+    fn rbts(row: &Row) -> Range<usize> {
+        match &row.subject {
+            Subject::Rbt { rbts, .. } => rbts.clone(),
+            other => panic!("{other:?}"),
+        }
+    }
+
     #[test]
     fn at_first_only_the_roots_are_shown() {
         let scene = built_in_scene(DEFAULT_SCENE).unwrap();
         let mut rows = Rows::default();
         let at_first = rows.of(&scene);
         assert!(at_first.iter().all(|row| row.depth == 0 && !row.is_unfolded));
-        assert_eq!(at_first.iter().map(|row| row.rbts.len()).sum::<usize>(), scene.rbt_count());
+        assert_eq!(at_first.iter().map(|row| rbts(row).len()).sum::<usize>(), scene.rbt_count());
         let robot = scene.find_rbt("robot1").unwrap();
-        rows.toggle(robot);
+        rows.toggle("robot1");
         let unfolded = rows.of(&scene);
         assert!(unfolded.len() > at_first.len());
-        let row = unfolded.iter().find(|row| row.rbt == robot).unwrap();
-        assert_eq!(row.rbts, robot.get()..robot.get() + 1);
-        rows.toggle(robot);
+        let row = unfolded.iter().find(|row| rbts(row).start == robot.get()).unwrap();
+        assert_eq!(rbts(row), robot.get()..robot.get() + 1);
+        rows.toggle("robot1");
         assert_eq!(rows.of(&scene), at_first);
     }
 
@@ -110,8 +171,38 @@ mod tests {
         assert!(!differs(&pose, &before, &(0..scene.rbt_count())));
         let rows = Rows::default().of(&scene);
         let robot = rows.iter().find(|row| row.has_children).unwrap();
-        pose.set(RbtIndex::new(robot.rbts.end - 1), Rbt::IDENTITY);
-        assert!(differs(&pose, &before, &robot.rbts));
-        assert!(!differs(&pose, &before, &(robot.rbts.start..robot.rbts.start + 1)));
+        let rbts = rbts(robot);
+        pose.set(RbtIndex::new(rbts.end - 1), Rbt::IDENTITY);
+        assert!(differs(&pose, &before, &rbts));
+        assert!(!differs(&pose, &before, &(rbts.start..rbts.start + 1)));
+    }
+
+    #[test]
+    fn control_nodes_show_their_channels_and_what_stands_below_them() {
+        let scene = built_in_scene(DEFAULT_SCENE).unwrap();
+        assert!(!has_key_rows(&scene));
+        let (scene, path) = scene.with_control_above(scene.find("robot1").unwrap());
+        assert!(has_key_rows(&scene));
+        let mut rows = Rows::default();
+        let names = |rows: &Rows| -> Vec<(String, usize)> {
+            let name = |row: &Row| match row.subject {
+                Subject::Channel(channel) => channel.name().to_owned(),
+                _ => scene.node(row.node).path.clone(),
+            };
+            rows.of(&scene).iter().map(|row| (name(row), row.depth)).collect()
+        };
+        let expected = [
+            ("sky", 0),
+            ("ground", 0),
+            ("robot1_control", 0),
+            ("translation", 1),
+            ("rotation", 1),
+            ("scale", 1),
+            ("robot1", 1),
+            ("robot2", 0),
+        ];
+        assert_eq!(names(&rows), expected.map(|(name, depth)| (name.to_owned(), depth)));
+        rows.toggle(&path);
+        assert_eq!(names(&rows).len(), 4);
     }
 }

@@ -38,7 +38,7 @@ fn what_the_editor_says_is_said_in_korean() {
 #[test]
 fn holes_are_as_many_in_both_languages() {
     let mut seen = HashSet::new();
-    for (english, korean) in ko::WORDS {
+    for (english, korean) in KOREAN.table() {
         assert!(seen.insert(english), "{english} stands twice");
         assert_eq!(english.matches('{').count(), korean.matches('{').count(), "{english}: {korean}");
         assert!(!korean.is_empty());
@@ -52,7 +52,7 @@ fn every_korean_letter_is_in_the_fonts() {
     let mut output = context.run_ui(egui::RawInput::default(), |_| {});
     output.textures_delta.clear();
     let text: String =
-        ko::WORDS.iter().flat_map(|(_, korean)| korean.chars()).chain(Language::Korean.name().chars()).collect();
+        KOREAN.table().flat_map(|(_, korean)| korean.chars()).chain(Language::Korean.name().chars()).collect();
     for font in [theme::text_font(), theme::number_font()] {
         for letter in text.chars() {
             let has = context.fonts_mut(|fonts| fonts.has_glyph(&font, letter));

@@ -25,7 +25,8 @@ fn comments_blanks_and_line_ends() {
 fn what_cannot_be_understood() {
     check_problem(
         "jump 3",
-        "\"jump\" is not a command; the commands are select, rotate, translate, key, wait, undo, redo and screenshot",
+        "\"jump\" is not a command; the commands are select, rotate, translate, key, wait, undo, redo, \
+         screenshot, put-control, remove-control, rename-control, add-key, set-key, move-key, delete-key, seconds and save-scene",
     );
     check_problem("select robot3", "node \"robot3\" is not in the scene \"two-robots\"");
     check_problem("select", "expected `select PATH`, found `select`");
@@ -89,4 +90,23 @@ fn every_path_can_be_selected_even_with_blanks_and_number_signs() {
         let rbt = scene.find_rbt(text.strip_prefix("select ").unwrap());
         assert_eq!(lines[0].action, Action::Apply(Command::View(ViewCommand::Choose(rbt))));
     }
+}
+
+#[test]
+fn lines_about_the_scene_speak_of_it_as_the_lines_before_leave_it() {
+    let lines = parsed(
+        "put-control robot1\nadd-key scale 1.5 robot1_control\nrename-control spin robot1_control\n\
+         set-key rotation 2s 90,0,0 spin\nremove-control spin\nseconds 2.5\n",
+    );
+    assert_eq!(lines.unwrap().len(), 6);
+    let gone = parsed("put-control robot1\nremove-control robot1_control\nadd-key scale 1 robot1_control\n");
+    assert_eq!(gone.unwrap_err()[0].to_string(), "line 3: node \"robot1_control\" is not in the scene \"two-robots\"");
+    check_problem("add-key scale 1.5 robot1_control", "node \"robot1_control\" is not in the scene \"two-robots\"");
+    check_problem("put-control", "expected `put-control PATH`, found `put-control`");
+    check_problem("seconds 1 2", "expected `seconds SECONDS`, found `seconds 1 2`");
+    check_problem("add-key scale robot1", "expected `add-key CHANNEL SECONDS PATH`, found `add-key scale robot1`");
+    check_problem("add-key size 1 robot1", "\"size\" has no keys; expected translation, rotation, scale or colour");
+    check_problem("move-key scale 1 x robot1", "\"x\" is not a finite number");
+    check_problem("set-key translation 1 1,2 robot1", "\"1,2\" is not a translation; expected x,y,z");
+    check_problem("set-key colour 1 red robot1", "\"red\" is not a colour; expected rrggbb");
 }

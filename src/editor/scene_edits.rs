@@ -1,0 +1,219 @@
+//! Editing what is keyed at its own times: keys, and the control nodes that have them. They are a part of the scene, which the
+//! document holds, so that all of it is undone.
+
+use std::sync::Arc;
+
+use super::apply::Outcome;
+use super::{CommandError, Editor};
+use crate::scene::{Channel, KeyValue, NodeId, SceneError, SceneGraph, moved_seconds};
+
+/// A channel of a node.
+#[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Track {
+    /// The node's path.
+    pub node: Arc<str>,
+    /// The channel.
+    pub channel: Channel,
+}
+
+/// A key at its own time, or where one could be.
+#[derive(Clone, Debug, PartialEq)]
+pub struct KeyAt {
+    /// What it is a key of.
+    pub track: Track,
+    /// Its time in seconds.
+    pub seconds: f64,
+}
+
+impl KeyAt {
+    /// A key of a channel of the node with this path.
+    #[must_use]
+    pub fn new(node: &str, channel: Channel, seconds: f64) -> Self {
+        Self { track: Track { node: node.into(), channel }, seconds }
+    }
+}
+
+/// Edits of control nodes and of keys at their own times. Nodes are named by their paths, which hold when other nodes come and go.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SceneEdit {
+    /// Adds keys with the values that are there at their times; a key that stands there already stays. They are selected then.
+    AddKeys(Vec<KeyAt>),
+    /// Gives the key of a node at a time a value; where there is none it is added.
+    SetKey {
+        /// The node's path.
+        node: Arc<str>,
+        /// The key's time in seconds.
+        seconds: f64,
+        /// The value, which says the channel too.
+        value: KeyValue,
+    },
+    /// Moves keys in time; keys that they come to stand on give way. Within a drag, keys and times are those of its beginning.
+    MoveKeys {
+        /// Which keys.
+        keys: Vec<KeyAt>,
+        /// By how many seconds.
+        by: f64,
+    },
+    /// Deletes keys.
+    DeleteKeys(Vec<KeyAt>),
+    /// Puts a new control node, which has no keys yet, above the node with this path. Nothing moves by that.
+    PutControlAbove(Arc<str>),
+    /// The same above the chosen node.
+    PutControlAboveChosen,
+    /// Removes a control node; what stood below it stands in its place.
+    RemoveControl(Arc<str>),
+    /// Gives a control node another name.
+    RenameControl(Arc<str>, String),
+}
+
+/// `1 key`, `2 keys`.
+fn keys_counted(count: usize) -> String {
+    if count == 1 { "1 key".to_owned() } else { format!("{count} keys") }
+}
+
+impl Editor {
+    pub(super) fn edit_scene(&mut self, edit: SceneEdit) -> Outcome {
+        match edit {
+            SceneEdit::AddKeys(keys) => self.add_keys(keys),
+            SceneEdit::SetKey { node, seconds, value } => {
+                let id = self.known_node(&node)?;
+                let scene = self.document.scene.with_key(id, seconds, value)?;
+                self.put_scene("change of a key", scene);
+                Ok(String::new())
+            }
+            SceneEdit::MoveKeys { keys, by } => self.move_keys(&keys, by),
+            SceneEdit::DeleteKeys(keys) => self.delete_keys(keys),
+            SceneEdit::PutControlAbove(path) => {
+                let id = self.known_node(&path)?;
+                Ok(self.put_control_above(id))
+            }
+            SceneEdit::PutControlAboveChosen => {
+                let chosen = self.session.chosen.ok_or(CommandError::NothingChosen)?;
+                Ok(self.put_control_above(self.document.scene.rbt_node(chosen)))
+            }
+            SceneEdit::RemoveControl(path) => {
+                let scene = self.document.scene.without_control(self.known_node(&path)?)?;
+                self.put_scene("removal of a control node", scene);
+                Ok(format!("The control node {path} is gone."))
+            }
+            SceneEdit::RenameControl(path, name) => {
+                let id = self.known_node(&path)?;
+                let scene = self.document.scene.with_control_renamed(id, name.trim())?;
+                self.put_scene("renaming of a control node", scene);
+                Ok(format!("The control node is now “{}”.", name.trim()))
+            }
+        }
+    }
+
+    fn known_node(&self, path: &str) -> Result<NodeId, CommandError> {
+        self.document.scene.find(path).ok_or_else(|| CommandError::NoSuchNode { path: path.to_owned() })
+    }
+
+    /// Puts another scene in place, as one step; during a drag it is a part of it.
+    fn put_scene(&mut self, label: &'static str, scene: SceneGraph) {
+        self.record(label, None, |document| document.scene = Arc::new(scene));
+    }
+
+    fn put_control_above(&mut self, id: NodeId) -> String {
+        let (scene, path) = self.document.scene.with_control_above(id);
+        self.put_scene("new control node", scene);
+        format!("{path} stands above it: key its translation, rotation and scale in the timeline.")
+    }
+
+    fn add_keys(&mut self, keys: Vec<KeyAt>) -> Outcome {
+        let mut scene = (*self.document.scene).clone();
+        for key in &keys {
+            let id = self.known_node(&key.track.node)?;
+            if scene.key_seconds(id, key.track.channel).contains(&key.seconds) {
+                continue;
+            }
+            let value = scene.key_value_at(id, key.track.channel, key.seconds);
+            scene = scene.with_key(id, key.seconds, value.ok_or_else(|| no_channel(&scene, id, key.track.channel))?)?;
+        }
+        self.put_scene("new keys", scene);
+        let text = match keys.first() {
+            Some(KeyAt { seconds, .. }) => format!("{} at {seconds:.3} s.", keys_counted(keys.len())),
+            None => String::new(),
+        };
+        self.select_keys(keys)?;
+        Ok(text)
+    }
+
+    fn move_keys(&mut self, keys: &[KeyAt], by: f64) -> Outcome {
+        if keys.is_empty() {
+            return Err(CommandError::NoKeys);
+        }
+        // Within a drag all is counted from its beginning, so that what was passed over is as it was.
+        let base = Arc::clone(&self.gesture.as_ref().unwrap_or(&self.document).scene);
+        let mut scene = (*base).clone();
+        for (id, track, times) in by_track(&base, keys)? {
+            scene = scene.with_keys_moved(id, track.channel, &times, by)?;
+        }
+        self.put_scene("moving of keys", scene);
+        let moved = keys.iter().map(|key| KeyAt { seconds: moved_seconds(key.seconds, by), ..key.clone() });
+        self.select_keys(moved.collect())?;
+        Ok(format!("Moved {} by {by:.3} s.", keys_counted(keys.len())))
+    }
+
+    pub(super) fn delete_keys(&mut self, keys: Vec<KeyAt>) -> Outcome {
+        if keys.is_empty() {
+            return Err(CommandError::NoKeys);
+        }
+        let mut scene = (*self.document.scene).clone();
+        for (id, track, times) in by_track(&self.document.scene, &keys)? {
+            scene = scene.without_keys(id, track.channel, &times)?;
+        }
+        self.put_scene("deletion of keys", scene);
+        Ok(format!("Deleted {}.", keys_counted(keys.len())))
+    }
+
+    pub(super) fn select_keys(&mut self, mut keys: Vec<KeyAt>) -> Outcome {
+        keys.sort_by(|a, b| a.track.cmp(&b.track).then(a.seconds.total_cmp(&b.seconds)));
+        keys.dedup();
+        by_track(&self.document.scene, &keys)?;
+        if !keys.is_empty() {
+            self.session.selected.clear();
+        }
+        self.session.selected_keys = keys;
+        Ok(String::new())
+    }
+
+    /// Drops what the scene no longer has from the selection.
+    pub(super) fn fit_keys_to_scene(&mut self) {
+        let scene = &self.document.scene;
+        self.session.selected_keys.retain(|key| {
+            let id = scene.find(&key.track.node);
+            id.is_some_and(|id| has_key(scene, id, key))
+        });
+    }
+}
+
+fn has_key(scene: &SceneGraph, id: NodeId, key: &KeyAt) -> bool {
+    let times = scene.key_seconds(id, key.track.channel);
+    times.binary_search_by(|own| own.total_cmp(&key.seconds)).is_ok() || times.contains(&key.seconds)
+}
+
+fn no_channel(scene: &SceneGraph, id: NodeId, channel: Channel) -> SceneError {
+    scene.without_keys(id, channel, &[]).err().unwrap_or(SceneError::NotControl { path: scene.node(id).path.clone() })
+}
+
+/// A channel's node, the channel, and the times of some of its keys.
+type TrackTimes<'a> = (NodeId, &'a Track, Vec<f64>);
+
+/// The times of some keys, those of one channel together; all of them must be there.
+fn by_track<'a>(scene: &SceneGraph, keys: &'a [KeyAt]) -> Result<Vec<TrackTimes<'a>>, CommandError> {
+    let mut tracks: Vec<TrackTimes<'a>> = Vec::new();
+    for key in keys {
+        let path = &key.track.node;
+        let id = scene.find(path).ok_or_else(|| CommandError::NoSuchNode { path: path.to_string() })?;
+        if !has_key(scene, id, key) {
+            let (channel, seconds) = (key.track.channel.name(), key.seconds);
+            return Err(CommandError::NoSuchKey { path: path.to_string(), channel, seconds });
+        }
+        match tracks.iter_mut().find(|(_, track, _)| **track == key.track) {
+            Some((.., times)) => times.push(key.seconds),
+            None => tracks.push((id, &key.track, vec![key.seconds])),
+        }
+    }
+    Ok(tracks)
+}

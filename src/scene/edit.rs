@@ -1,0 +1,98 @@
+//! Scenes with one control node more, or one less. Poses mean the same in them: the RBT nodes and their order stay.
+
+use super::builder::SceneBuilder;
+use super::file::SceneError;
+use super::graph::{Node, NodeId, NodeKind, SceneGraph};
+use crate::timed::TransformKeyframes;
+
+/// What becomes of one node.
+enum Change<'a> {
+    PutAbove { name: &'a str },
+    Remove,
+    Rename { name: &'a str },
+}
+
+impl SceneGraph {
+    /// The scene with a new control node above a node, and the new node's path. It has no keys, so that nothing moves; the paths of the
+    /// nodes below do not name it, so that keyframe files go on to fit.
+    #[must_use]
+    pub fn with_control_above(&self, id: NodeId) -> (Self, String) {
+        let node = self.node(id);
+        let stem = format!("{}_control", node.name);
+        let above = node.path.strip_suffix(node.name.as_str()).unwrap_or_default();
+        let name = std::iter::once(stem.clone())
+            .chain((2..).map(|count: u32| format!("{stem}{count}")))
+            .find(|name| self.find(&format!("{above}{name}")).is_none())
+            .expect("the numbers do not end");
+        let path = format!("{above}{name}");
+        let scene = self.changed(id, &Change::PutAbove { name: &name });
+        (scene.expect("the name is new, and all others stay as they are"), path)
+    }
+
+    /// The scene without a control node: what stood below it stands in its place.
+    ///
+    /// # Errors
+    /// [`SceneError`] where the node is no control node, or two nodes would have one path.
+    pub fn without_control(&self, id: NodeId) -> Result<Self, SceneError> {
+        self.check_control(id)?;
+        self.changed(id, &Change::Remove)
+    }
+
+    /// The scene with another name for a control node.
+    ///
+    /// # Errors
+    /// [`SceneError`] where the node is no control node, the name cannot be one, or two nodes would have one path.
+    pub fn with_control_renamed(&self, id: NodeId, name: &str) -> Result<Self, SceneError> {
+        self.check_control(id)?;
+        self.changed(id, &Change::Rename { name })
+    }
+
+    fn check_control(&self, id: NodeId) -> Result<(), SceneError> {
+        let node = self.node(id);
+        match node.kind {
+            NodeKind::Control(_) => Ok(()),
+            NodeKind::Rbt(_) | NodeKind::Shape(_) => Err(SceneError::NotControl { path: node.path.clone() }),
+        }
+    }
+
+    /// All nodes built again, with one changed. The eyes stay the same nodes.
+    fn changed(&self, changed: NodeId, change: &Change<'_>) -> Result<Self, SceneError> {
+        let mut builder = SceneBuilder::new();
+        // For each open node, the first place that is not below it.
+        let mut ends: Vec<usize> = Vec::new();
+        for (id, node) in self.nodes_with_ids() {
+            while ends.last().is_some_and(|&end| end <= id.get()) {
+                ends.pop();
+                builder.close();
+            }
+            let mut name = node.name.as_str();
+            if id == changed {
+                match *change {
+                    Change::Remove => continue,
+                    Change::Rename { name: new } => name = new,
+                    Change::PutAbove { name: new } => {
+                        builder.open_control(new, TransformKeyframes::default(), false)?;
+                        ends.push(self.subtree(id).end);
+                    }
+                }
+            }
+            if self.add_to(&mut builder, name, node)? {
+                ends.push(self.subtree(id).end);
+            }
+        }
+        Ok(builder.finish_with(self.name(), self.eyes().to_vec(), self.vertical_fov_degrees()))
+    }
+
+    /// Adds a node. Says whether it was opened.
+    fn add_to(&self, builder: &mut SceneBuilder, name: &str, node: &Node) -> Result<bool, SceneError> {
+        match &node.kind {
+            NodeKind::Rbt(rbt) => builder.open_rbt(name, self.rest_pose().get(*rbt))?,
+            NodeKind::Control(keys) => builder.open_control(name, keys.clone(), node.is_in_paths)?,
+            NodeKind::Shape(placed) => {
+                builder.shape(name, placed.clone())?;
+                return Ok(false);
+            }
+        };
+        Ok(true)
+    }
+}

@@ -1,0 +1,270 @@
+//! How the rows of keys at their own times look: names, diamonds, the playhead of their clock.
+
+use egui::{Align2, Color32, Painter, Rect, Response, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
+
+use super::hit::SMALL_RADIUS;
+use super::key_view::{KeyHit, KeyView, playhead};
+use super::keys::{Keys, add, pick, scene};
+use super::labels::depth;
+use super::paint::{Look, label};
+use super::rows::{Row, Subject, has_key_rows};
+use super::tips::tip;
+use crate::editor::{Command, KeyAt, SceneEdit, ViewCommand};
+use crate::scene::{Channel, KeyValue};
+use crate::ui::angles::degrees_from_rotation;
+use crate::ui::icons::{Icon, button_at, diamond, was_pressed};
+use crate::ui::theme::{CORNER, ROW, Tokens, small_font, text_font};
+use crate::ui::words::Words;
+
+/// Diamonds of keys nearer together than this, in points, are drawn as one.
+const LEAST_GAP: f32 = 3.0;
+
+/// What people call a channel.
+pub(super) fn channel_name(words: Words, channel: Channel) -> &'static str {
+    match channel {
+        Channel::Translation => words.say("Translation"),
+        Channel::Rotation => words.say("Rotation"),
+        Channel::Scale => words.say("Scale"),
+        Channel::Colour => words.say("Colour"),
+    }
+}
+
+/// A value as people read it.
+pub(super) fn value_text(value: KeyValue) -> String {
+    let three = |[x, y, z]: [f32; 3]| format!("{x:.2}  {y:.2}  {z:.2}");
+    match value {
+        KeyValue::Translation(value) | KeyValue::Scale(value) => three(value.to_array().map(|number| number + 0.0)),
+        KeyValue::Rotation(value) => {
+            let [yaw, pitch, roll] = degrees_from_rotation(value);
+            format!("{yaw:.1}°  {pitch:.1}°  {roll:.1}°")
+        }
+        KeyValue::Colour(value) => value.to_hex(),
+    }
+}
+
+/// The times in sight, those that are drawn as one only once.
+fn seen(times: &[f64], view: &KeyView<'_>) -> Vec<f64> {
+    let scale = view.target.scale;
+    let (from, to) = (view.seconds_at(scale.left - 8.0), view.seconds_at(scale.right + 8.0));
+    let gap = view.seconds(LEAST_GAP);
+    let mut seen = Vec::new();
+    let mut next = from;
+    loop {
+        let place = times.partition_point(|&at| at < next);
+        let Some(&at) = times.get(place).filter(|&&at| at <= to) else { return seen };
+        seen.push(at);
+        next = at + gap;
+    }
+}
+
+impl Keys {
+    /// Draws the diamonds, the playhead, and what a drag would do.
+    pub fn paint(&self, painter: &Painter, look: &Look<'_>, rows: &[Row]) {
+        if !has_key_rows(look.editor.scene()) {
+            return;
+        }
+        let view = KeyView { editor: look.editor, target: look.target, rows };
+        let tokens = look.tokens;
+        let nodes = painter.with_clip_rect(look.target.layout.nodes.intersect(painter.clip_rect()));
+        for row in look.target.rows_in_sight().filter(|&row| rows[row].has_keys()) {
+            self.paint_row(&nodes, &view, tokens, row);
+        }
+        clock(painter, &view, tokens);
+        let Some(at) = painter.ctx().input(|input| input.pointer.latest_pos()) else { return };
+        if let Some(rect) = self.surrounded(&view, at) {
+            painter.rect_filled(rect, 2.0, tokens.accent.gamma_multiply(0.12));
+            painter.rect_stroke(rect, 2.0, Stroke::new(1.0, tokens.accent), egui::StrokeKind::Inside);
+        }
+        if let Some((seconds, by)) = self.dragged() {
+            let place = pos2(view.x_of(seconds), (at.y - 22.0).max(look.target.layout.tracks.top() + 10.0));
+            label(painter, look, place, &format!("{seconds:.3} s  ({by:+.3})"));
+        }
+    }
+
+    fn paint_row(&self, painter: &Painter, view: &KeyView<'_>, tokens: &Tokens, row: usize) {
+        let y = view.target.row_middle(row);
+        let is_summary = matches!(view.rows[row].subject, Subject::Control);
+        if !is_summary {
+            for times in view.times(row) {
+                if let [first, .., last] = times {
+                    painter.hline(view.x_of(*first)..=view.x_of(*last), y, Stroke::new(1.0, tokens.strong_line));
+                }
+            }
+        }
+        let selected = &view.editor.session().selected_keys;
+        let tracks = view.tracks(row);
+        // Those selected are drawn last, so that none hides them.
+        let mut marks: Vec<(bool, f64)> = Vec::new();
+        for (track, times) in tracks.iter().zip(view.times(row)) {
+            let of_track = selected.iter().filter(|key| key.track == *track).map(|key| (true, key.seconds));
+            marks.extend(seen(times, view).into_iter().map(|at| (false, at)));
+            marks.extend(of_track);
+        }
+        marks.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+        marks.dedup();
+        for (is_selected, seconds) in marks {
+            let is_hot = self.hovered == Some(KeyHit { row, key: Some(seconds) });
+            let colour = match (is_selected, is_hot) {
+                (true, _) => tokens.accent,
+                (false, true) => tokens.text,
+                (false, false) => tokens.information,
+            };
+            let radius = if is_summary { SMALL_RADIUS - 0.7 } else { SMALL_RADIUS };
+            let fill = if is_summary && !is_selected { Color32::TRANSPARENT } else { colour };
+            diamond(painter, pos2(view.x_of(seconds), y), radius, fill, Stroke::new(1.2, colour));
+        }
+    }
+
+    /// Makes the diamonds of the rows in sight known to the keyboard and to screen readers: Space selects one, Enter opens its numbers.
+    pub fn diamonds(&mut self, ui: &Ui, view: &KeyView<'_>, tokens: &Tokens, commands: &mut Vec<Command>) {
+        let words = Words::of(ui);
+        let scene = view.editor.scene();
+        for row in view.target.rows_in_sight().filter(|&row| view.rows[row].has_keys()) {
+            if matches!(view.rows[row].subject, Subject::Control) {
+                continue;
+            }
+            let path = &scene.node(view.rows[row].node).path;
+            for (track, times) in view.tracks(row).iter().zip(view.times(row)) {
+                for seconds in seen(times, view) {
+                    let centre = pos2(view.x_of(seconds), view.target.row_middle(row));
+                    let area = Rect::from_center_size(centre, vec2(2.0 * SMALL_RADIUS, ROW - 4.0));
+                    let area = area.intersect(view.target.layout.nodes);
+                    let id = ui.scope_id().with(("key", track, seconds.to_bits()));
+                    let response = ui.interact(area, id, Sense::focusable_noninteractive());
+                    let key = KeyAt { track: track.clone(), seconds };
+                    let is_selected = view.editor.session().selected_keys.contains(&key);
+                    let channel = channel_name(words, track.channel);
+                    let says = words.fill("{} of {} at {} s", &[channel, path, &seconds.to_string()]);
+                    response.widget_info(|| WidgetInfo::selected(Role::ListBoxOption, true, is_selected, &says));
+                    if !response.has_focus() {
+                        continue;
+                    }
+                    let stroke = Stroke::new(1.0, tokens.accent);
+                    ui.painter().rect_stroke(area, 3.0, stroke, egui::StrokeKind::Outside);
+                    let (space, enter, modifiers) = ui.input(|input| {
+                        (input.key_pressed(egui::Key::Space), input.key_pressed(egui::Key::Enter), input.modifiers)
+                    });
+                    let hit = KeyHit { row, key: Some(seconds) };
+                    if space || enter {
+                        pick(view, hit, modifiers, commands);
+                    }
+                    if enter {
+                        self.open_menu(view, hit, area.center_bottom());
+                    }
+                }
+            }
+        }
+    }
+
+    /// Shows the name of a row of keys: a click selects all its keys, the button adds one at the playhead.
+    pub fn label(
+        &mut self,
+        ui: &Ui,
+        painter: &Painter,
+        look: &Look<'_>,
+        row: &Row,
+        (rect, seen): (Rect, Rect),
+        commands: &mut Vec<Command>,
+    ) {
+        let words = Words::of(ui);
+        let scene = look.editor.scene();
+        let node = scene.node(row.node);
+        let rows = std::slice::from_ref(row);
+        let view = KeyView { editor: look.editor, target: look.target, rows };
+        let (name, says) = match row.subject {
+            Subject::Channel(channel) => {
+                let name = channel_name(words, channel);
+                (name.to_owned(), words.fill("Keys: {} of {}", &[name, &node.path]))
+            }
+            Subject::Shape => {
+                let name = words.say("Colour");
+                (format!("{} · {name}", node.name), words.fill("Keys: {} of {}", &[name, &node.path]))
+            }
+            _ => (node.name.clone(), words.fill("Control node {}", &[&node.path])),
+        };
+        let response = ui.interact(seen.shrink2(vec2(1.0, 0.0)), ui.scope_id().with(("keys", &says)), Sense::click());
+        let is_channel = matches!(row.subject, Subject::Channel(_));
+        response.widget_info(|| WidgetInfo::labeled(Role::ListBoxOption, true, &says));
+        self.paint_label(painter, look, row, rect, &name, &response);
+        let add_area = Rect::from_center_size(pos2(rect.right() - 14.0, rect.center().y), vec2(22.0, ROW - 2.0));
+        let about = if is_channel || matches!(row.subject, Subject::Shape) { says.clone() } else { node.path.clone() };
+        let add_name = words.fill("Add a key at the playhead: {}", &[&about]);
+        let is_inside = seen.contains(add_area.center());
+        if is_inside && button_at(ui, add_area, Icon::NewKeyframe, &add_name, "", !look.editor.is_playing(), false) {
+            add(&view, 0, playhead(look.editor), commands);
+        }
+        let text = if matches!(row.subject, Subject::Control) {
+            words.say("A control node: its keys stand at their own times. A click selects them all")
+        } else {
+            words.say("A click selects all keys of the row; a double click in the row adds one")
+        };
+        let response = response.on_hover_text(text);
+        if response.secondary_clicked()
+            && let Some(at) = response.interact_pointer_pos()
+        {
+            self.open_menu(&view, KeyHit { row: 0, key: None }, at);
+        }
+        if was_pressed(&response) {
+            let tracks = view.tracks(0).into_iter().zip(view.times(0));
+            let keys = tracks.flat_map(|(track, times)| {
+                times.iter().map(move |&seconds| KeyAt { track: track.clone(), seconds }).collect::<Vec<_>>()
+            });
+            commands.push(Command::View(ViewCommand::SelectKeys(keys.collect())));
+        }
+    }
+
+    #[expect(clippy::unused_self, reason = "it is a part of the rows")]
+    fn paint_label(&self, painter: &Painter, look: &Look<'_>, row: &Row, rect: Rect, name: &str, response: &Response) {
+        let tokens = look.tokens;
+        let inside = rect.shrink2(vec2(3.0, 0.5));
+        if response.hovered() {
+            painter.rect_filled(inside, CORNER, tokens.raised);
+        }
+        if response.has_focus() {
+            painter.rect_stroke(inside, CORNER, Stroke::new(1.0, tokens.accent), egui::StrokeKind::Inside);
+        }
+        let is_control = matches!(row.subject, Subject::Control);
+        let text = pos2(rect.left() + 22.0 + 12.0 * depth(row), rect.center().y);
+        let colour = if is_control { tokens.information } else { tokens.dim };
+        let font = if row.depth == 0 { text_font() } else { small_font() };
+        let room = painter.with_clip_rect(rect.with_max_x(rect.right() - 28.0).intersect(painter.clip_rect()));
+        room.text(text, Align2::LEFT_CENTER, name, font, colour);
+    }
+
+    /// Says what the key under the pointer holds. Says whether there is one.
+    pub fn tip(&self, response: &Response, look: &Look<'_>, rows: &[Row]) -> bool {
+        let Some(KeyHit { row, key: Some(seconds) }) = self.hovered.filter(|hit| hit.row < rows.len()) else {
+            return false;
+        };
+        let scene = look.editor.scene();
+        let node = rows[row].node;
+        response.clone().on_hover_ui_at_pointer(|ui| {
+            let words = Words::of(ui);
+            let channels = rows[row].channels(scene).iter();
+            let here = channels.filter(|&&channel| scene.key_seconds(node, channel).contains(&seconds));
+            let lines: Vec<String> = here
+                .filter_map(|&channel| {
+                    let value = scene.key_value_at(node, channel, seconds)?;
+                    Some(format!("{}  {}", channel_name(words, channel), value_text(value)))
+                })
+                .collect();
+            tip(ui, &format!("{seconds} s"), &lines.join("\n"), look);
+        });
+        true
+    }
+}
+
+/// The playhead of the keys' clock: from the ruler's lower edge down.
+fn clock(painter: &Painter, view: &KeyView<'_>, tokens: &Tokens) {
+    let layout = view.target.layout;
+    let x = view.x_of(view.editor.seconds());
+    let top = layout.ruler.bottom() - 8.0;
+    painter.vline(x, top..=layout.tracks.bottom(), Stroke::new(1.0, tokens.information));
+    let corners = vec![pos2(x - 4.5, top - 4.0), pos2(x + 4.5, top - 4.0), pos2(x, top + 3.0)];
+    painter.add(egui::Shape::convex_polygon(corners, tokens.information, Stroke::NONE));
+}
+
+/// Puts a control node above a node.
+pub(super) fn put_control_above(path: &str) -> Command {
+    scene(SceneEdit::PutControlAbove(path.into()))
+}

@@ -1,0 +1,183 @@
+//! Scene files: what is written reads back to the same scene and the same bytes, and keyframe files fit scenes with more control nodes.
+
+use glam::{Quat, Vec3};
+use inbetween::interpolation::Interpolation;
+use inbetween::keyframe::{keyframes_from_json, keyframes_to_json};
+use inbetween::scene::{
+    Channel, Colour, KeyValue, SceneError, SceneGraph, built_in_scene, built_in_scene_names, scene_from_json,
+    scene_to_json,
+};
+use proptest::prelude::*;
+
+/// Written, read and written again: the same scene, the same bytes.
+#[track_caller]
+fn check_round_trip(scene: &SceneGraph) -> String {
+    let text = scene_to_json(scene);
+    let again = scene_from_json(&text).unwrap_or_else(|error| panic!("{error}\n{text}"));
+    assert!(again == *scene, "another scene:\n{text}");
+    assert_eq!(scene_to_json(&again), text);
+    text
+}
+
+fn two_robots() -> SceneGraph {
+    built_in_scene("two-robots").unwrap()
+}
+
+#[test]
+fn the_built_in_scenes_come_back() {
+    for name in built_in_scene_names() {
+        let text = check_round_trip(&built_in_scene(name).unwrap());
+        assert!(text.contains("\"version\": 1,"), "{name}: a scene of version 1 stays one");
+    }
+}
+
+#[test]
+fn everything_that_a_file_can_say_comes_back() {
+    let text = r##"{"format": "inbetween.scene", "version": 2, "name": "a \"b\"", "eyes": ["sky", "x/y"],
+        "vertical_fov_degrees": 37.3, "nodes": [
+        {"name": "sky", "rotation": {"euler_degrees": [10, 20, 30]}},
+        {"name": "x", "translation": [-0, 0.1, 1e-7], "rotation": [0.1, 0.7, 0.1, 0.7], "children": [
+            {"name": "empty", "control": {}},
+            {"name": "free", "control": {"scale": [[-2.5, 1], [0.1, [1, 2, 3]]], "rotation": [[0.3, [0.6, 0, 0, 0.8]]]},
+             "in_paths": false, "children": [{"name": "y", "children": [
+                {"name": "a", "shape": {"box": {"size": [1, 2, 3], "bevel": 0.25}}, "scale": 2},
+                {"name": "b", "shape": {"plane": {"size": [4, 5]}}, "scale": [1, 1, 2], "colour": "#010203"},
+                {"name": "c", "shape": {"capsule": {"radius": 1, "height": 2}}, "rotation": {"euler_degrees": [0, 45, 0]},
+                 "colour_keys": [[0.1, "#fedcba"], [1e5, "#000000"]]},
+                {"name": "d", "shape": {"cone": {"radius": 1, "height": 2}}, "translation": [0, 1, 0]}]}]},
+            {"name": "e", "shape": {"sphere": {"radius": 0.5}}}]}]}"##;
+    let scene = scene_from_json(text).unwrap();
+    let written = check_round_trip(&scene);
+    assert!(written.contains("\"version\": 2,") && written.contains("\"in_paths\": false"));
+    assert_eq!(scene.rbt_paths().collect::<Vec<_>>(), ["sky", "x", "x/y"], "a path does not name what is not in paths");
+    assert!(scene.find("x/free").is_some() && scene.find("x/free/y").is_none());
+}
+
+#[test]
+fn a_new_control_node_moves_nothing_and_keyframe_files_still_fit() {
+    let scene = two_robots();
+    let file = std::fs::read("assets/animations/walk.json").unwrap();
+    let before = keyframes_from_json(&file, &scene).unwrap();
+    for path in ["sky", "robot1", "robot1/head", "robot2/left_hip/left_knee"] {
+        let (with, control) = scene.with_control_above(scene.find(path).unwrap());
+        check_round_trip(&with);
+        assert!(with.rbt_paths().eq(scene.rbt_paths()));
+        let after = keyframes_from_json(&file, &with).unwrap();
+        assert_eq!(after, before);
+        let list = after.into_parts().0;
+        let bytes = |scene| keyframes_to_json(scene, &list, Interpolation::Linear, 500);
+        assert_eq!(bytes(&with), bytes(&scene));
+        let pose = &list.as_slice()[2].pose;
+        for rbt in scene.rbt_indices() {
+            assert_eq!(with.world_from_rbt(pose, 0.7, rbt), scene.world_from_rbt(pose, 0.7, rbt));
+        }
+        let id = with.find(&control).unwrap();
+        assert_eq!(with.node(with.find(path).unwrap()).parent, Some(id));
+        assert!(with.without_control(id).unwrap() == scene, "and without it all is as it was");
+    }
+}
+
+#[test]
+fn control_nodes_stand_above_shapes_and_control_nodes_and_have_names_of_their_own() {
+    let scene = two_robots();
+    let shape = scene
+        .nodes()
+        .iter()
+        .find(|node| node.path.starts_with("robot1/") && scene.channels(scene.find(&node.path).unwrap()).len() == 1);
+    let shape = scene.find(&shape.unwrap().path).unwrap();
+    let (scene, over_shape) = scene.with_control_above(shape);
+    assert_eq!(scene.channels(scene.find(&over_shape).unwrap()).len(), 3);
+    let robot = scene.find("robot1").unwrap();
+    let (scene, first) = scene.with_control_above(robot);
+    let (scene, second) = scene.with_control_above(scene.find("robot1").unwrap());
+    assert_eq!((first.as_str(), second.as_str()), ("robot1_control", "robot1_control2"));
+    let (scene, third) = scene.with_control_above(scene.find(&first).unwrap());
+    assert_eq!(third, "robot1_control_control");
+    check_round_trip(&scene);
+    let renamed = scene.with_control_renamed(scene.find(&first).unwrap(), "spin").unwrap();
+    assert!(renamed.find("spin").is_some() && renamed.find("robot1/head").is_some());
+    let taken = renamed.with_control_renamed(renamed.find("spin").unwrap(), "robot2");
+    assert_eq!(taken.unwrap_err(), SceneError::DuplicatePath { path: "robot2".to_owned() });
+    let refused = renamed.with_control_renamed(renamed.find("spin").unwrap(), "a/b").unwrap_err().to_string();
+    assert!(refused.contains("a name is at least one character and has no \"/\""), "{refused}");
+    let robot = renamed.without_control(renamed.find("robot2").unwrap()).unwrap_err().to_string();
+    assert_eq!(robot, "node \"robot2\" is not a control node");
+}
+
+#[test]
+fn a_control_node_that_paths_name_can_go_where_the_paths_stay_unique() {
+    let orbits = built_in_scene("orbits").unwrap();
+    let year = orbits.find("orrery/year2").unwrap();
+    let without = orbits.without_control(year).unwrap();
+    check_round_trip(&without);
+    assert!(without.find("orrery/planet2").is_some() && !without.has_rbts_of(&orbits));
+    assert_eq!(without.eyes(), orbits.eyes());
+    let text = r#"{"format": "inbetween.scene", "version": 1, "name": "n", "eyes": ["sky"], "nodes": [{"name": "sky"},
+        {"name": "c", "control": {}, "children": [{"name": "sky"}]}]}"#;
+    let scene = scene_from_json(text).unwrap();
+    let refused = scene.without_control(scene.find("c").unwrap()).unwrap_err();
+    assert_eq!(refused, SceneError::DuplicatePath { path: "sky".to_owned() });
+}
+
+#[test]
+fn what_no_file_could_hold_is_refused() {
+    let (scene, path) = two_robots().with_control_above(two_robots().find("robot1").unwrap());
+    let id = scene.find(&path).unwrap();
+    for (seconds, value, words) in [
+        (f64::NAN, KeyValue::Scale(Vec3::ONE), "at NaN s, expected a time"),
+        (1e9, KeyValue::Scale(Vec3::ONE), "at 1000000000 s"),
+        (0.0, KeyValue::Scale(Vec3::new(1.0, 0.0, 1.0)), "scale is [1, 0, 1], expected numbers above 0"),
+        (0.0, KeyValue::Translation(Vec3::splat(f32::NAN)), "translation is"),
+        (0.0, KeyValue::Rotation(Quat::from_xyzw(1.0, 1.0, 1.0, 1.0)), "rotation is of length 2"),
+        (0.0, KeyValue::Colour(Colour::DEFAULT), "colour_keys are for shapes only"),
+    ] {
+        let refused = scene.with_key(id, seconds, value).unwrap_err().to_string();
+        assert!(refused.contains(words), "{refused}");
+    }
+    let robot = scene.find("robot1").unwrap();
+    let refused = scene.with_key(robot, 0.0, KeyValue::Scale(Vec3::ONE)).unwrap_err().to_string();
+    assert_eq!(refused, "node \"robot1\": control.scale are for control nodes only: put one above it");
+    let keyed = scene.with_key(id, 1.0, KeyValue::Scale(Vec3::ONE)).unwrap();
+    assert!(keyed.with_keys_moved(id, Channel::Scale, &[1.0], 1e7).is_err());
+}
+
+#[test]
+fn in_paths_is_for_control_nodes_of_version_2() {
+    let text = |version: u32, node: &str| {
+        format!(
+            r#"{{"format": "inbetween.scene", "version": {version}, "name": "n", "eyes": ["sky"],
+                "nodes": [{{"name": "sky"}}, {{"name": "x", {node}}}]}}"#
+        )
+    };
+    let refused = |text: String| scene_from_json(&text).unwrap_err().to_string();
+    let control = r#""control": {}, "in_paths": false"#;
+    assert!(refused(text(1, control)).contains("in_paths needs version 2, and the file says version 1"));
+    assert!(refused(text(2, r#""in_paths": false"#)).contains("in_paths is false, which is for control nodes only"));
+    assert!(refused(text(3, control)).contains("version is 3, and this program reads versions 1 and 2"));
+    assert!(scene_from_json(&text(2, control)).is_ok());
+}
+
+proptest! {
+    #[test]
+    fn keys_of_any_value_come_back(
+        times in prop::collection::vec(-1e5f64..1e5, 1..8), x in prop::num::f32::NORMAL, angle in -10.0f32..10.0,
+        scale in 1e-6f32..1e6, colour in any::<[u8; 3]>(),
+    ) {
+        let (mut scene, path) = two_robots().with_control_above(two_robots().find("robot1").unwrap());
+        let id = scene.find(&path).unwrap();
+        let shape = scene.nodes_with_ids().find(|(id, _)| scene.channels(*id) == [Channel::Colour]).unwrap().0;
+        for seconds in times {
+            let translation = KeyValue::Translation(Vec3::new(x % 1e6, 0.1, -0.0));
+            let axis = Vec3::new(angle, 1.0, scale).normalize();
+            for value in [translation, KeyValue::Rotation(Quat::from_axis_angle(axis, angle)), KeyValue::Scale(Vec3::new(scale, 1.0, 2.0))] {
+                scene = scene.with_key(id, seconds, value).unwrap();
+            }
+            scene = scene.with_key(shape, seconds, KeyValue::Colour(Colour::from_bytes(colour))).unwrap();
+        }
+        let text = scene_to_json(&scene);
+        prop_assert!(!text.contains("-0,") && !text.contains("-0]"));
+        let again = scene_from_json(&text).unwrap();
+        prop_assert!(again == scene);
+        prop_assert_eq!(scene_to_json(&again), text);
+    }
+}
