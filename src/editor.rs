@@ -12,6 +12,7 @@ mod files;
 mod history;
 pub mod keymap;
 mod manipulate;
+mod path;
 mod playback;
 mod playing;
 mod said;
@@ -28,15 +29,19 @@ pub use document::Document;
 pub use error::CommandError;
 pub use history::MOST_STEPS;
 pub use manipulate::{DragKind, Manipulation};
+pub use path::PathDot;
 pub use playback::PlayMode;
 pub use playing::SPEED_PERCENT_RANGE;
 pub use said::Said;
+pub use view::MOST_GHOSTS;
 
 use crate::clock::TICKS_PER_SECOND;
 use crate::keyframe::KeyframeIndex;
 use crate::pose::{Pose, RbtIndex};
 use crate::scene::{Ray, SceneGraph};
+use apply::Gesture;
 use history::History;
+use keymap::Keymap;
 use playback::Playback;
 use timeline::Clipboard;
 
@@ -129,8 +134,10 @@ pub struct Editor {
     session: Session,
     playback: Playback,
     seconds_clock: SecondsClock,
-    /// The document before the drag that is going on.
-    gesture: Option<Document>,
+    /// The drag that is going on.
+    gesture: Option<Gesture>,
+    /// The keys that sentences name.
+    keymap: Keymap,
     clipboard: Clipboard,
     message: Message,
     said: Said,
@@ -169,6 +176,7 @@ impl Editor {
             playback: Playback::default(),
             seconds_clock: SecondsClock::default(),
             gesture: None,
+            keymap: Keymap::default(),
             clipboard: Clipboard::default(),
             message: Message::default(),
             said: Said::default(),

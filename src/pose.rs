@@ -76,6 +76,18 @@ impl Pose {
         Arc::ptr_eq(&self.parent_from_node, &other.parent_from_node)
     }
 
+    /// A number that poses have in common which share their storage, and no others while both are held.
+    #[must_use]
+    pub fn identity(&self) -> usize {
+        self.parent_from_node.as_ptr().addr()
+    }
+
+    /// Whether another pose shares the storage.
+    #[must_use]
+    pub fn is_held_elsewhere(&self) -> bool {
+        Arc::strong_count(&self.parent_from_node) > 1
+    }
+
     /// Whether two poses are the same, at no cost where they share.
     #[must_use]
     pub fn same_as(&self, other: &Self) -> bool {

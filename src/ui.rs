@@ -18,6 +18,7 @@ mod palette;
 mod program;
 mod status;
 pub mod theme;
+mod thumbnails;
 mod timeline;
 mod transport;
 mod tree;
@@ -30,9 +31,11 @@ use egui::{CentralPanel, Frame, Margin, Panel, Rect, ScrollArea};
 
 use crate::editor::keymap::{Binding, Keymap};
 use crate::editor::{Command, Editor};
+use crate::pose::Pose;
 use crate::settings::Settings;
 use dialogs::Dialog;
 use theme::Tokens;
+pub use thumbnails::THUMBNAIL_PX;
 
 /// What the user answered to the question about unsaved work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -98,6 +101,7 @@ pub struct Ui {
     tree: tree::Tree,
     angles: angles::ShownAngles,
     timeline: timeline::Timeline,
+    thumbnails: thumbnails::Thumbnails,
     dialog: Option<Dialog>,
 }
 
@@ -136,9 +140,21 @@ impl Ui {
         self.has_keyboard(context) || self.timeline.takes_escape() || egui::Popup::is_any_open(context)
     }
 
+    /// A keyframe's pose whose picture is wanted and not there yet: hand it to [`Ui::put_thumbnail`] when nothing else is to be done.
+    #[must_use]
+    pub fn wanted_thumbnail(&self) -> Option<&Pose> {
+        self.thumbnails.wanted()
+    }
+
+    /// Takes in the picture of a pose: [`THUMBNAIL_PX`] pixels, four bytes each, red first, from the top left.
+    pub fn put_thumbnail(&mut self, context: &egui::Context, pose: Pose, rgba: &[u8]) {
+        self.thumbnails.put(context, pose, rgba);
+    }
+
     /// Shows the panels in the whole window's `ui`.
     pub fn show(&mut self, ui: &mut egui::Ui, editor: &Editor) -> UiOutput {
         self.dress(ui.ctx());
+        self.thumbnails.begin();
         self.log.take_in(editor.said(), ui.input(|input| input.time));
         let mut output = UiOutput::default();
         if editor.session().shows_panels {
@@ -168,12 +184,15 @@ impl Ui {
         Panel::bottom("status").exact_size(theme::STATUS).frame(plain(tokens.panel, 8, 2)).show(ui, |ui| {
             status::show(ui, editor);
         });
-        Panel::bottom("timeline")
-            .default_size(theme::TIMELINE)
+        let timeline = Panel::bottom("timeline")
+            .default_size(self.panel_size("timeline", theme::TIMELINE))
             .size_range(96.0..=560.0)
             .resizable(true)
             .frame(Frame::new())
-            .show(ui, |ui| self.timeline.show(ui, editor, self.keymap.bindings(), commands));
+            .show(ui, |ui| {
+                self.timeline.show(ui, editor, self.keymap.bindings(), &mut self.thumbnails, commands);
+            });
+        self.watch_panel(ui, "timeline", timeline.response.rect.height());
         Panel::bottom("transport").exact_size(theme::TRANSPORT).frame(plain(tokens.panel, 8, 4)).show(ui, |ui| {
             transport::show(ui, editor, self.keymap.bindings(), commands);
         });

@@ -1,13 +1,15 @@
 //! The window: events in, commands to the editor, pictures out, and the effects that the editor asks for.
 //!
 //! Only here are winit's names known and, for the window, the clock on the wall read. What can be decided without a window is
-//! plain data with tables of tests: [`keys`] and [`pointer`].
+//! plain data with tables of tests: [`keys`], [`path`] and [`pointer`].
 
 mod dialog;
 mod effects;
 mod handling;
+mod idle;
 mod kept;
 pub mod keys;
+pub mod path;
 pub mod pointer;
 mod shell;
 mod stage;

@@ -304,9 +304,30 @@ fn a_dragged_panel_is_remembered() {
     assert_eq!(panels.len(), 1, "{panels:?}");
     assert!(panels[0].0 == "side" && (panels[0].1 - theme::SIDE - 60.0).abs() < 4.0, "{panels:?}");
 
+    let top = egui::pos2(300.0, harness.get_by_label_contains("No keyframes yet").rect().top());
+    let edge = egui::pos2(300.0, 800.0 - theme::STATUS - theme::TIMELINE);
+    assert!(top.y >= edge.y - 1.0, "{top} {edge}");
+    harness.state_mut().panels.clear();
+    harness.hover_at(edge);
+    harness.run();
+    harness.drag_at(edge);
+    harness.run();
+    for step in 1..=5u8 {
+        harness.hover_at(edge - vec2(0.0, f32::from(step) * 10.0));
+        harness.run();
+    }
+    harness.drop_at(edge - vec2(0.0, 50.0));
+    harness.run();
+    let panels = harness.state().panels.clone();
+    assert_eq!(panels.len(), 1, "{panels:?}");
+    assert!(panels[0].0 == "timeline" && (panels[0].1 - theme::TIMELINE - 50.0).abs() < 4.0, "{panels:?}");
+
     let mut settings = Settings::default();
     settings.resized("side", 400.0);
+    settings.resized("timeline", 300.0);
     let harness = harness_with(0, settings);
+    let bottom = harness.state().viewport.bottom();
+    assert!((800.0 - theme::STATUS - theme::TRANSPORT - 300.0 - bottom).abs() < 2.0, "{bottom}");
     let name = harness.get_by_label("Translation x").rect();
     let side = harness.state().viewport.right();
     assert!(name.left() > side && (1272.0 - side - 400.0).abs() < 2.0, "{name} {side}");

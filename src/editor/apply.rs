@@ -3,8 +3,12 @@
 use glam::Quat;
 
 use super::history::Run;
+use super::keymap::Keymap;
 use super::playback::Playback;
-use super::{Command, CommandError, Document, Edit, Editor, Effect, GestureCommand, Message, Severity, TimelineEdit};
+use super::{
+    Command, CommandError, Document, Edit, Editor, Effect, GestureCommand, Message, PlaybackCommand, Severity,
+    TimelineEdit, ViewCommand,
+};
 use crate::keyframe::{Keyframe, KeyframeIndex, KeyframeList, MS_BETWEEN_KEYFRAMES_RANGE};
 use crate::pose::RbtIndex;
 use crate::rbt::Rbt;
@@ -13,6 +17,15 @@ use crate::rbt::Rbt;
 const MS_STEP: u32 = 100;
 
 pub(super) type Outcome = Result<String, CommandError>;
+
+/// A drag that goes on.
+#[derive(Clone, Debug)]
+pub(super) struct Gesture {
+    /// The document before it.
+    before: Document,
+    /// What undo calls it.
+    label: &'static str,
+}
 
 impl Editor {
     /// Does a command. What it says is the message afterwards, in either outcome.
@@ -60,8 +73,38 @@ impl Editor {
         }
     }
 
+    /// Puts other keys in force: what is said names those.
+    pub fn set_keymap(&mut self, keymap: Keymap) {
+        self.keymap = keymap;
+    }
+
+    /// The key of a command as a sentence names it; where it has none, its name.
+    pub(super) fn key_of(&self, command: &Command) -> String {
+        let binding = self.keymap.bindings().iter().find(|binding| binding.command == *command);
+        binding
+            .map(|binding| if binding.chords.is_empty() { format!("“{}”", binding.name) } else { binding.menu_key() })
+            .unwrap_or_default()
+    }
+
+    pub(super) fn no_keyframe(&self) -> CommandError {
+        CommandError::NoKeyframe { create: self.key_of(&Command::Edit(Edit::CreateKeyframe)) }
+    }
+
+    pub(super) fn too_few_to_play(&self) -> CommandError {
+        CommandError::TooFewToPlay { create: self.key_of(&Command::Edit(Edit::CreateKeyframe)) }
+    }
+
+    pub(super) fn nothing_chosen(&self) -> CommandError {
+        CommandError::NothingChosen { pick: self.key_of(&Command::View(ViewCommand::StartPicking)) }
+    }
+
     pub(super) fn refuse_while_playing(&self, what: &'static str) -> Result<(), CommandError> {
-        if self.is_playing() { Err(CommandError::WhilePlaying { what }) } else { Ok(()) }
+        if !self.is_playing() {
+            return Ok(());
+        }
+        let stop = self.key_of(&Command::Playback(PlaybackCommand::PlayOrStop));
+        let pause = self.key_of(&Command::Playback(PlaybackCommand::PauseOrResume));
+        Err(CommandError::WhilePlaying { what, stop, pause })
     }
 
     fn edit(&mut self, edit: Edit) -> Outcome {
@@ -99,14 +142,14 @@ impl Editor {
                 self.place(rbt, |parent_from_node| Rbt { rotation, ..parent_from_node }, "turn a node", None)
             }
             Edit::RotateChosen { axis_in_node, radians } => {
-                let chosen = self.session.chosen.ok_or(CommandError::NothingChosen)?;
+                let chosen = self.session.chosen.ok_or_else(|| self.nothing_chosen())?;
                 let turn = unit(Quat::from_axis_angle(axis_in_node, radians))
                     .ok_or(CommandError::NotAValue { what: "rotation" })?;
                 let turned = |from: Rbt| Rbt { rotation: from.rotation * turn, ..from }.renormalized();
                 self.place(chosen, turned, "turn a node", None)
             }
             Edit::TranslateChosen(by) => {
-                let chosen = self.session.chosen.ok_or(CommandError::NothingChosen)?;
+                let chosen = self.session.chosen.ok_or_else(|| self.nothing_chosen())?;
                 self.place(chosen, |from| Rbt { translation: from.translation + by, ..from }, "move a node", None)
             }
             Edit::Wheel(motion) => {
@@ -120,8 +163,9 @@ impl Editor {
     pub(super) fn record(&mut self, label: &'static str, run: Option<Run>, change: impl FnOnce(&mut Document)) {
         let before = self.document.clone();
         change(&mut self.document);
-        if self.gesture.is_none() {
-            self.history.record(before, &self.document, label, run);
+        match &mut self.gesture {
+            None => self.history.record(before, &self.document, label, run),
+            Some(gesture) => gesture.label = label,
         }
     }
 
@@ -152,7 +196,7 @@ impl Editor {
     }
 
     fn display_current(&mut self) -> Outcome {
-        let current = self.document.keyframes.current().ok_or(CommandError::NoKeyframe)?;
+        let current = self.document.keyframes.current().ok_or_else(|| self.no_keyframe())?;
         self.show_keyframe("display of a keyframe", current);
         Ok(format!("{}: copied to the scene.", self.where_we_are()))
     }
@@ -276,21 +320,26 @@ impl Editor {
                 self.commit_gesture();
                 self.history.end_run();
                 // What was scrubbed to stays on screen until the drag moves a node.
-                self.gesture = Some(self.document.clone());
+                self.gesture = Some(Gesture { before: self.document.clone(), label: "drag" });
             }
             GestureCommand::Move(motion) => {
                 if self.gesture.is_none() {
                     return Err(CommandError::NoDrag);
                 }
                 let moved = self.moved(motion);
-                self.place(self.node_at_hand(), |_| moved, "drag", None)?;
+                let label = match self.session.chosen {
+                    None => "move the eye",
+                    Some(_) if motion.translation == glam::Vec3::ZERO => "turn a node",
+                    Some(_) => "move a node",
+                };
+                self.place(self.node_at_hand(), |_| moved, label, None)?;
             }
             GestureCommand::Commit => {
                 self.commit_gesture();
             }
             GestureCommand::Abort => {
-                if let Some(before) = self.gesture.take() {
-                    self.document = before;
+                if let Some(gesture) = self.gesture.take() {
+                    self.document = gesture.before;
                     return Ok("Drag taken back.".to_owned());
                 }
             }
@@ -300,7 +349,7 @@ impl Editor {
 
     /// Ends a drag, as one step of undo.
     pub(super) fn commit_gesture(&mut self) {
-        let Some(before) = self.gesture.take() else { return };
+        let Some(Gesture { before, label }) = self.gesture.take() else { return };
         let has_moved = !before.live_pose.same_as(&self.document.live_pose);
         if self.session.auto_keys
             && has_moved
@@ -311,7 +360,7 @@ impl Editor {
             self.document.keyframes.replace(index, updated);
             self.say(format!("{}: updated by auto-key.", self.where_we_are()));
         }
-        self.history.record(before, &self.document, "drag", None);
+        self.history.record(before, &self.document, label, None);
     }
 
     fn undo(&mut self) -> Outcome {
@@ -348,8 +397,8 @@ impl Editor {
     }
 
     fn cancel(&mut self) -> String {
-        if let Some(before) = self.gesture.take() {
-            self.document = before;
+        if let Some(gesture) = self.gesture.take() {
+            self.document = gesture.before;
             return "Drag taken back.".to_owned();
         }
         if self.session.is_picking {

@@ -4,7 +4,7 @@ use glam::{Affine3A, Vec2};
 
 use super::{ArcballMark, DrawItem, Frame, View, overlays};
 use crate::camera::Camera;
-use crate::editor::Editor;
+use crate::editor::{Editor, PathDot};
 use crate::pose::{Pose, RbtIndex};
 use crate::scene::{NodeKind, PlacedShape, SceneGraph};
 
@@ -44,6 +44,11 @@ impl Frame {
         for (item, (id, _)) in self.items.iter_mut().zip(shapes) {
             item.outlined |= scene.carrying_rbt(id) == Some(rbt);
         }
+    }
+
+    /// Marks a dot of the motion path, as where a press would take it.
+    pub fn mark_dot(&mut self, dot: PathDot) {
+        overlays::add_mark(self, dot);
     }
 
     /// The picture that an editor displays, `size_px` pixels wide and high, with the chosen node outlined and the arcball.

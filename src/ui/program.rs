@@ -3,6 +3,7 @@
 use super::dialogs::Dialog;
 use super::keys::KeysDialog;
 use super::palette::Palette;
+use super::timeline::Ask;
 use super::words::Words;
 use super::{PanelSize, Ui};
 use crate::editor::WindowCommand;
@@ -48,6 +49,9 @@ impl Ui {
                 settings.keys.clear();
                 "All keys are as they were at first.".clone_into(&mut said);
             }
+            WindowCommand::RenameCurrent => self.timeline.ask(Ask::Rename),
+            WindowCommand::FitTimeline => self.timeline.ask(Ask::FitAll),
+            WindowCommand::FitSelection => self.timeline.ask(Ask::FitSelection),
             WindowCommand::ForgetRecent => settings.recent.clear(),
         }
         self.adopt(settings);

@@ -8,6 +8,8 @@ mod drag;
 mod graphs;
 mod hit;
 mod labels;
+mod luck;
+mod marks;
 mod menu;
 mod paint;
 mod rows;
@@ -16,9 +18,12 @@ mod tips;
 
 use egui::{Align2, FontId, Id, Key, Rect, Response, RichText, Role, Sense, TextEdit, Ui, WidgetInfo, pos2, vec2};
 
+use super::binding_of;
 use super::theme::{ROW, Tokens};
+use super::thumbnails::Thumbnails;
+use super::words::Words;
 use crate::editor::keymap::Binding;
-use crate::editor::{Command, Edit, Editor, GestureCommand, TimelineEdit};
+use crate::editor::{Command, Edit, Editor, GestureCommand, PlaybackCommand, TimelineEdit};
 use crate::keyframe::{KeyframeIndex, PlayRange};
 use columns::Columns;
 use drag::Drag;
@@ -31,13 +36,24 @@ use scale::{MOST_POINTS, Scale, View};
 const NAME_FIELD: f32 = 120.0;
 
 /// Which side of the timeline is shown.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 enum Tab {
     /// Diamonds.
     #[default]
     Keyframes,
     /// Curves of the chosen node.
     Graphs,
+}
+
+/// What is asked of the timeline by a key, a menu or the list of commands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ask {
+    /// A field for the current keyframe's name.
+    Rename,
+    /// All keyframes in sight.
+    FitAll,
+    /// Those at hand in sight.
+    FitSelection,
 }
 
 /// A name that is being typed.
@@ -66,6 +82,7 @@ pub struct Timeline {
     /// Where a selection with Shift begins.
     anchor: Option<usize>,
     renaming: Option<Renaming>,
+    asked: Option<Ask>,
     /// What was last shown, so that the timeline scrolls only when that changes.
     shown: Option<(Option<KeyframeIndex>, usize)>,
     /// The keyframe that the context menu is for.
@@ -80,22 +97,36 @@ impl Timeline {
         self.drag.is_some() || self.graphs.is_dragging()
     }
 
+    /// Does what is asked when the timeline is shown next.
+    pub const fn ask(&mut self, ask: Ask) {
+        self.asked = Some(ask);
+    }
+
     /// Shows the timeline.
-    pub fn show(&mut self, ui: &mut Ui, editor: &Editor, bindings: &[Binding], commands: &mut Vec<Command>) {
+    pub fn show(
+        &mut self,
+        ui: &mut Ui,
+        editor: &Editor,
+        bindings: &[Binding],
+        thumbnails: &mut Thumbnails,
+        commands: &mut Vec<Command>,
+    ) {
         let whole = ui.available_rect_before_wrap();
         if editor.document().keyframes.is_empty() {
-            empty(ui);
+            self.asked = None;
+            empty(ui, bindings);
             return;
         }
         ui.advance_cursor_after_rect(whole);
         let mut columns = std::mem::take(&mut self.columns);
         columns.update(&editor.document().keyframes);
-        let layout = Layout::of(whole);
+        let layout = Layout::of(whole, self.tab == Tab::Keyframes);
         let response = ui.interact(layout.scaled(), ui.scope_id().with("tracks"), Sense::click_and_drag());
-        response.widget_info(|| WidgetInfo::labeled(Role::Group, true, "Timeline"));
+        let words = Words::of(ui);
+        response.widget_info(|| WidgetInfo::labeled(Role::Group, true, words.say("Timeline")));
         self.choose_view(editor, &layout, &columns);
         self.wheel(ui, &response, &layout, &columns);
-        self.keys(ui, &response, editor, &layout, &columns);
+        self.answer(editor, &layout, &columns);
 
         let rows = self.rows.of(editor.scene());
         let shown_rows = if self.tab == Tab::Keyframes { rows.len() } else { 0 };
@@ -114,9 +145,10 @@ impl Timeline {
         if !takes_part {
             self.pointer(ui, &response, &target, editor, commands);
         }
-        let look = Look { editor, target: &target, tokens: Tokens::of(ui), hovered: self.hovered };
-        self.paint(ui, &look, &rows);
-        labels::header(self, ui, &layout, &columns, editor);
+        let look =
+            Look { editor, target: &target, tokens: Tokens::of(ui), words: Words::of(ui), hovered: self.hovered };
+        self.paint(ui, &look, &rows, bindings, thumbnails);
+        labels::header(self, ui, &layout, bindings);
         match self.tab {
             Tab::Keyframes => {
                 labels::rows(self, ui, &look, &rows, commands);
@@ -124,13 +156,20 @@ impl Timeline {
             }
             Tab::Graphs => self.graphs.legend(ui, &look),
         }
-        self.tips(&response, &look);
+        self.tips(&response, &look, thumbnails);
         self.menu(ui, &response, &target, editor, bindings, commands);
         self.rename_field(ui, &target, editor, commands);
         self.columns = columns;
     }
 
-    fn paint(&mut self, ui: &Ui, look: &Look<'_>, rows: &[rows::Row]) {
+    fn paint(
+        &mut self,
+        ui: &Ui,
+        look: &Look<'_>,
+        rows: &[rows::Row],
+        bindings: &[Binding],
+        thumbnails: &mut Thumbnails,
+    ) {
         let layout = look.target.layout;
         let painter = ui.painter().with_clip_rect(layout.scaled().intersect(ui.clip_rect()));
         let side = layout.header.union(layout.labels);
@@ -140,8 +179,10 @@ impl Timeline {
         if self.tab == Tab::Keyframes {
             paint::lines(&painter, look);
             paint::nodes(&painter, look, rows);
+            marks::strip(&painter, look, thumbnails);
             paint::summary(&painter, look, self.drag.as_ref());
-            missing(ui, look);
+            marks::luck(&painter, look, rows);
+            missing(ui, look, bindings);
         } else {
             self.graphs.paint(&painter, look);
         }
@@ -235,20 +276,12 @@ impl Timeline {
         }
     }
 
-    fn keys(&mut self, ui: &Ui, response: &Response, editor: &Editor, layout: &Layout, columns: &Columns) {
-        if ui.ctx().text_edit_focused() || egui::Popup::is_any_open(ui.ctx()) {
-            return;
-        }
-        let pressed = |key| ui.input(|input| input.key_pressed(key));
-        let (plain, shift) = ui.input(|input| (input.modifiers.is_none(), input.modifiers.shift_only()));
-        if response.contains_pointer() && pressed(Key::F) && plain {
-            self.fit_all(layout, columns);
-        }
-        if response.contains_pointer() && pressed(Key::F) && shift {
-            self.fit_selection(editor, layout, columns);
-        }
-        if pressed(Key::F2) && plain && !editor.is_playing() {
-            self.start_renaming(editor, editor.document().keyframes.current());
+    fn answer(&mut self, editor: &Editor, layout: &Layout, columns: &Columns) {
+        match self.asked.take() {
+            None => {}
+            Some(Ask::FitAll) => self.fit_all(layout, columns),
+            Some(Ask::FitSelection) => self.fit_selection(editor, layout, columns),
+            Some(Ask::Rename) => self.start_renaming(editor, editor.document().keyframes.current()),
         }
     }
 
@@ -287,7 +320,7 @@ impl Timeline {
         let x = x.min(tracks.right() - NAME_FIELD - 4.0).max(tracks.left() + 4.0);
         let area = Rect::from_min_size(pos2(x, target.layout.ruler.top() + 8.0), vec2(NAME_FIELD, ROW + 2.0));
         let id = Id::unique("name of a keyframe");
-        let hint = format!("Name of keyframe {place}");
+        let hint = Words::of(ui).fill("Name of keyframe {}", &[&place.to_string()]);
         let field = TextEdit::singleline(&mut renaming.typed)
             .id(id)
             .hint_text(&hint)
@@ -327,19 +360,28 @@ fn played(editor: &Editor) -> Option<(usize, usize)> {
     Some(editor.session().play_range.unwrap_or((1, keyframes.len() - 2)))
 }
 
-fn empty(ui: &mut Ui) {
+fn empty(ui: &mut Ui, bindings: &[Binding]) {
     let tokens = Tokens::of(ui);
     ui.painter().rect_filled(ui.available_rect_before_wrap(), 0.0, tokens.window);
-    let text = "No keyframes yet: pose the robots, press n to keep a pose. Four make an animation; y plays it.";
+    let create = key_of(bindings, &Command::Edit(Edit::CreateKeyframe));
+    let play = key_of(bindings, &Command::Playback(PlaybackCommand::PlayOrStop));
+    let text = Words::of(ui).fill(
+        "No keyframes yet: pose the robots, press {} to keep a pose. Four make an animation; {} plays it.",
+        &[&create, &play],
+    );
     ui.centered_and_justified(|ui| ui.label(RichText::new(text).color(tokens.dim)));
 }
 
 /// Says what to do while there are too few to play.
-fn missing(ui: &Ui, look: &Look<'_>) {
+fn missing(ui: &Ui, look: &Look<'_>, bindings: &[Binding]) {
     let count = look.target.columns.len();
+    let key = key_of(bindings, &Command::Edit(Edit::CreateKeyframe));
     let text = match count {
-        1 | 2 => format!("{} more keyframes make an animation: pose, then press n.", 4 - count),
-        3 => "1 more keyframe makes an animation: pose, then press n.".to_owned(),
+        1 | 2 => {
+            let more = (4 - count).to_string();
+            look.words.fill("{} more keyframes make an animation: pose, then press {}.", &[&more, &key])
+        }
+        3 => look.words.fill("1 more keyframe makes an animation: pose, then press {}.", &[&key]),
         _ => return,
     };
     let (_, last) = look.target.columns.ends();
@@ -361,8 +403,14 @@ fn diamonds(timeline: &mut Timeline, ui: &Ui, look: &Look<'_>, commands: &mut Ve
         let response = ui.interact(area, id, Sense::focusable_noninteractive());
         let index = KeyframeIndex::new(place);
         let is_current = editor.document().keyframes.current() == Some(index);
-        response
-            .widget_info(|| WidgetInfo::selected(Role::ListBoxOption, true, is_current, format!("Keyframe {place}")));
+        response.widget_info(|| {
+            WidgetInfo::selected(
+                Role::ListBoxOption,
+                true,
+                is_current,
+                look.words.fill("Keyframe {}", &[&place.to_string()]),
+            )
+        });
         let is_asked = ui.input(|input| input.has_accesskit_action_request(id, egui::accesskit::Action::Click));
         if is_asked {
             timeline.pick(place, editor, egui::Modifiers::NONE, commands);
@@ -378,6 +426,12 @@ fn diamonds(timeline: &mut Timeline, ui: &Ui, look: &Look<'_>, commands: &mut Ve
             timeline.pick(place, editor, modifiers, commands);
         }
     }
+}
+
+/// The key of a command, or its name where it has none.
+fn key_of(bindings: &[Binding], command: &Command) -> String {
+    let binding = binding_of(bindings, command);
+    binding.map(|it| if it.chords.is_empty() { it.name.to_owned() } else { it.menu_key() }).unwrap_or_default()
 }
 
 /// A drag of a number in a menu, as one step of undo.

@@ -14,11 +14,13 @@ use winit::window::{Window, WindowId};
 
 use super::kept::Kept;
 use super::keys::{KeyInput, SpaceBar};
+use super::path::PathDrag;
 use super::pointer::Pointer;
 use super::stage::Stage;
 use super::{Happening, WindowError, now};
 use crate::clock::AnimationClock;
 use crate::editor::{Command, Editor, FileCommand, Severity};
+use crate::keyframe::KeyframeIndex;
 use crate::ui::Ui;
 
 /// A window that stood still for longer goes on from there: it does not catch up.
@@ -41,13 +43,19 @@ pub struct Shell {
     pub(super) modifiers: ModifiersState,
     pub(super) space: SpaceBar,
     pub(super) pointer: Pointer,
+    /// The dot of the motion path that is held.
+    pub(super) path_drag: Option<PathDrag>,
+    /// The keyframe whose dot the pointer is over.
+    pub(super) hovered_dot: Option<KeyframeIndex>,
     /// Where the pointer is, in the window's pixels.
     pub(super) pointer_px: Vec2,
     clock: AnimationClock,
-    /// When the clock last took in time; `None` while nothing plays.
+    /// When the clock last took in time; `None` while nothing moves.
     last_tick: Option<Instant>,
     /// When the panels want to be shown again.
     show_again: Option<Instant>,
+    /// When the next picture of a keyframe is made, unless something happens before.
+    pub(super) thumbnail_due: Option<Instant>,
     title: String,
     error: Option<WindowError>,
 }
@@ -58,6 +66,7 @@ impl Shell {
         let (kept, problem) = Kept::read();
         let mut ui = Ui::new();
         let errors = ui.adopt(&kept.settings).into_iter().map(|error| error.to_string());
+        editor.set_keymap(ui.keymap().clone());
         for sentence in problem.into_iter().chain(errors) {
             editor.say_of(Severity::Error, sentence);
         }
@@ -73,10 +82,13 @@ impl Shell {
             modifiers: ModifiersState::empty(),
             space: SpaceBar::default(),
             pointer: Pointer::default(),
+            path_drag: None,
+            hovered_dot: None,
             pointer_px: Vec2::ZERO,
             clock: AnimationClock::new(),
             last_tick: None,
             show_again: None,
+            thumbnail_due: None,
             title: String::new(),
             error: None,
         }
@@ -144,6 +156,7 @@ impl Shell {
         for command in commands {
             self.apply(command);
         }
+        let dot = self.hovered_dot.and_then(|keyframe| self.editor.path_dot(keyframe));
         for (panel, size) in panels {
             if self.kept.settings.resized(panel, size) {
                 self.keep_settings();
@@ -153,11 +166,12 @@ impl Shell {
             self.quit_answered(answer);
         }
         if let Some(stage) = &mut self.stage {
-            stage.paint(&self.editor, hovered, laid_out);
+            stage.paint(&self.editor, hovered, dot, laid_out);
             if again {
                 stage.window.request_redraw();
             }
         }
+        self.plan_thumbnail();
     }
 
     fn accessibility(&mut self, event: accesskit_winit::WindowEvent) {
@@ -177,7 +191,7 @@ impl Shell {
 
     /// Gives the editor the ticks that passed, and says when the next one is due.
     fn tick(&mut self, at: Instant) -> Option<Instant> {
-        if !self.editor.is_playing() {
+        if !self.editor.wants_ticks() {
             self.last_tick = None;
             return None;
         }
@@ -260,6 +274,7 @@ impl ApplicationHandler<Happening> for Shell {
             WindowEvent::MouseWheel { delta, .. } => self.wheel(delta),
             WindowEvent::Focused(false) => {
                 self.space.release();
+                self.let_go_of_dot();
                 if let Some(action) = self.pointer.let_go() {
                     self.act(action);
                 }
@@ -283,11 +298,12 @@ impl ApplicationHandler<Happening> for Shell {
             self.show_again = None;
             self.request_redraw();
         }
+        self.make_thumbnail(at);
         self.update_title();
         if self.is_quitting {
             event_loop.exit();
         }
-        let due = [next_tick, self.show_again].into_iter().flatten().min();
+        let due = [next_tick, self.show_again, self.thumbnail_due].into_iter().flatten().min();
         event_loop.set_control_flow(due.map_or(ControlFlow::Wait, ControlFlow::WaitUntil));
     }
 }

@@ -2,7 +2,7 @@
 
 use std::ops::{Range, RangeInclusive};
 
-use crate::keyframe::KeyframeList;
+use crate::keyframe::{Keyframe, KeyframeList};
 
 /// The times of a list's keyframes, in units of the ms between keyframes from the first played keyframe.
 #[derive(Clone, Debug, Default)]
@@ -26,6 +26,12 @@ impl Columns {
             // The first played keyframe is where times are counted from, to the bit.
             time = if self.times.len() == 1 { 0.0 } else { time + keyframe.duration };
         }
+    }
+
+    /// The keyframes themselves.
+    #[must_use]
+    pub fn keyframes(&self) -> &[Keyframe] {
+        self.list.as_slice()
     }
 
     /// How many keyframes there are.
@@ -129,7 +135,7 @@ impl Columns {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::keyframe::{Keyframe, Timing, to_f64};
+    use crate::keyframe::{Timing, to_f64};
     use crate::pose::Pose;
 
     fn columns(durations: &[f64]) -> (Columns, KeyframeList) {

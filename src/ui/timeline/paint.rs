@@ -3,20 +3,19 @@
 use egui::{Align2, Color32, FontFamily, FontId, Painter, Pos2, Rect, Shape, Stroke, pos2, vec2};
 
 use super::drag::Drag;
-use super::hit::{Hit, LEAST_GAP, RADIUS, RANGE_BAR, SMALL_RADIUS, Target};
+use super::hit::{Hit, LEAST_FOR_EASING, LEAST_GAP, RADIUS, RANGE_BAR, SMALL_RADIUS, Target};
 use super::rows::{Row, differs};
 use super::scale::{marks, seconds_text};
 use crate::editor::Editor;
 use crate::keyframe::{Easing, Keyframe, KeyframeIndex};
 use crate::ui::icons::diamond;
 use crate::ui::theme::{CORNER, Tokens};
+use crate::ui::words::Words;
 
 /// Points from one labelled second to the next, at least.
 const SECONDS_APART: f64 = 72.0;
 /// How many keyframes of a merged group are looked at for a difference.
 const LOOKED_AT: usize = 16;
-/// Intervals at least this long show their easing.
-const LEAST_FOR_EASING: f32 = 64.0;
 
 /// What painting needs to know beside the target.
 #[derive(Clone, Copy)]
@@ -27,6 +26,8 @@ pub struct Look<'a> {
     pub target: &'a Target<'a>,
     /// The colours in force.
     pub tokens: &'a Tokens,
+    /// The words in force.
+    pub words: Words,
     /// What the pointer is over.
     pub hovered: Option<Hit>,
 }
@@ -335,8 +336,12 @@ pub fn dragging(painter: &Painter, look: &Look<'_>, drag: &Drag, surrounded: Opt
         Drag::Retime(retime) => {
             let Some(keyframe) = keyframes(look).get(retime.place) else { return };
             let seconds = keyframe.duration * f64::from(look.editor.document().ms_between_keyframes) / 1000.0;
-            let more = if retime.asked.1 { "  the next gives" } else { "" };
-            let text = format!("{:.2} steps = {seconds:.2} s{more}", keyframe.duration);
+            let (steps, seconds) = (format!("{:.2}", keyframe.duration), format!("{seconds:.2}"));
+            let text = if retime.asked.1 {
+                look.words.fill("{} steps = {} s  the next gives", &[&steps, &seconds])
+            } else {
+                look.words.fill("{} steps = {} s", &[&steps, &seconds])
+            };
             let from = scale.x_of(columns.time(retime.place));
             let to = scale.x_of(columns.time_after(retime.place));
             let y = layout.summary.bottom() + 6.0;
