@@ -3,6 +3,7 @@
 //! Only here are winit's names known and, for the window, the clock on the wall read. What can be decided without a window is
 //! plain data with tables of tests: [`keys`], [`path`] and [`pointer`].
 
+mod desktop;
 mod dialog;
 mod effects;
 mod handling;
@@ -62,6 +63,8 @@ pub(crate) enum Happening {
         /// How long it took.
         took: Duration,
     },
+    /// The desktop prefers these colours.
+    DesktopTheme(egui::Theme),
     /// The device is gone: everything on it is made again.
     DeviceLost,
     /// A screen reader asks for something.

@@ -51,6 +51,16 @@ impl Frame {
         overlays::add_mark(self, dot);
     }
 
+    /// Makes lines and dots wider by a factor: what they are in points becomes pixels of a dense screen.
+    pub fn scale_strokes(&mut self, factor: f32) {
+        for line in &mut self.lines {
+            line.width_px *= factor;
+        }
+        for dot in &mut self.dots {
+            dot.diameter_px *= factor;
+        }
+    }
+
     /// The picture that an editor displays, `size_px` pixels wide and high, with the chosen node outlined and the arcball.
     #[must_use]
     pub fn of_editor(editor: &Editor, size_px: Vec2) -> Self {

@@ -12,28 +12,27 @@ mod luck;
 mod marks;
 mod menu;
 mod paint;
+mod rename;
 mod rows;
 mod scale;
 mod tips;
 
-use egui::{Align2, FontId, Id, Key, Rect, Response, RichText, Role, Sense, TextEdit, Ui, WidgetInfo, pos2, vec2};
+use egui::{Align2, FontId, Key, Rect, Response, RichText, Role, Sense, Ui, WidgetInfo, pos2, vec2};
 
 use super::binding_of;
 use super::theme::{ROW, Tokens};
 use super::thumbnails::Thumbnails;
 use super::words::Words;
 use crate::editor::keymap::Binding;
-use crate::editor::{Command, Edit, Editor, GestureCommand, PlaybackCommand, TimelineEdit};
+use crate::editor::{Command, Edit, Editor, GestureCommand, PlaybackCommand};
 use crate::keyframe::{KeyframeIndex, PlayRange};
 use columns::Columns;
 use drag::Drag;
 use hit::{Hit, Layout, RADIUS, Target};
 use paint::Look;
+use rename::Renaming;
 use rows::Rows;
 use scale::{MOST_POINTS, Scale, View};
-
-/// Width of the field that a name is typed into.
-const NAME_FIELD: f32 = 120.0;
 
 /// Which side of the timeline is shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -54,14 +53,6 @@ pub enum Ask {
     FitAll,
     /// Those at hand in sight.
     FitSelection,
-}
-
-/// A name that is being typed.
-#[derive(Clone, Debug)]
-struct Renaming {
-    keyframe: KeyframeIndex,
-    typed: String,
-    is_new: bool,
 }
 
 /// Zoom, scroll, what is folded, and the drag that goes on.
@@ -300,57 +291,6 @@ impl Timeline {
             if first == last { (first.saturating_sub(1), (last + 1).min(last_place)) } else { (first, last) };
         self.view = Some(View::fitting(columns.time(first), columns.time(last), layout.tracks.width()));
     }
-
-    fn start_renaming(&mut self, editor: &Editor, keyframe: Option<KeyframeIndex>) {
-        let Some(index) = keyframe else { return };
-        let Some(keyframe) = editor.document().keyframes.get(index) else { return };
-        let typed = keyframe.name.as_deref().unwrap_or_default().to_owned();
-        self.renaming = Some(Renaming { keyframe: index, typed, is_new: true });
-    }
-
-    fn rename_field(&mut self, ui: &mut Ui, target: &Target<'_>, editor: &Editor, commands: &mut Vec<Command>) {
-        let Some(renaming) = &mut self.renaming else { return };
-        let place = renaming.keyframe.get();
-        if place >= target.columns.len() || editor.is_playing() {
-            self.renaming = None;
-            return;
-        }
-        let tracks = target.layout.tracks;
-        let x = target.scale.x_of(target.columns.time(place)) - 12.0;
-        let x = x.min(tracks.right() - NAME_FIELD - 4.0).max(tracks.left() + 4.0);
-        let area = Rect::from_min_size(pos2(x, target.layout.ruler.top() + 8.0), vec2(NAME_FIELD, ROW + 2.0));
-        let id = Id::unique("name of a keyframe");
-        let hint = Words::of(ui).fill("Name of keyframe {}", &[&place.to_string()]);
-        let field = TextEdit::singleline(&mut renaming.typed)
-            .id(id)
-            .hint_text(&hint)
-            .char_limit(100)
-            .align(egui::Align2::LEFT_CENTER);
-        let response = ui.put(area, field);
-        response.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, &hint));
-        if std::mem::take(&mut renaming.is_new) {
-            response.request_focus();
-            select_all(ui, id, renaming.typed.chars().count());
-            return;
-        }
-        if !response.lost_focus() {
-            return;
-        }
-        let is_cancelled = ui.input(|input| input.key_pressed(Key::Escape));
-        if let Some(Renaming { keyframe, typed, .. }) = self.renaming.take().filter(|_| !is_cancelled) {
-            let before = editor.document().keyframes.get(keyframe).and_then(|keyframe| keyframe.name.as_deref());
-            if before.unwrap_or_default() != typed.trim() {
-                commands.push(Command::Edit(Edit::Timeline(TimelineEdit::RenameKeyframe(keyframe, typed))));
-            }
-        }
-    }
-}
-
-fn select_all(ui: &Ui, id: Id, characters: usize) {
-    let mut state = egui::text_edit::TextEditState::load(ui.ctx(), id).unwrap_or_default();
-    let all = egui::text::CCursorRange::two(egui::text::CCursor::new(0), egui::text::CCursor::new(characters));
-    state.cursor.set_char_range(Some(all));
-    state.store(ui.ctx(), id);
 }
 
 /// The first and the last keyframe that play.

@@ -17,7 +17,7 @@ use super::keys::{KeyInput, SpaceBar};
 use super::path::PathDrag;
 use super::pointer::Pointer;
 use super::stage::Stage;
-use super::{Happening, WindowError, now};
+use super::{Happening, WindowError, desktop, now};
 use crate::clock::AnimationClock;
 use crate::editor::{Command, Editor, FileCommand, Severity};
 use crate::keyframe::KeyframeIndex;
@@ -119,6 +119,7 @@ impl Shell {
                 return;
             }
         }
+        desktop::ask_theme(self.proxy.clone());
         for command in std::mem::take(&mut self.at_start) {
             self.apply(command);
         }
@@ -134,6 +135,7 @@ impl Shell {
             Ok(stage) => {
                 stage.window.request_redraw();
                 self.stage = Some(stage);
+                desktop::ask_theme(self.proxy.clone());
             }
             Err(error) => {
                 self.error = Some(error);
@@ -234,6 +236,11 @@ impl ApplicationHandler<Happening> for Shell {
     fn user_event(&mut self, event_loop: &ActiveEventLoop, happening: Happening) {
         match happening {
             Happening::PathChosen { purpose, path, took } => self.path_chosen(purpose, path, took),
+            Happening::DesktopTheme(theme) => {
+                if let Some(stage) = &self.stage {
+                    stage.context.options_mut(|options| options.fallback_theme = theme);
+                }
+            }
             Happening::DeviceLost => self.reopen(event_loop),
             Happening::Accessibility(event) => self.accessibility(event),
         }
@@ -272,6 +279,8 @@ impl ApplicationHandler<Happening> for Shell {
             }
             WindowEvent::MouseInput { state, button, .. } => self.button(state, button),
             WindowEvent::MouseWheel { delta, .. } => self.wheel(delta),
+            // What the desktop prefers may have been changed meanwhile.
+            WindowEvent::Focused(true) => desktop::ask_theme(self.proxy.clone()),
             WindowEvent::Focused(false) => {
                 self.space.release();
                 self.let_go_of_dot();

@@ -197,6 +197,7 @@ impl Stage {
         if let Some(dot) = dot {
             frame.mark_dot(dot);
         }
+        frame.scale_strokes(laid_out.pixels_per_point);
         self.draw(&frame, &laid_out.jobs, laid_out.pixels_per_point);
         for id in laid_out.textures.free.drain() {
             self.panels.free_texture(&id);

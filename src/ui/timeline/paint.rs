@@ -1,5 +1,6 @@
 //! How the timeline looks: ruler, rows, diamonds, playhead. Nothing here takes part in what the pointer does.
 
+use egui::text::{LayoutJob, TextWrapping};
 use egui::{Align2, Color32, FontFamily, FontId, Painter, Pos2, Rect, Shape, Stroke, pos2, vec2};
 
 use super::drag::Drag;
@@ -101,7 +102,7 @@ fn seconds(painter: &Painter, look: &Look<'_>) {
         painter.vline(x, ruler.top()..=ruler.top() + length, Stroke::new(1.0, colour));
         if is_labelled {
             let text = seconds_text(at, step);
-            painter.text(pos2(x + 4.0, ruler.top() + 7.0), Align2::LEFT_CENTER, text, ruler_font(), tokens.dim);
+            painter.text(pos2(x + 8.0, ruler.top() + 7.0), Align2::LEFT_CENTER, text, ruler_font(), tokens.dim);
         }
     }
 }
@@ -135,10 +136,13 @@ fn numbers(painter: &Painter, look: &Look<'_>) {
         let to = scale.x_of(columns.time_after(place)).max(x + 60.0);
         let room = Rect::from_x_y_ranges(number.right() + 4.0..=to - 12.0, layout.ruler.y_range());
         let font = FontId::new(11.0, FontFamily::Proportional);
-        let clipped = painter.with_clip_rect(room.intersect(painter.clip_rect()));
         let text = if is_current { tokens.accent } else { tokens.text };
-        let written = clipped.text(pos2(number.right() + 4.0, y), Align2::LEFT_CENTER, name, font, text);
-        taken = if is_current { taken } else { written.right().min(room.right()) + 6.0 };
+        let mut job = LayoutJob::simple_singleline(name.to_owned(), font, text);
+        job.wrap = TextWrapping::truncate_at_width(room.width());
+        let galley = painter.layout_job(job);
+        let written = Rect::from_min_size(pos2(room.left(), y - galley.size().y / 2.0), galley.size());
+        painter.galley(written.min, galley, text);
+        taken = if is_current { taken } else { written.right() + 6.0 };
     }
 }
 
