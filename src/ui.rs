@@ -89,6 +89,8 @@ struct Shown<'a> {
 struct PanelSize {
     size: f32,
     is_dragged: bool,
+    /// How often it was shown since no button is held: its last size is not that of the frame in which the drag ended.
+    rests: u8,
 }
 
 /// The panels' own state.
@@ -184,15 +186,18 @@ impl Ui {
         Panel::bottom("status").exact_size(theme::STATUS).frame(plain(tokens.panel, 8, 2)).show(ui, |ui| {
             status::show(ui, editor);
         });
-        let timeline = Panel::bottom("timeline")
+        let mut timeline_height = theme::TIMELINE;
+        Panel::bottom("timeline")
             .default_size(self.panel_size("timeline", theme::TIMELINE))
             .size_range(96.0..=560.0)
             .resizable(true)
             .frame(Frame::new())
             .show(ui, |ui| {
+                // What is in it may be lower than the panel.
+                timeline_height = ui.available_height();
                 self.timeline.show(ui, editor, self.keymap.bindings(), &mut self.thumbnails, commands);
             });
-        self.watch_panel(ui, "timeline", timeline.response.rect.height());
+        self.watch_panel(ui, "timeline", timeline_height);
         Panel::bottom("transport").exact_size(theme::TRANSPORT).frame(plain(tokens.panel, 8, 4)).show(ui, |ui| {
             transport::show(ui, editor, self.keymap.bindings(), commands);
         });

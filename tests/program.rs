@@ -304,24 +304,6 @@ fn a_dragged_panel_is_remembered() {
     assert_eq!(panels.len(), 1, "{panels:?}");
     assert!(panels[0].0 == "side" && (panels[0].1 - theme::SIDE - 60.0).abs() < 4.0, "{panels:?}");
 
-    let edge = egui::pos2(300.0, 800.0 - theme::STATUS - theme::TIMELINE);
-    harness.state_mut().panels.clear();
-    harness.hover_at(edge);
-    harness.run();
-    harness.drag_at(edge);
-    harness.run();
-    for step in 1..=5u8 {
-        harness.hover_at(edge - vec2(0.0, f32::from(step) * 10.0));
-        harness.run();
-    }
-    harness.drop_at(edge - vec2(0.0, 50.0));
-    harness.run();
-    let panels = harness.state().panels.clone();
-    assert_eq!(panels.len(), 1, "{panels:?}");
-    let shown = 800.0 - theme::STATUS - theme::TRANSPORT - harness.state().viewport.bottom();
-    assert!(panels[0].0 == "timeline" && (panels[0].1 - shown).abs() < 2.0, "{panels:?} of {shown}");
-    assert!(shown > theme::TIMELINE + 30.0, "{shown}");
-
     let mut settings = Settings::default();
     settings.resized("side", 400.0);
     settings.resized("timeline", 300.0);

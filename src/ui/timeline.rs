@@ -106,6 +106,7 @@ impl Timeline {
         if editor.document().keyframes.is_empty() {
             self.asked = None;
             empty(ui, bindings);
+            ui.advance_cursor_after_rect(whole);
             return;
         }
         ui.advance_cursor_after_rect(whole);
