@@ -97,7 +97,7 @@ fn panels(criterion: &mut Criterion) {
     group.bench_function("a still frame", |bencher| bencher.iter(|| black_box(panels.frame(Vec::new()))));
 
     // The button that fits all stands over the names of the rows.
-    panels.click(pos2(144.0, 638.0));
+    panels.click(pos2(144.0, 598.0));
     // Both robots are unfolded, from below.
     panels.click(pos2(12.0, 754.0));
     panels.click(pos2(12.0, 732.0));
@@ -117,7 +117,7 @@ fn panels(criterion: &mut Criterion) {
 
     let chosen = RbtIndex::new(2);
     panels.editor.apply(Command::View(ViewCommand::Choose(Some(chosen)))).expect("the scene has it");
-    panels.click(pos2(97.0, 638.0));
+    panels.click(pos2(97.0, 598.0));
     group.bench_function("graphs, all in sight", |bencher| bencher.iter(|| black_box(panels.frame(Vec::new()))));
     group.finish();
 }

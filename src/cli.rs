@@ -33,6 +33,8 @@ use std::process::ExitCode;
 use clap::error::ErrorKind;
 use clap::{CommandFactory as _, Parser as _};
 
+pub use script::{script_commands, script_lines};
+
 use arguments::{Arguments, Subcommand};
 use error::CliError;
 

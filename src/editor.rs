@@ -10,9 +10,11 @@ mod document;
 mod error;
 mod export;
 mod files;
+mod gesture;
 mod history;
 pub mod keymap;
 mod manipulate;
+mod path;
 mod playback;
 mod playing;
 mod said;
@@ -32,15 +34,19 @@ pub use error::CommandError;
 pub use export::{ExportBackground, ExportEnd, ExportFormat, ExportOptions};
 pub use history::MOST_STEPS;
 pub use manipulate::{DragKind, Manipulation};
+pub use path::PathDot;
 pub use playback::PlayMode;
 pub use playing::SPEED_PERCENT_RANGE;
 pub use said::Said;
 pub use scene_edits::{KeyAt, SceneEdit, Track};
+pub use view::MOST_GHOSTS;
 
 use crate::keyframe::KeyframeIndex;
 use crate::pose::{Pose, RbtIndex};
 use crate::scene::{Ray, SceneGraph};
+use gesture::Gesture;
 use history::History;
+use keymap::Keymap;
 use playback::Playback;
 use seconds::SecondsClock;
 use timeline::Clipboard;
@@ -121,8 +127,10 @@ pub struct Editor {
     session: Session,
     playback: Playback,
     seconds_clock: SecondsClock,
-    /// The document before the drag that is going on.
-    gesture: Option<Document>,
+    /// The drag that is going on.
+    gesture: Option<Gesture>,
+    /// The keys that sentences name.
+    keymap: Keymap,
     clipboard: Clipboard,
     message: Message,
     said: Said,
@@ -168,6 +176,7 @@ impl Editor {
             playback: Playback::default(),
             seconds_clock: SecondsClock::default(),
             gesture: None,
+            keymap: Keymap::default(),
             clipboard: Clipboard::default(),
             message: Message::default(),
             said: Said::default(),

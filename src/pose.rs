@@ -124,6 +124,18 @@ impl Pose {
         Arc::ptr_eq(&self.blocks, &other.blocks)
     }
 
+    /// A number that poses have in common which share their storage, and no others while both are held.
+    #[must_use]
+    pub fn storage(&self) -> usize {
+        self.blocks.as_ptr().addr()
+    }
+
+    /// Whether another pose shares the storage.
+    #[must_use]
+    pub fn is_held_elsewhere(&self) -> bool {
+        Arc::strong_count(&self.blocks) > 1
+    }
+
     /// Whether two poses are the same, at no cost where they share.
     #[must_use]
     pub fn same_as(&self, other: &Self) -> bool {

@@ -19,6 +19,7 @@ mod palette;
 mod program;
 mod status;
 pub mod theme;
+mod thumbnails;
 mod timeline;
 mod transport;
 mod tree;
@@ -31,10 +32,12 @@ use egui::{CentralPanel, Frame, Margin, Panel, Rect, ScrollArea};
 
 use crate::editor::keymap::{Binding, Keymap};
 use crate::editor::{Command, Editor, ExportOptions, FileCommand};
+use crate::pose::Pose;
 use crate::settings::Settings;
 use dialogs::Dialog;
 pub use export::Exporting;
 use theme::Tokens;
+pub use thumbnails::THUMBNAIL_PX;
 
 /// What the user answered to the question about unsaved work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -92,6 +95,8 @@ struct Shown<'a> {
 struct PanelSize {
     size: f32,
     is_dragged: bool,
+    /// How often it was shown since no button is held: its last size is not that of the frame in which the drag ended.
+    rests: u8,
 }
 
 /// The panels' own state.
@@ -104,6 +109,7 @@ pub struct Ui {
     tree: tree::Tree,
     angles: angles::ShownAngles,
     timeline: timeline::Timeline,
+    thumbnails: thumbnails::Thumbnails,
     dialog: Option<Dialog>,
     /// What was exported last, and of which keyframe file.
     exported: Option<(PathBuf, ExportOptions)>,
@@ -153,9 +159,21 @@ impl Ui {
         self.has_keyboard(context) || self.timeline.takes_escape() || egui::Popup::is_any_open(context)
     }
 
+    /// A keyframe's pose whose picture is wanted and not there yet: hand it to [`Ui::put_thumbnail`] when nothing else is to be done.
+    #[must_use]
+    pub fn wanted_thumbnail(&self) -> Option<&Pose> {
+        self.thumbnails.wanted()
+    }
+
+    /// Takes in the picture of a pose: [`THUMBNAIL_PX`] pixels, four bytes each, red first, from the top left.
+    pub fn put_thumbnail(&mut self, context: &egui::Context, pose: Pose, rgba: &[u8]) {
+        self.thumbnails.put(context, pose, rgba);
+    }
+
     /// Shows the panels in the whole window's `ui`.
     pub fn show(&mut self, ui: &mut egui::Ui, editor: &Editor) -> UiOutput {
         self.dress(ui.ctx());
+        self.thumbnails.begin();
         self.log.take_in(editor.said(), ui.input(|input| input.time));
         let mut output = UiOutput::default();
         if editor.session().shows_panels {
@@ -193,12 +211,18 @@ impl Ui {
         Panel::bottom("status").exact_size(theme::STATUS).frame(plain(tokens.panel, 8, 2)).show(ui, |ui| {
             status::show(ui, editor);
         });
+        let mut timeline_height = theme::TIMELINE;
         Panel::bottom("timeline")
-            .default_size(theme::TIMELINE)
+            .default_size(self.panel_size("timeline", theme::TIMELINE))
             .size_range(96.0..=560.0)
             .resizable(true)
             .frame(Frame::new())
-            .show(ui, |ui| self.timeline.show(ui, editor, self.keymap.bindings(), commands));
+            .show(ui, |ui| {
+                // What is in it may be lower than the panel.
+                timeline_height = ui.available_height();
+                self.timeline.show(ui, editor, self.keymap.bindings(), &mut self.thumbnails, commands);
+            });
+        self.watch_panel(ui, "timeline", timeline_height);
         Panel::bottom("transport").exact_size(theme::TRANSPORT).frame(plain(tokens.panel, 8, 4)).show(ui, |ui| {
             transport::show(ui, editor, self.keymap.bindings(), commands);
         });

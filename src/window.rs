@@ -1,14 +1,17 @@
 //! The window: events in, commands to the editor, pictures out, and the effects that the editor asks for.
 //!
 //! Only here are winit's names known and, for the window, the clock on the wall read. What can be decided without a window is
-//! plain data with tables of tests: [`keys`] and [`pointer`].
+//! plain data with tables of tests: [`keys`], [`path`] and [`pointer`].
 
+mod desktop;
 mod dialog;
 mod effects;
 mod export;
 mod handling;
+mod idle;
 mod kept;
 pub mod keys;
+pub mod path;
 pub mod pointer;
 mod shell;
 mod stage;
@@ -70,6 +73,8 @@ pub(crate) enum Happening {
     },
     /// The export is over.
     ExportEnded(ExportEnd),
+    /// The desktop prefers these colours.
+    DesktopTheme(egui::Theme),
     /// The device is gone: everything on it is made again.
     DeviceLost,
     /// A screen reader asks for something.

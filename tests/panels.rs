@@ -139,10 +139,10 @@ fn the_empty_timeline_teaches() {
 #[test]
 fn a_clicked_node_is_chosen_and_clicked_again_is_not() {
     let mut harness = harness(editor(0));
-    click(&mut harness, "robot1/head");
+    click(&mut harness, "robot1/right_shoulder");
     let chosen = harness.state().editor.session().chosen.unwrap();
-    assert_eq!(harness.state().editor.scene().rbt_path(chosen), "robot1/head");
-    click(&mut harness, "robot1/head");
+    assert_eq!(harness.state().editor.scene().rbt_path(chosen), "robot1/right_shoulder");
+    click(&mut harness, "robot1/right_shoulder");
     assert_eq!(harness.state().editor.session().chosen, None);
 }
 

@@ -306,7 +306,11 @@ fn a_dragged_panel_is_remembered() {
 
     let mut settings = Settings::default();
     settings.resized("side", 400.0);
+    settings.resized("timeline", 300.0);
+    let usual = harness.state().viewport.bottom();
     let harness = harness_with(0, settings);
+    let bottom = harness.state().viewport.bottom();
+    assert!(usual - bottom > 300.0 - theme::TIMELINE - 10.0, "{usual} and {bottom}: a higher timeline leaves less");
     let name = harness.get_by_label("Translation x").rect();
     let side = harness.state().viewport.right();
     assert!(name.left() > side && (1272.0 - side - 400.0).abs() < 2.0, "{name} {side}");

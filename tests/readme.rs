@@ -3,26 +3,33 @@
 use std::fs;
 use std::path::PathBuf;
 
+use inbetween::cli::script_lines;
 use inbetween::editor::keymap;
 use inbetween::scene::scene_from_json;
-
-const BEGIN: &str = "<!-- keys: begin -->\n";
-const END: &str = "<!-- keys: end -->";
 
 fn path() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("README.md")
 }
 
+/// The README's block of this name is what was made.
+#[track_caller]
+fn check(text: &str, name: &str, made: &str) -> String {
+    let (begin, end) = (format!("<!-- {name}: begin -->\n"), format!("<!-- {name}: end -->"));
+    let (before, rest) = text.split_once(&begin).expect("the block begins");
+    let (block, after) = rest.split_once(&end).expect("the block ends");
+    if std::env::var_os("UPDATE_GOLDENS").is_none() {
+        assert_eq!(block, made, "the {name} have changed: UPDATE_GOLDENS=1 cargo test --test readme");
+    }
+    format!("{before}{begin}{made}{end}{after}")
+}
+
 #[test]
-fn the_block_of_keys_is_made_from_the_table() {
+fn the_blocks_of_keys_and_of_script_lines_are_made_from_the_tables() {
     let text = fs::read_to_string(path()).expect("the README");
-    let (before, rest) = text.split_once(BEGIN).expect("the block begins");
-    let (block, after) = rest.split_once(END).expect("the block ends");
-    let made = keymap::markdown();
-    if std::env::var_os("UPDATE_GOLDENS").is_some() {
-        fs::write(path(), format!("{before}{BEGIN}{made}{END}{after}")).expect("the README can be written");
-    } else {
-        assert_eq!(block, made, "the keys have changed: UPDATE_GOLDENS=1 cargo test --test readme");
+    let made = check(&text, "keys", &keymap::markdown());
+    let made = check(&made, "lines", &script_lines());
+    if made != text {
+        fs::write(path(), made).expect("the README can be written");
     }
 }
 

@@ -10,30 +10,45 @@ use egui::{
 };
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use inbetween::editor::{Command, Edit, Editor, PlayMode, PlaybackCommand, TimelineEdit, ViewCommand};
+use inbetween::editor::keymap::{binding_for, press_from_word};
+use inbetween::editor::{Command, Edit, Editor, Effect, PlayMode, PlaybackCommand, TimelineEdit, ViewCommand};
 use inbetween::keyframe::{Easing, KeyframeIndex, keyframes_to_json};
-use inbetween::ui::{Ui, theme};
+use inbetween::settings::Settings;
+use inbetween::ui::{THUMBNAIL_PX, Ui, theme};
 
 struct App {
     editor: Editor,
     ui: Ui,
+    settings: Settings,
     commands: Vec<Command>,
     is_dressed: bool,
     cursor: CursorIcon,
 }
 
+impl App {
+    /// What the window does with a command.
+    fn apply(&mut self, command: Command) {
+        for effect in apply(&mut self.editor, command.clone()) {
+            if let Effect::Window(command) = effect {
+                self.ui.perform(&command, &mut self.settings).expect("no keys are changed");
+            }
+        }
+        self.commands.push(command);
+    }
+}
+
 type Timeline = Harness<'static, App>;
 
 fn timeline(editor: Editor) -> Timeline {
-    let app = App { editor, ui: Ui::new(), commands: Vec::new(), is_dressed: false, cursor: CursorIcon::Default };
+    let (ui, settings, commands) = (Ui::new(), Settings::default(), Vec::new());
+    let app = App { editor, ui, settings, commands, is_dressed: false, cursor: CursorIcon::Default };
     let mut harness = Harness::builder().with_size(vec2(1280.0, 800.0)).with_max_steps(60).build_ui_state(
         |ui, app: &mut App| {
             if !std::mem::replace(&mut app.is_dressed, true) {
                 theme::install(ui.ctx());
             }
             for command in app.ui.show(ui, &app.editor).commands {
-                apply(&mut app.editor, command.clone());
-                app.commands.push(command);
+                app.apply(command);
             }
             app.cursor = ui.output(|output| output.cursor_icon);
         },
@@ -70,13 +85,18 @@ fn durations(harness: &Timeline) -> Vec<f64> {
     harness.state().editor.document().keyframes.as_slice().iter().map(|keyframe| keyframe.duration).collect()
 }
 
+/// From a diamond on the row of all, over the strip of pictures, up to the ruler's numbers.
+const RULER: f32 = 82.0;
+/// From there up to the handles of what plays.
+const RANGE: f32 = 56.0;
+
 /// Where a keyframe's diamond is.
 fn at(harness: &Timeline, place: usize) -> Pos2 {
     harness.get_by_role_and_label(Role::ListBoxOption, &format!("Keyframe {place}")).rect().center()
 }
 
 fn ruler(harness: &Timeline, place: usize) -> Pos2 {
-    at(harness, place) - vec2(0.0, 40.0)
+    at(harness, place) - vec2(0.0, RULER)
 }
 
 fn hold(harness: &mut Timeline, modifiers: Modifiers) {
@@ -112,6 +132,16 @@ fn press_and_move(harness: &mut Timeline, from: Pos2, to: Pos2) {
 fn drag(harness: &mut Timeline, from: Pos2, to: Pos2) {
     press_and_move(harness, from, to);
     button(harness, to, PointerButton::Primary, false);
+}
+
+/// Presses a key as a script names it, as the window takes it: by the table of bindings, unless a field has the keyboard.
+fn key(harness: &mut Timeline, word: &str) {
+    assert!(!harness.state().ui.has_keyboard(&harness.ctx), "a field has the keyboard");
+    let press = press_from_word(word).expect("it is a key");
+    let binding = binding_for(harness.state().ui.keymap().bindings(), press).expect("it is bound");
+    let command = binding.command.clone();
+    harness.state_mut().apply(command);
+    harness.run();
 }
 
 fn click(harness: &mut Timeline, label: &str) {
@@ -264,7 +294,7 @@ fn a_retiming_that_escape_ends_is_as_if_it_had_not_been() {
 #[test]
 fn the_played_range_is_dragged_by_its_ends() {
     let mut harness = six();
-    let handle = |harness: &Timeline, place| at(harness, place) - vec2(0.0, 14.0);
+    let handle = |harness: &Timeline, place| at(harness, place) - vec2(0.0, RANGE);
     let (from, to) = (handle(&harness, 1), handle(&harness, 2) + vec2(9.0, 0.0));
     drag(&mut harness, from, to);
     assert_eq!(harness.state().editor.session().play_range, Some((2, 4)));
@@ -276,6 +306,138 @@ fn the_played_range_is_dragged_by_its_ends() {
     let (from, to) = (handle(&harness, 3), handle(&harness, 5));
     drag(&mut harness, from, to);
     assert_eq!(harness.state().editor.session().play_range, None);
+}
+
+#[test]
+fn a_range_that_escape_ends_is_what_it_was() {
+    let mut harness = six();
+    let handle = |harness: &Timeline, place| at(harness, place) - vec2(0.0, RANGE);
+    for before in [None, Some((2, 4))] {
+        apply(&mut harness.state_mut().editor, Command::Playback(PlaybackCommand::SetRange(before)));
+        harness.run();
+        let (from, to) = (handle(&harness, before.map_or(1, |(first, _)| first)), handle(&harness, 3));
+        press_and_move(&mut harness, from, to);
+        assert_eq!(harness.state().editor.session().play_range, Some((3, 4)));
+        harness.key_press(Key::Escape);
+        harness.run();
+        button(&mut harness, to, PointerButton::Primary, false);
+        assert_eq!(harness.state().editor.session().play_range, before);
+    }
+}
+
+#[test]
+fn a_double_click_names_a_keyframe() {
+    let harness = check_undo(|harness| {
+        // Frames of a test are a quarter of a second.
+        harness.ctx.options_mut(|options| options.input_options.max_double_click_delay = 10.0);
+        let place = at(harness, 3);
+        harness.hover_at(place);
+        harness.run();
+        for pressed in [true, false, true, false] {
+            harness.event(Event::PointerButton {
+                pos: place,
+                button: PointerButton::Primary,
+                pressed,
+                modifiers: Modifiers::NONE,
+            });
+        }
+        harness.run();
+        assert!(harness.state().ui.has_keyboard(&harness.ctx));
+        harness.event(Event::Text("jump".to_owned()));
+        harness.run();
+        harness.key_press(Key::Enter);
+        harness.run();
+    });
+    assert_eq!(harness.state().editor.document().keyframes.as_slice()[3].name.as_deref(), Some("jump"));
+}
+
+#[test]
+fn keys_do_what_the_menus_do() {
+    for (keys, expected) in [
+        ("ctrl+c ctrl+v", "0 1 2 [2] 3 4 5 | 2"),
+        ("ctrl+x", "0 [1] 3 4 5 | 1"),
+        ("ctrl+d", "0 1 2 [2] 3 4 5 | 2"),
+        ("delete", "0 [1] 3 4 5 | 1"),
+    ] {
+        let harness = check_undo(|harness| {
+            for word in keys.split(' ') {
+                key(harness, word);
+            }
+        });
+        assert_eq!(shown(&harness.state().editor), expected, "{keys}");
+    }
+    let mut harness = six();
+    key(&mut harness, "shift+l");
+    assert_eq!(harness.state().editor.session().play_mode, PlayMode::Loop);
+    key(&mut harness, "shift+a");
+    assert!(harness.state().editor.session().auto_keys);
+    for word in ["left", "left", "right"] {
+        key(&mut harness, word);
+    }
+    assert!((harness.state().editor.playhead().unwrap() - (3.0 - 1.0 / 120.0)).abs() < 1e-9);
+    apply(&mut harness.state_mut().editor, Command::Playback(PlaybackCommand::Scrub(1.5)));
+    let before = bytes(&harness);
+    key(&mut harness, "n");
+    assert_eq!(shown(&harness.state().editor), "0 1 2 [2.5] 3 4 5 | 2.5");
+    key(&mut harness, "ctrl+z");
+    assert_eq!(bytes(&harness), before);
+}
+
+#[test]
+fn a_pose_goes_to_the_other_robot_by_keys() {
+    let mut harness = six();
+    let robot = |harness: &Timeline, path: &str| harness.state().editor.scene().find_rbt(path).unwrap();
+    let (elbow1, elbow2) =
+        (robot(&harness, "robot1/right_shoulder/right_elbow"), robot(&harness, "robot2/right_shoulder/right_elbow"));
+    let turned = glam::Quat::from_rotation_y(0.7);
+    apply(&mut harness.state_mut().editor, Command::Edit(Edit::SetRotation(elbow1, turned)));
+    harness.run();
+    click(&mut harness, "Row of robot1");
+    key(&mut harness, "ctrl+shift+c");
+    click(&mut harness, "Row of robot2");
+    assert_eq!(harness.state().editor.session().chosen, Some(robot(&harness, "robot2")));
+    let before = harness.state().editor.displayed_pose();
+    key(&mut harness, "ctrl+shift+v");
+    assert_eq!(harness.state().editor.displayed_pose().get(elbow2).rotation, turned);
+    key(&mut harness, "ctrl+z");
+    assert_eq!(harness.state().editor.displayed_pose(), before);
+}
+
+/// Auto-key by the pointer: a number that is dragged in the inspector is a drag.
+#[test]
+fn with_auto_key_the_end_of_a_drag_updates_the_keyframe() {
+    let harness = check_undo(|harness| {
+        click(harness, "Auto-key is off");
+        click(harness, "Row of robot1");
+        let from = harness.get_by_label("Translation y").rect().center();
+        drag(harness, from, from + vec2(60.0, 0.0));
+    });
+    let editor = &harness.state().editor;
+    let robot = editor.scene().find_rbt("robot1").unwrap();
+    assert!(editor.document().keyframes.as_slice()[2].pose.get(robot).translation.y > 1.01);
+}
+
+#[test]
+fn the_menu_selects_all_and_plays_all() {
+    let mut harness = six();
+    apply(&mut harness.state_mut().editor, Command::Playback(PlaybackCommand::SetRange(Some((2, 3)))));
+    harness.run();
+    let nothing = at(&harness, 3) + vec2(84.0, 44.0);
+    secondary_click(&mut harness, nothing);
+    click(&mut harness, "Select all keyframes");
+    assert_eq!(selected(&harness), [0, 1, 2, 3, 4, 5]);
+    secondary_click(&mut harness, nothing);
+    click(&mut harness, "Play all keyframes");
+    assert_eq!(harness.state().editor.session().play_range, None);
+}
+
+#[test]
+fn diamonds_of_nodes_that_stand_still_are_looked_at_too() {
+    // A click on a node's row takes the keyframe as one on the row of all does.
+    let mut harness = six();
+    let on_a_row = at(&harness, 4) + vec2(0.0, 22.0);
+    click_with(&mut harness, on_a_row, Modifiers::NONE);
+    assert_eq!((selected(&harness), current(&harness)), (vec![4], 4));
 }
 
 fn scroll(harness: &mut Timeline, at: Pos2, delta: Vec2, modifiers: Modifiers) {
@@ -319,11 +481,10 @@ fn the_wheel_zooms_about_the_pointer_and_pans() {
     apply(&mut harness.state_mut().editor, Command::View(ViewCommand::SelectKeyframes(indices(&[1, 2, 3]))));
     click(&mut harness, "Fit selection");
     assert_eq!([1, 3].map(|place| at(&harness, place).x.round()), FITTED);
-    harness.hover_at(pointer);
-    harness.run();
-    harness.key_press(Key::F);
-    harness.run();
+    key(&mut harness, "f");
     assert_eq!([0, 5].map(|place| at(&harness, place).x.round()), FITTED);
+    key(&mut harness, "shift+f");
+    assert_eq!([1, 3].map(|place| at(&harness, place).x.round()), FITTED);
 }
 
 #[test]
@@ -377,7 +538,7 @@ fn the_menu_edits_keyframes() {
 fn the_menu_has_pictures_of_easings() {
     let harness = check_undo(|harness| {
         choose(harness, 3, "Easing");
-        click(harness, "Easing: bounce, out");
+        click(harness, "Easing: Bounce, out");
     });
     let keyframes = harness.state().editor.document().keyframes.as_slice();
     assert_eq!(keyframes[3].easing, Easing::from_name("bounce-out").unwrap());
@@ -400,8 +561,7 @@ fn the_menu_has_a_field_for_the_duration() {
 #[test]
 fn f2_names_the_current_keyframe() {
     let harness = check_undo(|harness| {
-        harness.key_press(Key::F2);
-        harness.run();
+        key(harness, "f2");
         assert!(harness.state().ui.has_keyboard(&harness.ctx));
         harness.event(Event::Text("jump".to_owned()));
         harness.run();
@@ -413,7 +573,7 @@ fn f2_names_the_current_keyframe() {
     // The menu leads to the same field, which Escape leaves.
     let mut harness = harness;
     let before = bytes(&harness);
-    choose(&mut harness, 2, "Rename… F2");
+    choose(&mut harness, 2, "Rename keyframe… F2");
     harness.event(Event::Text("fall".to_owned()));
     harness.run();
     harness.key_press(Key::Escape);
@@ -468,6 +628,8 @@ fn the_transport_has_all_of_playing() {
     let next = "Ghosts: none. A click shows one more of the neighbouring keyframes, up to 3";
     click(&mut harness, next);
     assert_eq!(harness.state().editor.session().ghosts, 1);
+    key(&mut harness, "shift+g");
+    assert_eq!(harness.state().editor.session().ghosts, 2);
     click(&mut harness, "Speed in percent");
     harness.key_press_modifiers(Modifiers::CTRL, Key::A);
     harness.event(Event::Text("50".to_owned()));
@@ -498,7 +660,7 @@ fn a_dot_of_a_graph_edits_its_keyframe() {
         let x = at(harness, 3).x;
         show_graphs(harness);
         let dot = (0..80)
-            .map(|down| pos2(x, 660.0 + f32::from(down as u8) * 1.5))
+            .map(|down| pos2(x, 614.0 + f32::from(down as u8) * 1.5))
             .find(|&place| {
                 harness.hover_at(place);
                 harness.run();
@@ -522,4 +684,119 @@ fn graphs_scrub_and_escape_ends_the_drag_of_a_dot() {
     drag(&mut harness, from, to);
     assert!((harness.state().editor.playhead().unwrap() - 2.5).abs() < 0.02);
     harness.get_by_label("Graph of Angle");
+}
+
+/// Where a keyframe's picture stands in the strip.
+fn picture(harness: &Timeline, place: usize) -> Pos2 {
+    at(harness, place) - vec2(0.0, 32.0)
+}
+
+/// Pictures that the window would have made by now, all of one grey; says how many.
+fn make_pictures(harness: &mut Timeline) -> usize {
+    let [width, height] = THUMBNAIL_PX;
+    for made in 0.. {
+        let Some(pose) = harness.state().ui.wanted_thumbnail().cloned() else { return made };
+        let context = harness.ctx.clone();
+        harness.state_mut().ui.put_thumbnail(&context, pose, &vec![128; width * height * 4]);
+        harness.run();
+    }
+    0
+}
+
+#[test]
+fn pictures_are_wanted_for_what_is_in_sight_and_then_nothing_more() {
+    let mut harness = six();
+    assert_eq!(make_pictures(&mut harness), 6);
+    harness.run();
+    assert_eq!(harness.state().ui.wanted_thumbnail(), None, "an idle window has nothing to do");
+    // An edit wants the one that it changed, undo none.
+    let robot = harness.state().editor.scene().find_rbt("robot1").unwrap();
+    let edit = TimelineEdit::SetTranslationInKeyframe(KeyframeIndex::new(2), robot, glam::Vec3::ONE);
+    apply(&mut harness.state_mut().editor, Command::Edit(Edit::Timeline(edit)));
+    harness.run();
+    assert_eq!(make_pictures(&mut harness), 1);
+    key(&mut harness, "ctrl+z");
+    assert_eq!(make_pictures(&mut harness), 0);
+    click(&mut harness, "Graphs");
+    assert_eq!(make_pictures(&mut harness), 0, "graphs show none");
+}
+
+#[test]
+fn ten_thousand_keyframes_want_a_few_pictures() {
+    let mut editor = editor_with(5);
+    for _ in 0..11 {
+        apply(&mut editor, Command::View(ViewCommand::SelectKeyframes(Vec::new())));
+        let all = (0..editor.document().keyframes.len()).map(KeyframeIndex::new).collect();
+        apply(&mut editor, Command::View(ViewCommand::SelectKeyframes(all)));
+        apply(&mut editor, Command::Edit(Edit::Timeline(TimelineEdit::DuplicateKeyframes)));
+    }
+    assert_eq!(editor.document().keyframes.len(), 10_240);
+    let mut harness = timeline(editor);
+    assert!(make_pictures(&mut harness) <= 24);
+    key(&mut harness, "f");
+    assert!(make_pictures(&mut harness) <= 24);
+}
+
+#[test]
+fn a_picture_is_its_keyframe() {
+    let mut harness = six();
+    let place = picture(&harness, 2);
+    click_with(&mut harness, place, Modifiers::NONE);
+    assert_eq!((selected(&harness), current(&harness)), (vec![2], 2));
+    let between = picture(&harness, 2) + vec2(84.0, 0.0);
+    click_with(&mut harness, between, Modifiers::NONE);
+    assert!(selected(&harness).is_empty());
+}
+
+#[test]
+fn a_tooltip_has_the_picture_and_what_is_known_of_the_keyframe() {
+    let mut harness = six();
+    apply(
+        &mut harness.state_mut().editor,
+        Command::Edit(Edit::Timeline(TimelineEdit::RenameKeyframe(KeyframeIndex::new(2), "jump".to_owned()))),
+    );
+    let place = at(&harness, 2);
+    harness.hover_at(place);
+    for _ in 0..8 {
+        harness.step();
+    }
+    harness.get_by_label("Keyframe 2 · jump");
+    harness.get_by_label("Key time 1 · 2.00 s\nThen 1.00 steps = 2.00 s · Linear");
+}
+
+/// Keyframe 2 to 3 turns robot 2's head by 178 degrees, with everything else at rest.
+fn nearly_half_a_turn() -> Timeline {
+    let mut editor = editor_with(6);
+    let head = editor.scene().find_rbt("robot2/head").unwrap();
+    for place in 3..6 {
+        let turned = glam::Quat::from_rotation_y(178_f32.to_radians());
+        let edit = TimelineEdit::SetRotationInKeyframe(KeyframeIndex::new(place), head, turned);
+        apply(&mut editor, Command::Edit(Edit::Timeline(edit)));
+    }
+    timeline(editor)
+}
+
+#[test]
+fn an_interval_of_nearly_half_a_turn_is_marked_and_explained() {
+    let mut harness = nearly_half_a_turn();
+    let tells = |harness: &mut Timeline, place: usize| {
+        let middle = at(harness, place).lerp(at(harness, place + 1), 0.5);
+        harness.hover_at(middle);
+        for _ in 0..8 {
+            harness.step();
+        }
+        harness.query_by_label(&format!("Keyframe {place} to {}: nearly half a turn", place + 1)).is_some()
+    };
+    assert!(tells(&mut harness, 2));
+    harness.get_by_label_contains("robot2/head 178.0°\nSo near to half a turn");
+    assert!(!tells(&mut harness, 1) && !tells(&mut harness, 3));
+    // The mark takes no drag: a box is drawn from it as from any empty place.
+    let from = at(&harness, 2).lerp(at(&harness, 3), 0.5);
+    let to = at(&harness, 4) + vec2(20.0, 40.0);
+    drag(&mut harness, from, to);
+    assert_eq!(selected(&harness), [3, 4]);
+    // A keyframe between the two decides.
+    apply(&mut harness.state_mut().editor, Command::Playback(PlaybackCommand::Scrub(1.5)));
+    key(&mut harness, "n");
+    assert!(!tells(&mut harness, 2) && !tells(&mut harness, 3));
 }

@@ -10,11 +10,30 @@ use std::path::Path;
 use super::CliError;
 use super::arguments::ScriptArguments;
 use super::scene;
+use crate::editor::Command;
 use crate::export::Painter;
+use crate::scene::SceneGraph;
 use crate::storage;
 
 /// The largest script that is read: 16 MiB.
 const LARGEST_SCRIPT_BYTES: u64 = 16 << 20;
+
+/// The lines that a script can have, as Markdown for the README.
+pub use parse::markdown as script_lines;
+
+/// What a script's lines ask of the editor, in order; times that they wait are left out.
+///
+/// # Errors
+/// What is wrong with each line that cannot be understood: `line 3: "jump" is not a command; …`.
+pub fn script_commands(bytes: &[u8], scene: &SceneGraph) -> Result<Vec<Command>, Vec<String>> {
+    let lines =
+        parse::parse(bytes, scene).map_err(|problems| problems.iter().map(ToString::to_string).collect::<Vec<_>>())?;
+    let commands = lines.into_iter().filter_map(|line| match line.action {
+        parse::Action::Apply(command) => Some(command),
+        parse::Action::Wait(_) => None,
+    });
+    Ok(commands.collect())
+}
 
 /// Reads a script whole, then runs it.
 ///

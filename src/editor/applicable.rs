@@ -2,6 +2,7 @@
 
 use super::{
     Command, Edit, Editor, FileCommand, GestureCommand, PlaybackCommand, SceneEdit, SkyMode, TimelineEdit, ViewCommand,
+    WindowCommand,
 };
 use crate::keyframe::PlayRange;
 
@@ -31,6 +32,10 @@ impl Editor {
             | Command::Gesture(GestureCommand::Begin) => is_still,
             Command::View(ViewCommand::CopyPose) => self.session.chosen.is_some(),
             Command::View(ViewCommand::CopyKeyframes) => !self.document.keyframes.is_empty(),
+            Command::Window(WindowCommand::RenameCurrent) => is_still && !self.document.keyframes.is_empty(),
+            Command::Window(WindowCommand::FitTimeline | WindowCommand::FitSelection) => {
+                !self.document.keyframes.is_empty()
+            }
             Command::View(_) | Command::File(_) | Command::Window(_) => true,
             Command::Gesture(_) => self.gesture.is_some(),
             Command::Undo => is_still && self.gesture.is_none() && self.undo_label().is_some(),

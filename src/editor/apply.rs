@@ -3,9 +3,11 @@
 use glam::Quat;
 
 use super::history::Run;
+use super::keymap::Keymap;
 use super::playback::Playback;
 use super::{
-    Command, CommandError, Document, Edit, Editor, Effect, GestureCommand, Message, SceneEdit, Severity, TimelineEdit,
+    Command, CommandError, Document, Edit, Editor, Effect, Message, PlaybackCommand, SceneEdit, Severity, TimelineEdit,
+    ViewCommand,
 };
 use crate::keyframe::{Keyframe, KeyframeIndex, KeyframeList, MS_BETWEEN_KEYFRAMES_RANGE};
 use crate::pose::RbtIndex;
@@ -62,8 +64,38 @@ impl Editor {
         }
     }
 
+    /// Puts other keys in force: what is said names those.
+    pub fn set_keymap(&mut self, keymap: Keymap) {
+        self.keymap = keymap;
+    }
+
+    /// The key of a command as a sentence names it; where it has none, its name.
+    pub(super) fn key_of(&self, command: &Command) -> String {
+        let binding = self.keymap.bindings().iter().find(|binding| binding.command == *command);
+        binding
+            .map(|binding| if binding.chords.is_empty() { format!("“{}”", binding.name) } else { binding.menu_key() })
+            .unwrap_or_default()
+    }
+
+    pub(super) fn no_keyframe(&self) -> CommandError {
+        CommandError::NoKeyframe { create: self.key_of(&Command::Edit(Edit::CreateKeyframe)) }
+    }
+
+    pub(super) fn too_few_to_play(&self) -> CommandError {
+        CommandError::TooFewToPlay { create: self.key_of(&Command::Edit(Edit::CreateKeyframe)) }
+    }
+
+    pub(super) fn nothing_chosen(&self) -> CommandError {
+        CommandError::NothingChosen { pick: self.key_of(&Command::View(ViewCommand::StartPicking)) }
+    }
+
     pub(super) fn refuse_while_playing(&self, what: &'static str) -> Result<(), CommandError> {
-        if self.is_playing() { Err(CommandError::WhilePlaying { what }) } else { Ok(()) }
+        if !self.is_playing() {
+            return Ok(());
+        }
+        let stop = self.key_of(&Command::Playback(PlaybackCommand::PlayOrStop));
+        let pause = self.key_of(&Command::Playback(PlaybackCommand::PauseOrResume));
+        Err(CommandError::WhilePlaying { what, stop, pause })
     }
 
     fn edit(&mut self, edit: Edit) -> Outcome {
@@ -102,14 +134,14 @@ impl Editor {
                 self.place(rbt, |parent_from_node| Rbt { rotation, ..parent_from_node }, "turn a node", None)
             }
             Edit::RotateChosen { axis_in_node, radians } => {
-                let chosen = self.session.chosen.ok_or(CommandError::NothingChosen)?;
+                let chosen = self.session.chosen.ok_or_else(|| self.nothing_chosen())?;
                 let turn = unit(Quat::from_axis_angle(axis_in_node, radians))
                     .ok_or(CommandError::NotAValue { what: "rotation" })?;
                 let turned = |from: Rbt| Rbt { rotation: from.rotation * turn, ..from }.renormalized();
                 self.place(chosen, turned, "turn a node", None)
             }
             Edit::TranslateChosen(by) => {
-                let chosen = self.session.chosen.ok_or(CommandError::NothingChosen)?;
+                let chosen = self.session.chosen.ok_or_else(|| self.nothing_chosen())?;
                 self.place(chosen, |from| Rbt { translation: from.translation + by, ..from }, "move a node", None)
             }
             Edit::Wheel(motion) => {
@@ -123,8 +155,9 @@ impl Editor {
     pub(super) fn record(&mut self, label: &'static str, run: Option<Run>, change: impl FnOnce(&mut Document)) {
         let before = self.document.clone();
         change(&mut self.document);
-        if self.gesture.is_none() {
-            self.history.record(before, &self.document, label, run);
+        match &mut self.gesture {
+            None => self.history.record(before, &self.document, label, run),
+            Some(gesture) => gesture.label = label,
         }
     }
 
@@ -155,7 +188,7 @@ impl Editor {
     }
 
     fn display_current(&mut self) -> Outcome {
-        let current = self.document.keyframes.current().ok_or(CommandError::NoKeyframe)?;
+        let current = self.document.keyframes.current().ok_or_else(|| self.no_keyframe())?;
         self.show_keyframe("display of a keyframe", current);
         Ok(format!("{}: copied to the scene.", self.where_we_are()))
     }
@@ -248,7 +281,7 @@ impl Editor {
         }
     }
 
-    fn place(
+    pub(super) fn place(
         &mut self,
         rbt: RbtIndex,
         change: impl FnOnce(Rbt) -> Rbt,
@@ -270,97 +303,6 @@ impl Editor {
             document.live_pose.set(rbt, placed);
         });
         Ok(String::new())
-    }
-
-    fn gesture(&mut self, command: GestureCommand) -> Outcome {
-        match command {
-            GestureCommand::Begin => {
-                self.refuse_while_playing("move a node")?;
-                self.commit_gesture();
-                self.history.end_run();
-                // What was scrubbed to stays on screen until the drag moves a node.
-                self.gesture = Some(self.document.clone());
-            }
-            GestureCommand::Move(motion) => {
-                if self.gesture.is_none() {
-                    return Err(CommandError::NoDrag);
-                }
-                let moved = self.moved(motion);
-                self.place(self.node_at_hand(), |_| moved, "drag", None)?;
-            }
-            GestureCommand::Commit => {
-                self.commit_gesture();
-            }
-            GestureCommand::Abort => {
-                if let Some(before) = self.gesture.take() {
-                    self.document = before;
-                    return Ok("Drag taken back.".to_owned());
-                }
-            }
-        }
-        Ok(self.message.text.clone())
-    }
-
-    /// Ends a drag, as one step of undo.
-    pub(super) fn commit_gesture(&mut self) {
-        let Some(before) = self.gesture.take() else { return };
-        let has_moved = !before.live_pose.same_as(&self.document.live_pose);
-        if self.session.auto_keys
-            && has_moved
-            && let Some(index) = self.document.keyframes.current()
-            && let Some(keyframe) = self.document.keyframes.current_keyframe()
-        {
-            let updated = keyframe.with_pose(self.document.live_pose.clone());
-            self.document.keyframes.replace(index, updated);
-            self.say(format!("{}: updated by auto-key.", self.where_we_are()));
-        }
-        self.history.record(before, &self.document, "drag", None);
-    }
-
-    fn undo(&mut self) -> Outcome {
-        self.refuse_while_playing("undo")?;
-        if self.gesture.is_some() {
-            return Err(CommandError::DuringDrag);
-        }
-        self.end_scrub();
-        let before = self.document.keyframes.clone();
-        let label = self.history.undo(&mut self.document).ok_or(CommandError::NothingToUndo)?;
-        self.drop_stale_selection(&before);
-        Ok(format!("Undone: {label}."))
-    }
-
-    fn redo(&mut self) -> Outcome {
-        self.refuse_while_playing("redo")?;
-        if self.gesture.is_some() {
-            return Err(CommandError::DuringDrag);
-        }
-        self.end_scrub();
-        let before = self.document.keyframes.clone();
-        let label = self.history.redo(&mut self.document).ok_or(CommandError::NothingToRedo)?;
-        self.drop_stale_selection(&before);
-        Ok(format!("Redone: {label}."))
-    }
-
-    /// Selects nothing where the list has become another one, in which the same places are other keyframes.
-    fn drop_stale_selection(&mut self, before: &KeyframeList) {
-        let after = &self.document.keyframes;
-        let is_same_pose = |(a, b): (&Keyframe, &Keyframe)| a.pose.same_as(&b.pose);
-        if before.len() != after.len() || !before.as_slice().iter().zip(after.as_slice()).all(is_same_pose) {
-            self.session.selected.clear();
-        }
-    }
-
-    fn cancel(&mut self) -> String {
-        if let Some(before) = self.gesture.take() {
-            self.document = before;
-            return "Drag taken back.".to_owned();
-        }
-        if self.session.is_picking {
-            self.session.is_picking = false;
-            return "Nothing picked.".to_owned();
-        }
-        self.session.shows_help = false;
-        String::new()
     }
 
     pub(super) fn replace_keyframes(&mut self, label: &'static str, change: impl FnOnce(&mut Document)) {

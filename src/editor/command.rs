@@ -65,6 +65,12 @@ pub enum WindowCommand {
     ResetAllKeys,
     /// Forgets the recent files.
     ForgetRecent,
+    /// Asks for the name of the current keyframe.
+    RenameCurrent,
+    /// Brings the whole list into sight in the timeline.
+    FitTimeline,
+    /// Brings the selected keyframes into sight in the timeline, or the current one with its neighbours.
+    FitSelection,
 }
 
 /// Changes of the document.
@@ -207,10 +213,14 @@ pub enum ViewCommand {
     CopyPose,
     /// Switches whether the end of each drag updates the current keyframe.
     ToggleAutoKeys,
+    /// Whether the end of each drag updates the current keyframe.
+    SetAutoKeys(bool),
     /// Shows so many neighbouring keyframes on each side as ghosts, at most 3.
     SetGhosts(u8),
     /// Selects these keys at their own times, and no others, and no keyframes.
     SelectKeys(Vec<KeyAt>),
+    /// Shows one more on each side, and after the most of them none.
+    NextGhosts,
     /// Sets the clock of keys at their own times to zero.
     RestartSeconds,
     /// Holds that clock, or lets it go on.

@@ -12,8 +12,11 @@ use crate::text_layouts::TextError;
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum CommandError {
     /// There is no current keyframe.
-    #[error("No keyframe is defined yet. Press n to create one.")]
-    NoKeyframe,
+    #[error("No keyframe is defined yet. Press {create} to create one.")]
+    NoKeyframe {
+        /// The key that creates one.
+        create: String,
+    },
     /// There is nothing to delete.
     #[error("The list is empty: there is no keyframe to delete.")]
     NothingToDelete,
@@ -26,13 +29,20 @@ pub enum CommandError {
         count: usize,
     },
     /// The list is too short to play.
-    #[error("Fewer than 4 keyframes: nothing to play yet. Press n to add one.")]
-    TooFewToPlay,
+    #[error("Fewer than 4 keyframes: nothing to play yet. Press {create} to add one.")]
+    TooFewToPlay {
+        /// The key that creates one.
+        create: String,
+    },
     /// The command cannot be done while playing.
-    #[error("Cannot {what} while playing. Press y to stop or Shift+P to pause first.")]
+    #[error("Cannot {what} while playing. Press {stop} to stop or {pause} to pause first.")]
     WhilePlaying {
         /// What was asked, as in "delete a keyframe".
         what: &'static str,
+        /// The key that stops.
+        stop: String,
+        /// The key that pauses.
+        pause: String,
     },
     /// A range of keyframes that cannot play.
     #[error(
@@ -45,8 +55,11 @@ pub enum CommandError {
         last: usize,
     },
     /// There is nothing to paste.
-    #[error("Nothing is copied yet: Ctrl+C copies the selected keyframes.")]
-    NothingCopied,
+    #[error("Nothing is copied yet: {copy} copies the selected keyframes.")]
+    NothingCopied {
+        /// The key that copies.
+        copy: String,
+    },
     /// There is no copied pose.
     #[error("No pose is copied yet: choose a node and copy its pose first.")]
     NoPoseCopied,
@@ -59,11 +72,17 @@ pub enum CommandError {
         chosen: String,
     },
     /// Pausing needs something that plays.
-    #[error("Nothing is playing. Press y to play.")]
-    NothingPlaying,
+    #[error("Nothing is playing. Press {play} to play.")]
+    NothingPlaying {
+        /// The key that plays.
+        play: String,
+    },
     /// A movement needs a node.
-    #[error("No node is chosen. Choose one first: p and a click, Ctrl+click, or the list of nodes.")]
-    NothingChosen,
+    #[error("No node is chosen. Choose one first: {pick} and a click, Ctrl+click, or the list of nodes.")]
+    NothingChosen {
+        /// The key after which a click chooses.
+        pick: String,
+    },
     /// The scene has no such node or eye.
     #[error("The scene has no such {what}.")]
     NotInScene {

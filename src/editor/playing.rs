@@ -5,7 +5,7 @@ use num_traits::Zero as _;
 
 use super::apply::Outcome;
 use super::playback::{Pace, PlayMode, Playback, Position, Span, span};
-use super::{CommandError, Editor, PlaybackCommand};
+use super::{Command, CommandError, Edit, Editor, PlaybackCommand};
 use crate::keyframe::{KeyframeIndex, PlayRange, Timing, to_f64};
 use crate::pose::Pose;
 
@@ -82,7 +82,7 @@ impl Editor {
     }
 
     fn span(&self) -> Result<Span, CommandError> {
-        let timing = self.document.keyframes.timing().ok_or(CommandError::TooFewToPlay)?;
+        let timing = self.document.keyframes.timing().ok_or_else(|| self.too_few_to_play())?;
         Ok(span(timing, self.document.keyframes.len(), self.session.play_range, self.session.play_mode))
     }
 
@@ -99,7 +99,7 @@ impl Editor {
         if self.is_playing() {
             return self.play_or_stop();
         }
-        let timing = self.document.keyframes.timing().ok_or(CommandError::TooFewToPlay)?;
+        let timing = self.document.keyframes.timing().ok_or_else(|| self.too_few_to_play())?;
         let elapsed = self.playback.elapsed().unwrap_or_else(|| self.elapsed_at_current(timing));
         let span = self.span()?;
         self.start_at(if elapsed < span.end { &elapsed } else { &span.start })?;
@@ -125,7 +125,10 @@ impl Editor {
                 if discards {
                     self.history.record(before, &self.document, "pause", None);
                 }
-                Ok("Paused: n or u captures this pose, Shift+P goes on.".to_owned())
+                let create = self.key_of(&Command::Edit(Edit::CreateKeyframe));
+                let update = self.key_of(&Command::Edit(Edit::UpdateCurrent));
+                let resume = self.key_of(&Command::Playback(PlaybackCommand::PauseOrResume));
+                Ok(format!("Paused: {create} or {update} captures this pose, {resume} goes on."))
             }
             Playback::Paused(position) => {
                 let mut position = position.in_span(self.span()?);
@@ -133,12 +136,14 @@ impl Editor {
                 self.playback = Playback::Playing(position);
                 Ok("Playing on.".to_owned())
             }
-            Playback::Stopped | Playback::Scrubbed(_) => Err(CommandError::NothingPlaying),
+            Playback::Stopped | Playback::Scrubbed(_) => {
+                Err(CommandError::NothingPlaying { play: self.key_of(&Command::Playback(PlaybackCommand::PlayOrStop)) })
+            }
         }
     }
 
     fn scrub(&mut self, key_time: f64) -> Outcome {
-        let timing = self.document.keyframes.timing().ok_or(CommandError::TooFewToPlay)?;
+        let timing = self.document.keyframes.timing().ok_or_else(|| self.too_few_to_play())?;
         if !key_time.is_finite() {
             return Err(CommandError::NotAValue { what: "key time" });
         }
@@ -153,7 +158,7 @@ impl Editor {
 
     fn step_ticks(&mut self, ticks: i32) -> Outcome {
         self.refuse_while_playing("step by ticks")?;
-        let timing = self.document.keyframes.timing().ok_or(CommandError::TooFewToPlay)?;
+        let timing = self.document.keyframes.timing().ok_or_else(|| self.too_few_to_play())?;
         let from = self.playback.elapsed().unwrap_or_else(|| self.elapsed_at_current(timing));
         let elapsed = (from + self.pace().elapsed(ticks)).clamp(BigRational::zero(), timing.total());
         let key_time = timing.key_time_at(&elapsed);

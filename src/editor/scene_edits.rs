@@ -88,7 +88,7 @@ impl Editor {
                 Ok(self.put_control_above(id))
             }
             SceneEdit::PutControlAboveChosen => {
-                let chosen = self.session.chosen.ok_or(CommandError::NothingChosen)?;
+                let chosen = self.session.chosen.ok_or_else(|| self.nothing_chosen())?;
                 Ok(self.put_control_above(self.document.scene.rbt_node(chosen)))
             }
             SceneEdit::RemoveControl(path) => {
@@ -144,7 +144,7 @@ impl Editor {
             return Err(CommandError::NoKeys);
         }
         // Within a drag all is counted from its beginning, so that what was passed over is as it was.
-        let base = Arc::clone(&self.gesture.as_ref().unwrap_or(&self.document).scene);
+        let base = Arc::clone(&self.gesture.as_ref().map_or(&self.document, |gesture| &gesture.before).scene);
         let mut scene = (*base).clone();
         for (id, track, times) in by_track(&base, keys)? {
             scene = scene.with_keys_moved(id, track.channel, &times, by)?;

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::Quat;
 
 use super::apply::Outcome;
-use super::{CommandError, Editor, TimelineEdit};
+use super::{Command, CommandError, Editor, TimelineEdit, ViewCommand};
 use crate::keyframe::{DURATION_RANGE, Easing, Keyframe, KeyframeIndex, KeyframeList, keyframes_counted};
 use crate::pose::{Pose, RbtIndex};
 use crate::rbt::Rbt;
@@ -74,13 +74,16 @@ impl Editor {
             }
             TimelineEdit::PasteKeyframes => {
                 if self.clipboard.keyframes.is_empty() {
-                    return Err(CommandError::NothingCopied);
+                    let copy = self.key_of(&Command::View(ViewCommand::CopyKeyframes));
+                    return Err(CommandError::NothingCopied { copy });
                 }
-                Ok(self.insert_after_hand("pasting of keyframes", self.clipboard.keyframes.clone(), "pasted"))
+                let (count, at) = self.insert_after_hand("pasting of keyframes", self.clipboard.keyframes.clone());
+                Ok(format!("{count} pasted: now at {at}."))
             }
             TimelineEdit::DuplicateKeyframes => {
                 let copies = self.copies_at_hand()?;
-                Ok(self.insert_after_hand("duplication of keyframes", copies, "duplicated"))
+                let (count, at) = self.insert_after_hand("duplication of keyframes", copies);
+                Ok(format!("{count} duplicated: now at {at}."))
             }
             TimelineEdit::ReverseKeyframes => self.reverse_keyframes(),
             TimelineEdit::PastePose => self.paste_pose(),
@@ -106,7 +109,7 @@ impl Editor {
     fn copies_at_hand(&self) -> Result<Vec<Keyframe>, CommandError> {
         let places = self.keyframes_at_hand();
         if places.is_empty() {
-            return Err(CommandError::NoKeyframe);
+            return Err(self.no_keyframe());
         }
         Ok(places.iter().map(|&place| self.document.keyframes.as_slice()[place].clone()).collect())
     }
@@ -141,7 +144,7 @@ impl Editor {
     }
 
     pub(super) fn copy_pose(&mut self) -> Outcome {
-        let chosen = self.session.chosen.ok_or(CommandError::NothingChosen)?;
+        let chosen = self.session.chosen.ok_or_else(|| self.nothing_chosen())?;
         self.clipboard.pose = Some((chosen, self.displayed_pose()));
         Ok(format!("Copied the pose of {}.", self.document.scene.rbt_path(chosen)))
     }
@@ -185,7 +188,7 @@ impl Editor {
     fn set_easing(&mut self, easing: Easing) -> Outcome {
         let places = self.keyframes_at_hand();
         if places.is_empty() {
-            return Err(CommandError::NoKeyframe);
+            return Err(self.no_keyframe());
         }
         self.record("change of easing", None, |document| {
             let mut keyframes = document.keyframes.as_slice().to_vec();
@@ -247,19 +250,20 @@ impl Editor {
         Ok(format!("Deleted {}. {}.", keyframes_counted(places.len()), self.where_we_are()))
     }
 
-    fn insert_after_hand(&mut self, label: &'static str, inserted: Vec<Keyframe>, done: &str) -> String {
+    /// Inserts keyframes after those at hand; says how many, and where the first of them is now.
+    fn insert_after_hand(&mut self, label: &'static str, inserted: Vec<Keyframe>) -> (String, usize) {
         let at = self.keyframes_at_hand().last().map_or(0, |last| last + 1);
         let mut keyframes = self.document.keyframes.as_slice().to_vec();
         let selected = at..at + inserted.len();
         keyframes.splice(at..at, inserted);
         self.rearrange(label, keyframes, Some(at), selected.clone());
-        format!("{} {done}: now at {at}.", keyframes_counted(selected.len()))
+        (keyframes_counted(selected.len()), at)
     }
 
     fn reverse_keyframes(&mut self) -> Outcome {
         let count = self.document.keyframes.len();
         if count == 0 {
-            return Err(CommandError::NoKeyframe);
+            return Err(self.no_keyframe());
         }
         let all = self.session.selected.len() < 2;
         let places: Vec<usize> = if all { (0..count).collect() } else { self.keyframes_at_hand() };
@@ -276,7 +280,7 @@ impl Editor {
 
     /// Pairs of the copied node and the chosen one, each with all below it, matched by their paths.
     fn paste_pose(&mut self) -> Outcome {
-        let chosen = self.session.chosen.ok_or(CommandError::NothingChosen)?;
+        let chosen = self.session.chosen.ok_or_else(|| self.nothing_chosen())?;
         let (source, pose) = self.clipboard.pose.clone().ok_or(CommandError::NoPoseCopied)?;
         let (source_path, chosen_path) =
             (self.document.scene.rbt_path(source).to_owned(), self.document.scene.rbt_path(chosen).to_owned());

@@ -1,12 +1,12 @@
 //! How the scene is looked at and handled: session state, which is not undone.
 
 use super::apply::Outcome;
-use super::{CommandError, Editor, SkyMode, ViewCommand};
+use super::{Command, CommandError, Editor, SkyMode, ViewCommand};
 use crate::keyframe::Blend;
 use crate::pose::RbtIndex;
 
 /// The most neighbouring keyframes on each side that are shown as ghosts.
-const MOST_GHOSTS: u8 = 3;
+pub const MOST_GHOSTS: u8 = 3;
 
 impl Editor {
     pub(super) fn view(&mut self, command: ViewCommand) -> Outcome {
@@ -33,14 +33,16 @@ impl Editor {
             ViewCommand::SelectKeyframes(selected) => self.select(selected),
             ViewCommand::CopyKeyframes => self.copy_keyframes(),
             ViewCommand::CopyPose => self.copy_pose(),
-            ViewCommand::ToggleAutoKeys => {
-                self.session.auto_keys = !self.session.auto_keys;
+            ViewCommand::ToggleAutoKeys => self.view(ViewCommand::SetAutoKeys(!self.session.auto_keys)),
+            ViewCommand::SetAutoKeys(is_on) => {
+                self.session.auto_keys = is_on;
                 Ok(if self.session.auto_keys {
                     "Auto-key is on: the end of each drag updates the current keyframe.".to_owned()
                 } else {
                     "Auto-key is off.".to_owned()
                 })
             }
+            ViewCommand::NextGhosts => self.view(ViewCommand::SetGhosts((self.session.ghosts + 1) % (MOST_GHOSTS + 1))),
             ViewCommand::SetGhosts(ghosts) => {
                 self.session.ghosts = ghosts.min(MOST_GHOSTS);
                 Ok(match self.session.ghosts {
@@ -77,7 +79,8 @@ impl Editor {
             ViewCommand::TogglePanels => {
                 self.session.shows_panels = !self.session.shows_panels;
                 let hidden = !self.session.shows_panels;
-                Ok(if hidden { "Panels hidden: F11 shows them again.".to_owned() } else { String::new() })
+                let key = self.key_of(&Command::View(ViewCommand::TogglePanels));
+                Ok(if hidden { format!("Panels hidden: {key} shows them again.") } else { String::new() })
             }
         }
     }

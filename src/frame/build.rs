@@ -4,7 +4,7 @@ use glam::{Affine3A, Vec2};
 
 use super::{ArcballMark, DrawItem, Frame, View, overlays};
 use crate::camera::Camera;
-use crate::editor::Editor;
+use crate::editor::{Editor, PathDot};
 use crate::pose::{Pose, RbtIndex};
 use crate::scene::{NodeKind, PlacedShape, SceneGraph};
 
@@ -43,6 +43,21 @@ impl Frame {
         let shapes = scene.nodes_with_ids().filter(|(_, node)| matches!(node.kind, NodeKind::Shape(_)));
         for (item, (id, _)) in self.items.iter_mut().zip(shapes) {
             item.outlined |= scene.carrying_rbt(id) == Some(rbt);
+        }
+    }
+
+    /// Marks a dot of the motion path, as where a press would take it.
+    pub fn mark_dot(&mut self, dot: PathDot) {
+        overlays::add_mark(self, dot);
+    }
+
+    /// Makes lines and dots wider by a factor: what they are in points becomes pixels of a dense screen.
+    pub fn scale_strokes(&mut self, factor: f32) {
+        for line in &mut self.lines {
+            line.width_px *= factor;
+        }
+        for dot in &mut self.dots {
+            dot.diameter_px *= factor;
         }
     }
 

@@ -4,7 +4,7 @@ use glam::Vec3;
 
 use super::build::draw_item;
 use super::{Dot, Frame, Ghost, Line};
-use crate::editor::Editor;
+use crate::editor::{Editor, PathDot};
 use crate::keyframe::{Blend, KeyframeIndex, PlayRange};
 use crate::pose::RbtIndex;
 use crate::scene::{Colour, NodeKind};
@@ -17,6 +17,7 @@ const MOST_PIECES: usize = 4096;
 const PATH_WIDTH_PX: f32 = 2.0;
 const DOT_PX: f32 = 8.0;
 const CURRENT_DOT_PX: f32 = 11.0;
+const MARK_PX: f32 = 21.0;
 const GHOST_OPACITY: f32 = 0.38;
 
 const PATH: &str = "#f6f1e4";
@@ -34,7 +35,7 @@ fn linear(hex: &str) -> Vec3 {
 /// Adds the path that the chosen node takes through its keyframes: a line with a dot at each, the pieces that only steer fainter.
 /// The eye has no path: it would end at itself.
 pub(super) fn add_path(frame: &mut Frame, editor: &Editor) {
-    let Some(chosen) = editor.session().chosen.filter(|&chosen| chosen != editor.eye()) else { return };
+    let Some(chosen) = editor.path_node() else { return };
     let document = editor.document();
     let keyframes = &document.keyframes;
     let count = keyframes.len();
@@ -84,6 +85,16 @@ pub(super) fn add_path(frame: &mut Frame, editor: &Editor) {
             diameter_px: if is_current { CURRENT_DOT_PX } else { DOT_PX },
         });
     }
+}
+
+/// Adds a mark around a dot of the path: what a press would take, or what is held.
+pub(super) fn add_mark(frame: &mut Frame, dot: PathDot) {
+    let mark = |opacity: f32, diameter_px: f32| Dot {
+        centre_in_world: dot.centre_in_world,
+        colour: linear(CURRENT).extend(opacity),
+        diameter_px,
+    };
+    frame.dots.extend([mark(0.4, MARK_PX), mark(1.0, CURRENT_DOT_PX)]);
 }
 
 /// Adds the poses of the neighbouring keyframes as ghosts: earlier ones warm, later ones cool, farther ones fainter. Nodes that stand

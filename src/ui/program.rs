@@ -4,11 +4,15 @@ use super::dialogs::Dialog;
 use super::export::ExportDialog;
 use super::keys::KeysDialog;
 use super::palette::Palette;
+use super::timeline::Ask;
 use super::words::Words;
 use super::{PanelSize, Ui};
 use crate::editor::WindowCommand;
 use crate::editor::keymap::{Binding, Chord, Keymap, KeymapError, chords_of_table};
 use crate::settings::{Settings, ThemeChoice};
+
+/// After so many frames without a button held, a panel has the size that its drag gave it.
+const SETTLED: u8 = 2;
 
 impl Ui {
     /// Puts settings in force. What is wrong with the keys in them comes back.
@@ -52,6 +56,9 @@ impl Ui {
                 settings.keys.clear();
                 "All keys are as they were at first.".clone_into(&mut said);
             }
+            WindowCommand::RenameCurrent => self.timeline.ask(Ask::Rename),
+            WindowCommand::FitTimeline => self.timeline.ask(Ask::FitAll),
+            WindowCommand::FitSelection => self.timeline.ask(Ask::FitSelection),
             WindowCommand::ForgetRecent => settings.recent.clear(),
         }
         self.adopt(settings);
@@ -95,9 +102,13 @@ impl Ui {
     /// Notes the size of a panel, which is news when a drag of its edge is over.
     pub(super) fn watch_panel(&mut self, ui: &egui::Ui, name: &'static str, size: f32) {
         let is_held = ui.input(|input| input.pointer.any_down());
-        let watched = self.watched.entry(name).or_insert(PanelSize { size, is_dragged: false });
+        let watched = self.watched.entry(name).or_insert(PanelSize { size, is_dragged: false, rests: 0 });
         watched.is_dragged |= is_held && (watched.size - size).abs() >= 1.0;
         watched.size = size;
+        watched.rests = if is_held { 0 } else { watched.rests.saturating_add(1) };
+        if watched.is_dragged && !is_held {
+            ui.ctx().request_repaint();
+        }
     }
 
     /// The sizes of panels whose edges were dragged, once each.
@@ -107,6 +118,7 @@ impl Ui {
         }
         self.watched
             .iter_mut()
+            .filter(|(_, watched)| watched.rests > SETTLED)
             .filter_map(|(name, watched)| std::mem::take(&mut watched.is_dragged).then_some((*name, watched.size)))
             .collect()
     }

@@ -13,7 +13,7 @@ pub const MENU_BAR: f32 = 24.0;
 /// Height of the transport, in points.
 pub const TRANSPORT: f32 = 32.0;
 /// Height of the timeline at first, in points.
-pub const TIMELINE: f32 = 160.0;
+pub const TIMELINE: f32 = 200.0;
 /// Height of the status line, in points.
 pub const STATUS: f32 = 22.0;
 /// Width of the right panel, in points.

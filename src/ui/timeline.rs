@@ -12,17 +12,23 @@ mod key_rows;
 mod key_view;
 mod keys;
 mod labels;
+mod luck;
+mod marks;
 mod menu;
 mod paint;
+mod rename;
 mod rows;
 mod scale;
 mod tips;
 
-use egui::{Align2, FontId, Id, Key, Rect, Response, RichText, Role, Sense, TextEdit, Ui, WidgetInfo, pos2, vec2};
+use egui::{Align2, FontId, Key, Rect, Response, RichText, Role, Sense, Ui, WidgetInfo, pos2, vec2};
 
+use super::binding_of;
 use super::theme::{ROW, Tokens};
+use super::thumbnails::Thumbnails;
+use super::words::Words;
 use crate::editor::keymap::Binding;
-use crate::editor::{Command, Edit, Editor, GestureCommand, TimelineEdit};
+use crate::editor::{Command, Edit, Editor, GestureCommand, PlaybackCommand};
 use crate::keyframe::{KeyframeIndex, PlayRange};
 use columns::Columns;
 use drag::Drag;
@@ -30,14 +36,12 @@ use hit::{Hit, Layout, RADIUS, Target};
 use key_view::KeyView;
 use keys::Keys;
 use paint::Look;
+use rename::Renaming;
 use rows::{Rows, has_key_rows};
 use scale::{MOST_POINTS, Scale, View};
 
-/// Width of the field that a name is typed into.
-const NAME_FIELD: f32 = 120.0;
-
 /// Which side of the timeline is shown.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 enum Tab {
     /// Diamonds.
     #[default]
@@ -46,12 +50,15 @@ enum Tab {
     Graphs,
 }
 
-/// A name that is being typed.
-#[derive(Clone, Debug)]
-struct Renaming {
-    keyframe: KeyframeIndex,
-    typed: String,
-    is_new: bool,
+/// What is asked of the timeline by a key, a menu or the list of commands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ask {
+    /// A field for the current keyframe's name.
+    Rename,
+    /// All keyframes in sight.
+    FitAll,
+    /// Those at hand in sight.
+    FitSelection,
 }
 
 /// Zoom, scroll, what is folded, and the drag that goes on.
@@ -72,6 +79,7 @@ pub struct Timeline {
     /// Where a selection with Shift begins.
     anchor: Option<usize>,
     renaming: Option<Renaming>,
+    asked: Option<Ask>,
     /// What was last shown, so that the timeline scrolls only when that changes.
     shown: Option<(Option<KeyframeIndex>, usize)>,
     /// The keyframe that the context menu is for.
@@ -87,23 +95,38 @@ impl Timeline {
         self.drag.is_some() || self.graphs.is_dragging() || self.keys.is_dragging()
     }
 
+    /// Does what is asked when the timeline is shown next.
+    pub const fn ask(&mut self, ask: Ask) {
+        self.asked = Some(ask);
+    }
+
     /// Shows the timeline.
-    pub fn show(&mut self, ui: &mut Ui, editor: &Editor, bindings: &[Binding], commands: &mut Vec<Command>) {
+    pub fn show(
+        &mut self,
+        ui: &mut Ui,
+        editor: &Editor,
+        bindings: &[Binding],
+        thumbnails: &mut Thumbnails,
+        commands: &mut Vec<Command>,
+    ) {
         let whole = ui.available_rect_before_wrap();
         if editor.document().keyframes.is_empty() && !has_key_rows(editor.scene()) {
-            empty(ui);
+            self.asked = None;
+            empty(ui, bindings);
+            ui.advance_cursor_after_rect(whole);
             return;
         }
         ui.advance_cursor_after_rect(whole);
         let mut columns = std::mem::take(&mut self.columns);
         columns.update(&editor.document().keyframes);
         columns.set_keys(key_view::ends(editor));
-        let layout = Layout::of(whole);
+        let layout = Layout::of(whole, self.tab == Tab::Keyframes);
         let response = ui.interact(layout.scaled(), ui.scope_id().with("tracks"), Sense::click_and_drag());
-        response.widget_info(|| WidgetInfo::labeled(Role::Group, true, "Timeline"));
+        let words = Words::of(ui);
+        response.widget_info(|| WidgetInfo::labeled(Role::Group, true, words.say("Timeline")));
         self.choose_view(editor, &layout, &columns);
         self.wheel(ui, &response, &layout, &columns);
-        self.keys(ui, &response, editor, &layout, &columns);
+        self.answer(editor, &layout, &columns);
 
         let rows = self.rows.of(editor.scene());
         let shown_rows = if self.tab == Tab::Keyframes { rows.len() } else { 0 };
@@ -128,9 +151,10 @@ impl Timeline {
         } else {
             self.pointer(ui, &response, &target, editor, commands);
         }
-        let look = Look { editor, target: &target, tokens: Tokens::of(ui), hovered: self.hovered };
-        self.paint(ui, &look, &rows);
-        labels::header(self, ui, &layout, &columns, editor);
+        let look =
+            Look { editor, target: &target, tokens: Tokens::of(ui), words: Words::of(ui), hovered: self.hovered };
+        self.paint(ui, &look, &rows, bindings, thumbnails);
+        labels::header(self, ui, &layout, bindings);
         match self.tab {
             Tab::Keyframes => {
                 labels::rows(self, ui, &look, &rows, commands);
@@ -140,7 +164,7 @@ impl Timeline {
             Tab::Graphs => self.graphs.legend(ui, &look),
         }
         if self.tab == Tab::Graphs || !self.keys.tip(&response, &look, &rows) {
-            self.tips(&response, &look);
+            self.tips(&response, &look, thumbnails);
         }
         if self.tab == Tab::Graphs || !self.keys.menu(ui, &response, &key_view, commands) {
             self.menu(ui, &response, &target, editor, bindings, commands);
@@ -149,7 +173,14 @@ impl Timeline {
         self.columns = columns;
     }
 
-    fn paint(&mut self, ui: &Ui, look: &Look<'_>, rows: &[rows::Row]) {
+    fn paint(
+        &mut self,
+        ui: &Ui,
+        look: &Look<'_>,
+        rows: &[rows::Row],
+        bindings: &[Binding],
+        thumbnails: &mut Thumbnails,
+    ) {
         let layout = look.target.layout;
         let painter = ui.painter().with_clip_rect(layout.scaled().intersect(ui.clip_rect()));
         let side = layout.header.union(layout.labels);
@@ -160,8 +191,10 @@ impl Timeline {
             paint::lines(&painter, look);
             paint::nodes(&painter, look, rows);
             self.keys.paint(&painter, look, rows);
+            marks::strip(&painter, look, thumbnails);
             paint::summary(&painter, look, self.drag.as_ref());
-            missing(ui, look);
+            marks::luck(&painter, look, rows);
+            missing(ui, look, bindings);
         } else {
             self.graphs.paint(&painter, look);
         }
@@ -257,20 +290,12 @@ impl Timeline {
         }
     }
 
-    fn keys(&mut self, ui: &Ui, response: &Response, editor: &Editor, layout: &Layout, columns: &Columns) {
-        if ui.ctx().text_edit_focused() || egui::Popup::is_any_open(ui.ctx()) {
-            return;
-        }
-        let pressed = |key| ui.input(|input| input.key_pressed(key));
-        let (plain, shift) = ui.input(|input| (input.modifiers.is_none(), input.modifiers.shift_only()));
-        if response.contains_pointer() && pressed(Key::F) && plain {
-            self.fit_all(layout, columns);
-        }
-        if response.contains_pointer() && pressed(Key::F) && shift {
-            self.fit_selection(editor, layout, columns);
-        }
-        if pressed(Key::F2) && plain && !editor.is_playing() {
-            self.start_renaming(editor, editor.document().keyframes.current());
+    fn answer(&mut self, editor: &Editor, layout: &Layout, columns: &Columns) {
+        match self.asked.take() {
+            None => {}
+            Some(Ask::FitAll) => self.fit_all(layout, columns),
+            Some(Ask::FitSelection) => self.fit_selection(editor, layout, columns),
+            Some(Ask::Rename) => self.start_renaming(editor, editor.document().keyframes.current()),
         }
     }
 
@@ -293,62 +318,11 @@ impl Timeline {
             if first == last { (first.saturating_sub(1), (last + 1).min(last_place)) } else { (first, last) };
         self.view = Some(View::fitting(columns.time(first), columns.time(last), layout.tracks.width()));
     }
-
-    fn start_renaming(&mut self, editor: &Editor, keyframe: Option<KeyframeIndex>) {
-        let Some(index) = keyframe else { return };
-        let Some(keyframe) = editor.document().keyframes.get(index) else { return };
-        let typed = keyframe.name.as_deref().unwrap_or_default().to_owned();
-        self.renaming = Some(Renaming { keyframe: index, typed, is_new: true });
-    }
-
-    fn rename_field(&mut self, ui: &mut Ui, target: &Target<'_>, editor: &Editor, commands: &mut Vec<Command>) {
-        let Some(renaming) = &mut self.renaming else { return };
-        let place = renaming.keyframe.get();
-        if place >= target.columns.len() || editor.is_playing() {
-            self.renaming = None;
-            return;
-        }
-        let tracks = target.layout.tracks;
-        let x = target.scale.x_of(target.columns.time(place)) - 12.0;
-        let x = x.min(tracks.right() - NAME_FIELD - 4.0).max(tracks.left() + 4.0);
-        let area = Rect::from_min_size(pos2(x, target.layout.ruler.top() + 8.0), vec2(NAME_FIELD, ROW + 2.0));
-        let id = Id::unique("name of a keyframe");
-        let hint = format!("Name of keyframe {place}");
-        let field = TextEdit::singleline(&mut renaming.typed)
-            .id(id)
-            .hint_text(&hint)
-            .char_limit(100)
-            .align(egui::Align2::LEFT_CENTER);
-        let response = ui.put(area, field);
-        response.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, &hint));
-        if std::mem::take(&mut renaming.is_new) {
-            response.request_focus();
-            select_all(ui, id, renaming.typed.chars().count());
-            return;
-        }
-        if !response.lost_focus() {
-            return;
-        }
-        let is_cancelled = ui.input(|input| input.key_pressed(Key::Escape));
-        if let Some(Renaming { keyframe, typed, .. }) = self.renaming.take().filter(|_| !is_cancelled) {
-            let before = editor.document().keyframes.get(keyframe).and_then(|keyframe| keyframe.name.as_deref());
-            if before.unwrap_or_default() != typed.trim() {
-                commands.push(Command::Edit(Edit::Timeline(TimelineEdit::RenameKeyframe(keyframe, typed))));
-            }
-        }
-    }
 }
 
 /// The context menu of a node in a list: a control node above it, keys of the colours of its shapes.
 pub fn node_menu(response: &Response, editor: &Editor, rbt: crate::pose::RbtIndex, commands: &mut Vec<Command>) {
     key_menu::of_rbt(response, editor, editor.scene().rbt_node(rbt), commands);
-}
-
-fn select_all(ui: &Ui, id: Id, characters: usize) {
-    let mut state = egui::text_edit::TextEditState::load(ui.ctx(), id).unwrap_or_default();
-    let all = egui::text::CCursorRange::two(egui::text::CCursor::new(0), egui::text::CCursor::new(characters));
-    state.cursor.set_char_range(Some(all));
-    state.store(ui.ctx(), id);
 }
 
 /// The first and the last keyframe that play.
@@ -358,20 +332,29 @@ fn played(editor: &Editor) -> Option<(usize, usize)> {
     Some(editor.session().play_range.unwrap_or((1, keyframes.len() - 2)))
 }
 
-fn empty(ui: &mut Ui) {
+fn empty(ui: &mut Ui, bindings: &[Binding]) {
     let tokens = Tokens::of(ui);
     ui.painter().rect_filled(ui.available_rect_before_wrap(), 0.0, tokens.window);
-    let text = "No keyframes yet: pose the robots, press n to keep a pose. Four make an animation; y plays it.";
+    let create = key_of(bindings, &Command::Edit(Edit::CreateKeyframe));
+    let play = key_of(bindings, &Command::Playback(PlaybackCommand::PlayOrStop));
+    let text = Words::of(ui).fill(
+        "No keyframes yet: pose the robots, press {} to keep a pose. Four make an animation; {} plays it.",
+        &[&create, &play],
+    );
     ui.centered_and_justified(|ui| ui.label(RichText::new(text).color(tokens.dim)));
 }
 
 /// Says what to do while there are too few to play.
-fn missing(ui: &Ui, look: &Look<'_>) {
+fn missing(ui: &Ui, look: &Look<'_>, bindings: &[Binding]) {
     let count = look.target.columns.len();
+    let key = key_of(bindings, &Command::Edit(Edit::CreateKeyframe));
     let text = match count {
-        0 => "No keyframes yet: pose, then press n.".to_owned(),
-        1 | 2 => format!("{} more keyframes make an animation: pose, then press n.", 4 - count),
-        3 => "1 more keyframe makes an animation: pose, then press n.".to_owned(),
+        0 => look.words.fill("No keyframes yet: pose, then press {}.", &[&key]),
+        1 | 2 => {
+            let more = (4 - count).to_string();
+            look.words.fill("{} more keyframes make an animation: pose, then press {}.", &[&more, &key])
+        }
+        3 => look.words.fill("1 more keyframe makes an animation: pose, then press {}.", &[&key]),
         _ => return,
     };
     let (_, last) = look.target.columns.ends();
@@ -394,8 +377,14 @@ fn diamonds(timeline: &mut Timeline, ui: &Ui, look: &Look<'_>, commands: &mut Ve
         let response = ui.interact(area, id, Sense::focusable_noninteractive());
         let index = KeyframeIndex::new(place);
         let is_current = editor.document().keyframes.current() == Some(index);
-        response
-            .widget_info(|| WidgetInfo::selected(Role::ListBoxOption, true, is_current, format!("Keyframe {place}")));
+        response.widget_info(|| {
+            WidgetInfo::selected(
+                Role::ListBoxOption,
+                true,
+                is_current,
+                look.words.fill("Keyframe {}", &[&place.to_string()]),
+            )
+        });
         let is_asked = ui.input(|input| input.has_accesskit_action_request(id, egui::accesskit::Action::Click));
         if is_asked {
             timeline.pick(place, editor, egui::Modifiers::NONE, commands);
@@ -411,6 +400,12 @@ fn diamonds(timeline: &mut Timeline, ui: &Ui, look: &Look<'_>, commands: &mut Ve
             timeline.pick(place, editor, modifiers, commands);
         }
     }
+}
+
+/// The key of a command, or its name where it has none.
+fn key_of(bindings: &[Binding], command: &Command) -> String {
+    let binding = binding_of(bindings, command);
+    binding.map(|it| if it.chords.is_empty() { it.name.to_owned() } else { it.menu_key() }).unwrap_or_default()
 }
 
 /// A drag of a number in a menu, as one step of undo.

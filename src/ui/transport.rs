@@ -5,6 +5,7 @@ use egui::{ComboBox, DragValue, RichText, Role, Sense, Ui, WidgetInfo, vec2};
 use super::binding_of;
 use super::icons::{Icon, button};
 use super::theme::{GRID, ROW, Tokens};
+use super::words::Words;
 use crate::editor::keymap::Binding;
 use crate::editor::{Command, Edit, Editor, PlayMode, PlaybackCommand, SPEED_PERCENT_RANGE, ViewCommand};
 use crate::interpolation::Interpolation;
@@ -35,15 +36,15 @@ pub fn show(ui: &mut Ui, editor: &Editor, bindings: &[Binding], commands: &mut V
         }
         readout(ui, editor);
         divider(ui);
-        pace(ui, editor, commands);
+        pace(ui, editor, bindings, commands);
         if width >= MOST_FITS {
             speed(ui, editor, commands);
         }
         ui.add_space(GRID);
-        interpolation(ui, editor, commands);
+        interpolation(ui, editor, bindings, commands);
         if width >= MOST_FITS {
             divider(ui);
-            ghosts(ui, editor, commands);
+            ghosts(ui, editor, bindings, commands);
         }
     });
 }
@@ -60,7 +61,7 @@ fn press(
     commands: &mut Vec<Command>,
 ) {
     let binding = binding_of(bindings, &command);
-    let name = name.or_else(|| binding.map(|binding| binding.name)).unwrap_or_default();
+    let name = name.or_else(|| binding.map(|binding| Words::of(ui).say(binding.name))).unwrap_or_default();
     let key = binding.map(Binding::keys).unwrap_or_default();
     if button(ui, icon, name, &key, editor.can(&command), is_lit) {
         commands.push(command);
@@ -73,22 +74,23 @@ fn playing(ui: &mut Ui, editor: &Editor, bindings: &[Binding], commands: &mut Ve
         press(ui, editor, bindings, icon, command, name, is_lit, commands);
     };
     let playback = Command::Playback;
+    let words = Words::of(ui);
     press(ui, Icon::Previous, Command::Edit(Edit::GoToPrevious), None, false);
-    let (icon, name) = if is_playing { (Icon::Stop, "Stop") } else { (Icon::Play, "Play") };
+    let (icon, name) = if is_playing { (Icon::Stop, words.say("Stop")) } else { (Icon::Play, words.say("Play")) };
     press(ui, icon, playback(PlaybackCommand::PlayOrStop), Some(name), is_playing);
-    let name = if editor.is_paused() { "Go on" } else { "Pause" };
+    let name = if editor.is_paused() { words.say("Go on") } else { words.say("Pause") };
     press(ui, Icon::Pause, playback(PlaybackCommand::PauseOrResume), Some(name), editor.is_paused());
     press(ui, Icon::Next, Command::Edit(Edit::GoToNext), None, false);
     press(ui, Icon::PlayFromPlayhead, playback(PlaybackCommand::PlayFromPlayhead), None, false);
     let mode = editor.session().play_mode;
     let (icon, name) = match mode {
-        PlayMode::Once => (Icon::Once, "Plays once"),
-        PlayMode::Loop => (Icon::Loop, "Plays in a loop"),
-        PlayMode::PingPong => (Icon::PingPong, "Plays forwards and backwards"),
+        PlayMode::Once => (Icon::Once, words.say("Plays once")),
+        PlayMode::Loop => (Icon::Loop, words.say("Plays in a loop")),
+        PlayMode::PingPong => (Icon::PingPong, words.say("Plays forwards and backwards")),
     };
     press(ui, icon, playback(PlaybackCommand::NextMode), Some(name), mode != PlayMode::Once);
     let is_on = editor.session().auto_keys;
-    let name = if is_on { "Auto-key is on" } else { "Auto-key is off" };
+    let name = if is_on { words.say("Auto-key is on") } else { words.say("Auto-key is off") };
     press(ui, Icon::AutoKey, Command::View(ViewCommand::ToggleAutoKeys), Some(name), is_on);
 }
 
@@ -100,16 +102,19 @@ fn divider(ui: &mut Ui) {
 
 /// The key time shown and the last one: `key 1.85 / 3`.
 #[must_use]
-pub fn key_time_text(editor: &Editor) -> String {
+pub fn key_time_text(editor: &Editor, words: Words) -> String {
     let keyframes = &editor.document().keyframes;
-    let Ok(range) = PlayRange::new(keyframes) else { return "key – / –".to_owned() };
-    let last = range.last_key_time();
+    let Ok(range) = PlayRange::new(keyframes) else { return words.fill("key {} / {}", &["–", "–"]) };
+    let last = range.last_key_time().to_string();
+    let shown = |key_time: &str| words.fill("key {} / {}", &[key_time, &last]);
     if let Some(key_time) = editor.key_time() {
-        return format!("key {key_time:.2} / {last}");
+        return shown(&format!("{key_time:.2}"));
     }
     match keyframes.current().map(KeyframeIndex::get) {
-        Some(current) if (1..=last + 1).contains(&current) => format!("key {:.2} / {last}", current_key_time(current)),
-        _ => format!("key –.–– / {last}"),
+        Some(current) if (1..=range.last_key_time() + 1).contains(&current) => {
+            shown(&format!("{:.2}", current_key_time(current)))
+        }
+        _ => shown("–.––"),
     }
 }
 
@@ -120,23 +125,29 @@ fn current_key_time(current: usize) -> f64 {
 
 fn readout(ui: &mut Ui, editor: &Editor) {
     let tokens = Tokens::of(ui);
-    let text = key_time_text(editor);
+    let text = key_time_text(editor, Words::of(ui));
     let colour = if editor.is_playing() || editor.is_scrubbed() { tokens.accent } else { tokens.text };
     let (rect, response) = ui.allocate_exact_size(vec2(112.0, ROW), Sense::hover());
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &text));
     ui.painter().text(rect.left_center(), egui::Align2::LEFT_CENTER, text, super::theme::number_font(), colour);
     response.on_hover_text(
-        "Key time and the last one. Key time 0 is keyframe 1: the first and the last keyframe only steer.",
+        Words::of(ui)
+            .say("Key time and the last one. Key time 0 is keyframe 1: the first and the last keyframe only steer."),
     );
 }
 
-fn pace(ui: &mut Ui, editor: &Editor, commands: &mut Vec<Command>) {
+fn pace(ui: &mut Ui, editor: &Editor, bindings: &[Binding], commands: &mut Vec<Command>) {
     let mut ms = editor.document().ms_between_keyframes;
     let number =
         DragValue::new(&mut ms).range(MS_BETWEEN_KEYFRAMES_RANGE).speed(10.0).suffix(" ms").update_while_editing(false);
     let response = ui.add_sized(vec2(80.0, ROW), number);
-    response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, "Milliseconds between keyframes"));
-    if response.on_hover_text("Milliseconds between keyframes  ·  + and −").changed() {
+    let words = Words::of(ui);
+    response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, words.say("Milliseconds between keyframes")));
+    let keys =
+        [Edit::Faster, Edit::Slower].map(|edit| binding_of(bindings, &Command::Edit(edit)).map(Binding::menu_key));
+    let keys: Vec<String> = keys.into_iter().flatten().filter(|key| !key.is_empty()).collect();
+    let tip = super::tip(words.say("Milliseconds between keyframes"), &keys.join("  "));
+    if response.on_hover_text(tip).changed() {
         commands.push(Command::Edit(Edit::SetMsBetweenKeyframes(ms)));
     }
     ui.add_space(GRID);
@@ -147,39 +158,47 @@ fn speed(ui: &mut Ui, editor: &Editor, commands: &mut Vec<Command>) {
     let number =
         DragValue::new(&mut percent).range(SPEED_PERCENT_RANGE).speed(1.0).suffix(" %").update_while_editing(false);
     let response = ui.add_sized(vec2(60.0, ROW), number);
-    response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, "Speed in percent"));
-    if response.on_hover_text("Speed of playing; the file keeps its milliseconds").changed() {
+    let words = Words::of(ui);
+    response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, words.say("Speed in percent")));
+    if response.on_hover_text(words.say("Speed of playing; the file keeps its milliseconds")).changed() {
         commands.push(Command::Playback(PlaybackCommand::SetSpeedPercent(percent)));
     }
 }
 
-fn interpolation(ui: &mut Ui, editor: &Editor, commands: &mut Vec<Command>) {
+fn interpolation(ui: &mut Ui, editor: &Editor, bindings: &[Binding], commands: &mut Vec<Command>) {
     let current = editor.document().interpolation;
+    let words = Words::of(ui);
     let response = ComboBox::from_id_salt("interpolation")
-        .selected_text(RichText::new(current.label()))
+        .selected_text(RichText::new(words.say(current.label())))
         .width(112.0)
         .show_ui(ui, |ui| {
             for interpolation in Interpolation::ALL {
-                if ui.selectable_label(current == interpolation, interpolation.label()).clicked() {
+                if ui.selectable_label(current == interpolation, words.say(interpolation.label())).clicked() {
                     commands.push(Command::Edit(Edit::SetInterpolation(interpolation)));
                 }
             }
         })
         .response;
-    response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, "Interpolation"));
-    let response = response.on_hover_text("Interpolation  ·  t");
+    response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, words.say("Interpolation")));
+    let key = binding_of(bindings, &Command::Edit(Edit::NextInterpolation)).map(Binding::menu_key).unwrap_or_default();
+    let response = response.on_hover_text(super::tip(words.say("Interpolation"), &key));
     let _ = super::icons::was_pressed(&response);
 }
 
-fn ghosts(ui: &mut Ui, editor: &Editor, commands: &mut Vec<Command>) {
+fn ghosts(ui: &mut Ui, editor: &Editor, bindings: &[Binding], commands: &mut Vec<Command>) {
     let count = editor.session().ghosts;
-    let name = match count {
-        0 => "Ghosts: none".to_owned(),
-        count => format!("Ghosts: {count} on each side"),
+    let words = Words::of(ui);
+    let tip = match count {
+        0 => words.say("Ghosts: none. A click shows one more of the neighbouring keyframes, up to 3").to_owned(),
+        count => words.fill(
+            "Ghosts: {} on each side. A click shows one more of the neighbouring keyframes, up to 3",
+            &[&count.to_string()],
+        ),
     };
-    let tip = format!("{name}. A click shows one more of the neighbouring keyframes, up to 3");
-    if button(ui, Icon::Ghosts, &tip, "", true, count > 0) {
-        commands.push(Command::View(ViewCommand::SetGhosts((count + 1) % 4)));
+    let command = Command::View(ViewCommand::NextGhosts);
+    let key = binding_of(bindings, &command).map(Binding::menu_key).unwrap_or_default();
+    if button(ui, Icon::Ghosts, &tip, &key, true, count > 0) {
+        commands.push(command);
     }
     let (rect, _) = ui.allocate_exact_size(vec2(14.0, ROW), Sense::hover());
     let tokens = Tokens::of(ui);

@@ -64,6 +64,7 @@ impl Shell {
             Err(error) => self.editor.say_of(Severity::Error, error.to_string()),
         }
         if self.kept.settings != before {
+            self.editor.set_keymap(self.ui.keymap().clone());
             self.keep_settings();
         }
     }

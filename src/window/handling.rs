@@ -6,10 +6,12 @@ use winit::dpi::PhysicalPosition;
 use winit::event::{ElementState, MouseButton, MouseScrollDelta};
 
 use super::keys::KeyInput;
+use super::path::{PathDrag, REACH};
 use super::pointer::{Action, Button};
 use super::shell::Shell;
 use crate::editor::keymap::{Key, binding_for};
 use crate::editor::{Command, DragKind, Edit, GestureCommand, ViewCommand};
+use crate::keyframe::KeyframeIndex;
 use crate::pose::RbtIndex;
 
 /// Pixels of a touchpad's scrolling that are as much as one notch of a wheel.
@@ -18,6 +20,12 @@ const PIXELS_PER_NOTCH: f64 = 50.0;
 impl Shell {
     /// The pointer's shape over the scene: what a drag does, or that a click chooses.
     pub(super) fn cursor(&self) -> Option<CursorIcon> {
+        if self.path_drag.is_some() {
+            return Some(CursorIcon::Grabbing);
+        }
+        if self.hovered_dot.is_some() {
+            return Some(CursorIcon::Grab);
+        }
         match self.pointer.dragging(self.space.is_held()) {
             Some(_) if !self.editor.is_dragging() => Some(CursorIcon::NotAllowed),
             Some(DragKind::Rotate) => Some(CursorIcon::Grabbing),
@@ -89,11 +97,44 @@ impl Shell {
         let at_px = Vec2::new(position.x as f32, position.y as f32);
         let was_over_scene = self.is_over_scene(self.pointer_px);
         self.pointer_px = at_px;
+        if let Some(mut drag) = self.path_drag {
+            if let Some(stage) = &self.stage {
+                let camera = self.editor.camera(stage.view.size_px);
+                for command in drag.move_to(&self.editor, &camera, self.in_view(at_px)) {
+                    self.apply(command);
+                }
+                self.path_drag = Some(drag);
+            }
+            return true;
+        }
+        let dot = self.dot_at(at_px);
+        let dot_before = std::mem::replace(&mut self.hovered_dot, dot);
         let is_held = self.pointer.is_held();
         for action in self.pointer.move_to(self.in_view(at_px), self.space.is_held()) {
             self.act(action);
         }
-        is_held || self.picks() || !was_over_scene || !self.is_over_scene(at_px)
+        dot_before != self.hovered_dot || is_held || self.picks() || !was_over_scene || !self.is_over_scene(at_px)
+    }
+
+    /// What a press at a pixel of the window would do with the dots of the motion path.
+    fn path_drag_at(&self, at_px: Vec2) -> Option<PathDrag> {
+        let stage = self.stage.as_ref()?;
+        if self.picks() || self.pointer.is_held() || self.space.is_held() || !self.is_over_scene(at_px) {
+            return None;
+        }
+        let camera = self.editor.camera(stage.view.size_px);
+        PathDrag::at(&self.editor, &camera, self.in_view(at_px), REACH * stage.context.pixels_per_point())
+    }
+
+    fn dot_at(&self, at_px: Vec2) -> Option<KeyframeIndex> {
+        self.path_drag_at(at_px).map(|drag| drag.dot().keyframe)
+    }
+
+    /// Ends the drag of a dot, which counts.
+    pub(super) fn let_go_of_dot(&mut self) {
+        if let Some(command) = self.path_drag.take().and_then(|drag| drag.release(&self.editor)) {
+            self.apply(command);
+        }
     }
 
     pub(super) fn button(&mut self, state: ElementState, button: MouseButton) {
@@ -103,6 +144,19 @@ impl Shell {
             MouseButton::Right => Button::Right,
             _ => return,
         };
+        if button == Button::Left && state == ElementState::Released && self.path_drag.is_some() {
+            self.let_go_of_dot();
+            self.hovered_dot = self.dot_at(self.pointer_px);
+            self.request_redraw();
+            return;
+        }
+        if button == Button::Left && state == ElementState::Pressed {
+            self.path_drag = self.path_drag_at(self.pointer_px);
+            self.hovered_dot = self.path_drag.map(|drag| drag.dot().keyframe);
+        }
+        if self.path_drag.is_some() {
+            return;
+        }
         let action = match state {
             ElementState::Pressed if self.is_over_scene(self.pointer_px) => {
                 let picks = self.picks();

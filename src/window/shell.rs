@@ -15,11 +15,13 @@ use winit::window::{Window, WindowId};
 use super::export::Export;
 use super::kept::Kept;
 use super::keys::{KeyInput, SpaceBar};
+use super::path::PathDrag;
 use super::pointer::Pointer;
 use super::stage::Stage;
-use super::{Happening, WindowError, now};
+use super::{Happening, WindowError, desktop, now};
 use crate::clock::AnimationClock;
 use crate::editor::{Command, Editor, FileCommand, Severity};
+use crate::keyframe::KeyframeIndex;
 use crate::ui::Ui;
 
 /// A window that stood still for longer goes on from there: it does not catch up.
@@ -43,13 +45,19 @@ pub struct Shell {
     pub(super) modifiers: ModifiersState,
     pub(super) space: SpaceBar,
     pub(super) pointer: Pointer,
+    /// The dot of the motion path that is held.
+    pub(super) path_drag: Option<PathDrag>,
+    /// The keyframe whose dot the pointer is over.
+    pub(super) hovered_dot: Option<KeyframeIndex>,
     /// Where the pointer is, in the window's pixels.
     pub(super) pointer_px: Vec2,
     clock: AnimationClock,
-    /// When the clock last took in time; `None` while nothing plays.
+    /// When the clock last took in time; `None` while nothing moves.
     last_tick: Option<Instant>,
     /// When the panels want to be shown again.
     show_again: Option<Instant>,
+    /// When the next picture of a keyframe is made, unless something happens before.
+    pub(super) thumbnail_due: Option<Instant>,
     title: String,
     error: Option<WindowError>,
 }
@@ -60,6 +68,7 @@ impl Shell {
         let (kept, problem) = Kept::read();
         let mut ui = Ui::new();
         let errors = ui.adopt(&kept.settings).into_iter().map(|error| error.to_string());
+        editor.set_keymap(ui.keymap().clone());
         for sentence in problem.into_iter().chain(errors) {
             editor.say_of(Severity::Error, sentence);
         }
@@ -76,10 +85,13 @@ impl Shell {
             modifiers: ModifiersState::empty(),
             space: SpaceBar::default(),
             pointer: Pointer::default(),
+            path_drag: None,
+            hovered_dot: None,
             pointer_px: Vec2::ZERO,
             clock: AnimationClock::new(),
             last_tick: None,
             show_again: None,
+            thumbnail_due: None,
             title: String::new(),
             error: None,
         }
@@ -110,6 +122,7 @@ impl Shell {
                 return;
             }
         }
+        desktop::ask_theme(self.proxy.clone());
         for command in std::mem::take(&mut self.at_start) {
             self.apply(command);
         }
@@ -125,6 +138,7 @@ impl Shell {
             Ok(stage) => {
                 stage.window.request_redraw();
                 self.stage = Some(stage);
+                desktop::ask_theme(self.proxy.clone());
             }
             Err(error) => {
                 self.error = Some(error);
@@ -147,6 +161,7 @@ impl Shell {
         for command in commands {
             self.apply(command);
         }
+        let dot = self.hovered_dot.and_then(|keyframe| self.editor.path_dot(keyframe));
         for (panel, size) in panels {
             if self.kept.settings.resized(panel, size) {
                 self.keep_settings();
@@ -156,11 +171,12 @@ impl Shell {
             self.quit_answered(answer);
         }
         if let Some(stage) = &mut self.stage {
-            stage.paint(&self.editor, hovered, laid_out);
+            stage.paint(&self.editor, hovered, dot, laid_out);
             if again {
                 stage.window.request_redraw();
             }
         }
+        self.plan_thumbnail();
     }
 
     fn accessibility(&mut self, event: accesskit_winit::WindowEvent) {
@@ -225,6 +241,11 @@ impl ApplicationHandler<Happening> for Shell {
             Happening::PathChosen { question, path, took } => self.path_chosen(question, path, took),
             Happening::ExportAt { done, count } => self.export_at(done, count),
             Happening::ExportEnded(end) => self.export_ended(end),
+            Happening::DesktopTheme(theme) => {
+                if let Some(stage) = &self.stage {
+                    stage.context.options_mut(|options| options.fallback_theme = theme);
+                }
+            }
             Happening::DeviceLost => self.reopen(event_loop),
             Happening::Accessibility(event) => self.accessibility(event),
         }
@@ -263,8 +284,11 @@ impl ApplicationHandler<Happening> for Shell {
             }
             WindowEvent::MouseInput { state, button, .. } => self.button(state, button),
             WindowEvent::MouseWheel { delta, .. } => self.wheel(delta),
+            // What the desktop prefers may have been changed meanwhile.
+            WindowEvent::Focused(true) => desktop::ask_theme(self.proxy.clone()),
             WindowEvent::Focused(false) => {
                 self.space.release();
+                self.let_go_of_dot();
                 if let Some(action) = self.pointer.let_go() {
                     self.act(action);
                 }
@@ -292,11 +316,12 @@ impl ApplicationHandler<Happening> for Shell {
             self.show_again = None;
             self.request_redraw();
         }
+        self.make_thumbnail(at);
         self.update_title();
         if self.is_quitting {
             event_loop.exit();
         }
-        let due = [next_tick, self.show_again].into_iter().flatten().min();
+        let due = [next_tick, self.show_again, self.thumbnail_due].into_iter().flatten().min();
         event_loop.set_control_flow(due.map_or(ControlFlow::Wait, ControlFlow::WaitUntil));
     }
 }

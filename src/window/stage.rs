@@ -9,11 +9,11 @@ use winit::event_loop::{ActiveEventLoop, EventLoopProxy};
 use winit::window::Window;
 
 use super::{Happening, WindowError};
-use crate::editor::Editor;
+use crate::editor::{Editor, PathDot};
 use crate::frame::Frame;
 use crate::pose::RbtIndex;
 use crate::render::{Gpu, GpuError, Image, Offscreen, Renderer, Viewport, default_samples};
-use crate::ui::{Ui, UiOutput, theme};
+use crate::ui::{THUMBNAIL_PX, Ui, UiOutput, theme};
 
 /// The 3D view, in physical pixels of the window.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -56,6 +56,8 @@ pub struct Stage {
     scene_format: wgpu::TextureFormat,
     renderer: Renderer,
     panels: egui_wgpu::Renderer,
+    /// What small pictures are made with, once one was wanted.
+    thumbnails: Option<(Renderer, Offscreen)>,
 }
 
 /// Panels that were laid out and wait to be painted, all of them, over the scene.
@@ -136,6 +138,7 @@ impl Stage {
             scene_format,
             renderer,
             panels,
+            thumbnails: None,
         })
     }
 
@@ -179,8 +182,9 @@ impl Stage {
         })
     }
 
-    /// Paints the scene as it is now, with the node outlined that a click would choose, and panels over it.
-    pub fn paint(&mut self, editor: &Editor, hovered: Option<RbtIndex>, mut laid_out: LaidOut) {
+    /// Paints the scene as it is now, with the node outlined that a click would choose and the dot marked that a press would take, and
+    /// panels over it.
+    pub fn paint(&mut self, editor: &Editor, hovered: Option<RbtIndex>, dot: Option<PathDot>, mut laid_out: LaidOut) {
         for (id, deltas) in laid_out.textures.set.drain() {
             for delta in deltas {
                 self.panels.update_texture(&self.gpu.device, &self.gpu.queue, id, &delta);
@@ -190,6 +194,10 @@ impl Stage {
         if let Some(hovered) = hovered {
             frame.outline(editor.scene(), hovered);
         }
+        if let Some(dot) = dot {
+            frame.mark_dot(dot);
+        }
+        frame.scale_strokes(laid_out.pixels_per_point);
         self.draw(&frame, &laid_out.jobs, laid_out.pixels_per_point);
         for id in laid_out.textures.free.drain() {
             self.panels.free_texture(&id);
@@ -251,6 +259,21 @@ impl Stage {
             }
         }
         None
+    }
+
+    /// A small picture, of [`THUMBNAIL_PX`] pixels.
+    ///
+    /// # Errors
+    /// [`GpuError`]
+    pub fn thumbnail(&mut self, frame: &Frame) -> Result<Image, GpuError> {
+        if self.thumbnails.is_none() {
+            let [width, height] = THUMBNAIL_PX.map(|side| u32::try_from(side).unwrap_or(1));
+            // It is so small that many samples cost nothing.
+            let renderer = Renderer::new(&self.gpu, Offscreen::FORMAT, 4);
+            self.thumbnails = Some((renderer, Offscreen::new(&self.gpu, width, height)?));
+        }
+        let (renderer, offscreen) = self.thumbnails.as_mut().expect("it was just made");
+        offscreen.render(&self.gpu, renderer, frame)
     }
 
     /// A picture of the scene alone, as large as the 3D view.

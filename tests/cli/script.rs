@@ -178,8 +178,11 @@ fn bad_lines_are_named_and_nothing_is_run() {
     sandbox.write("s.txt", "key n\nkey w\nselect robot9\n\njump\nkey q # none\n");
     sandbox.run(&["script", "s.txt", "--trace", "--state", "state.json"]).refuses(
         "s.txt: line 3: node \"robot9\" is not in the scene \"two-robots\"\n\
-         s.txt: line 5: \"jump\" is not a command; the commands are select, rotate, translate, key, wait, undo, redo, \
-         screenshot, put-control, remove-control, rename-control, add-key, set-key, move-key, delete-key, seconds and save-scene\n\
+         s.txt: line 5: \"jump\" is not a command; the commands are select, rotate, translate, key, do, wait, undo, redo, \
+         screenshot, go, select-keyframes, move, copy, cut, paste, duplicate, delete, reverse, easing, rename, duration, copy-pose, \
+         paste-pose, set-translation, set-rotation, set-keyframe-translation, set-keyframe-rotation, drag, wheel, interpolation, ms, \
+         scrub, step, mode, range, speed, auto-key, ghosts, eye, put-control, remove-control, rename-control, add-key, set-key, \
+         move-key, delete-key, seconds and save-scene\n\
          s.txt: line 6: \"q\" is not a hotkey",
     );
     sandbox.run(&["script", "none.txt"]).refuses("none.txt: there is no such file or folder");

@@ -121,6 +121,27 @@ pub fn bindings() -> Vec<Binding> {
         ),
         row(
             Group::Timeline,
+            vec![key(Key::F2)],
+            Command::Window(WindowCommand::RenameCurrent),
+            "Rename keyframe…",
+            "Give the current keyframe a name",
+        ),
+        row(
+            Group::Timeline,
+            vec![typed('f')],
+            Command::Window(WindowCommand::FitTimeline),
+            "Fit all",
+            "Bring all keyframes into sight in the timeline",
+        ),
+        row(
+            Group::Timeline,
+            vec![held(shift, 'f')],
+            Command::Window(WindowCommand::FitSelection),
+            "Fit selection",
+            "Bring the selected keyframes into sight in the timeline",
+        ),
+        row(
+            Group::Timeline,
             vec![held(ctrl_shift, 'c')],
             view(ViewCommand::CopyPose),
             "Copy pose",
@@ -239,6 +260,13 @@ pub fn bindings() -> Vec<Binding> {
             view(ViewCommand::TogglePath),
             "Motion path",
             "Show or hide the path that the chosen node takes",
+        ),
+        repeating(
+            Group::View,
+            vec![held(shift, 'g')],
+            view(ViewCommand::NextGhosts),
+            "Ghosts",
+            "Show one more of the neighbouring keyframes on each side as ghosts, up to 3, then none",
         ),
         row(
             Group::View,

@@ -2,7 +2,7 @@
 
 use std::ops::{Range, RangeInclusive};
 
-use crate::keyframe::KeyframeList;
+use crate::keyframe::{Keyframe, KeyframeList};
 
 /// The times of a list's keyframes, in units of the ms between keyframes from the first played keyframe.
 #[derive(Clone, Debug, Default)]
@@ -33,6 +33,12 @@ impl Columns {
     /// Takes in the first and the last time at which other keys stand.
     pub const fn set_keys(&mut self, keys: Option<(f64, f64)>) {
         self.keys = keys;
+    }
+
+    /// The keyframes themselves.
+    #[must_use]
+    pub fn keyframes(&self) -> &[Keyframe] {
+        self.list.as_slice()
     }
 
     /// How many keyframes there are.
@@ -148,7 +154,7 @@ impl Columns {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::keyframe::{Keyframe, Timing, to_f64};
+    use crate::keyframe::{Timing, to_f64};
     use crate::pose::Pose;
 
     fn columns(durations: &[f64]) -> (Columns, KeyframeList) {

@@ -2,16 +2,13 @@
 
 use std::ops::RangeInclusive;
 
-use glam::Quat;
-
 use super::columns::Columns;
+use super::luck::degrees_between;
 use crate::interpolation::Interpolation;
 use crate::keyframe::{KeyframeList, PlayRange};
 use crate::pose::RbtIndex;
 use crate::rbt::Rbt;
 
-/// Beyond this angle in degrees, which way round a turn goes hangs on the last digits.
-pub const LUCK: f32 = 170.0;
 /// Half the time, in units, over which a speed is taken.
 const HALF_STEP: f64 = 0.004;
 
@@ -51,12 +48,6 @@ impl Quantity {
             Self::AngularSpeed => "°/s",
         }
     }
-}
-
-/// The angle from one rotation to another in degrees, the short way: exact for small angles too.
-pub fn degrees_between(from: Quat, to: Quat) -> f32 {
-    let turn = from.conjugate() * to;
-    (2.0 * turn.xyz().length().atan2(turn.w.abs())).to_degrees()
 }
 
 /// One node's movement under one interpolation.
@@ -160,7 +151,7 @@ mod tests {
     use super::*;
     use crate::keyframe::Keyframe;
     use crate::pose::Pose;
-    use glam::Vec3;
+    use glam::{Quat, Vec3};
 
     fn list(xs: &[f32]) -> KeyframeList {
         let rbt = |&x: &f32| Rbt::new(Vec3::new(x, 0.0, 0.0), Quat::from_rotation_y(x));
@@ -188,13 +179,6 @@ mod tests {
         let times = movement.times(&(-5.0..=9.0), 0.3);
         assert_eq!((times.first(), times.last()), (Some(&0.0), Some(&2.0)));
         assert!(times.contains(&1.0) && times.is_sorted());
-    }
-
-    #[test]
-    fn angles_are_the_short_way() {
-        let turned = Quat::from_rotation_x(3.0);
-        assert!((degrees_between(Quat::IDENTITY, turned) - 3.0_f32.to_degrees()).abs() < 1e-3);
-        assert!((degrees_between(Quat::IDENTITY, -turned) - 3.0_f32.to_degrees()).abs() < 1e-3);
     }
 
     #[test]

@@ -22,7 +22,7 @@ pub enum Drag {
     /// Changes the length of the interval that begins at a keyframe.
     Retime(Retime),
     /// Moves the beginning of what plays, or its end.
-    Range { is_start: bool },
+    Range { is_start: bool, before: Option<(usize, usize)> },
     /// Moves what is in sight.
     Pan,
 }
@@ -122,7 +122,14 @@ impl Timeline {
         } else if response.clicked()
             && let Some(at) = response.interact_pointer_pos()
         {
-            self.click(target, editor, at, modifiers, commands);
+            if let Hit::Diamond(place) = target.at(at)
+                && response.double_clicked()
+                && !editor.is_playing()
+            {
+                self.start_renaming(editor, Some(KeyframeIndex::new(place)));
+            } else {
+                self.click(target, editor, at, modifiers, commands);
+            }
         }
         self.cursor(ui, response);
     }
@@ -131,6 +138,7 @@ impl Timeline {
         match self.drag.take() {
             Some(Drag::Retime(_)) => commands.push(Command::Gesture(GestureCommand::Abort)),
             Some(Drag::Box { before, .. }) => commands.push(Command::View(ViewCommand::SelectKeyframes(before))),
+            Some(Drag::Range { before, .. }) => commands.push(Command::Playback(PlaybackCommand::SetRange(before))),
             _ => {}
         }
     }
@@ -155,9 +163,11 @@ impl Timeline {
             // What moves in time follows from the first touch; all else waits until it cannot be a click any more.
             match hit {
                 Hit::Ruler => self.drag = Some(Drag::Scrub),
-                Hit::RangeStart => self.drag = Some(Drag::Range { is_start: true }),
-                Hit::RangeEnd => self.drag = Some(Drag::Range { is_start: false }),
-                Hit::Diamond(_) | Hit::Grip(_) | Hit::Empty => {}
+                Hit::RangeStart | Hit::RangeEnd => {
+                    let before = editor.session().play_range;
+                    self.drag = Some(Drag::Range { is_start: hit == Hit::RangeStart, before });
+                }
+                Hit::Diamond(_) | Hit::Grip(_) | Hit::Luck(_) | Hit::Empty => {}
             }
         }
         if !response.drag_started_by(PointerButton::Primary) || self.drag.is_some() {
@@ -166,7 +176,7 @@ impl Timeline {
         let selected = &editor.session().selected;
         match hit {
             Hit::Ruler | Hit::RangeStart | Hit::RangeEnd => {}
-            Hit::Empty => {
+            Hit::Empty | Hit::Luck(_) => {
                 let mode = mode_of(modifiers);
                 let from_time = target.scale.time_at(at.x);
                 self.drag = Some(Drag::Box { from_time, from_y: at.y, before: selected.clone(), mode });
@@ -213,7 +223,7 @@ impl Timeline {
                 }
                 commands.extend(super::key_view::scrubbing(target, editor, at.x));
             }
-            Some(Drag::Range { is_start }) => {
+            Some(Drag::Range { is_start, .. }) => {
                 if let Some(command) = ranging(target, at.x, *is_start) {
                     commands.push(command);
                 }
@@ -274,7 +284,9 @@ impl Timeline {
     ) {
         match target.at(at) {
             Hit::Diamond(place) => self.pick(place, editor, modifiers, commands),
-            Hit::Empty if !editor.session().selected.is_empty() && mode_of(modifiers) == Mode::Replace => {
+            Hit::Empty | Hit::Luck(_)
+                if !editor.session().selected.is_empty() && mode_of(modifiers) == Mode::Replace =>
+            {
                 commands.push(Command::View(ViewCommand::SelectKeyframes(Vec::new())));
             }
             _ => {}
@@ -325,7 +337,7 @@ impl Timeline {
             | (None, Some(Hit::Grip(_) | Hit::RangeStart | Hit::RangeEnd)) => CursorIcon::ResizeHorizontal,
             (Some(Drag::Box { .. }), _) => CursorIcon::Crosshair,
             (None, Some(Hit::Diamond(_))) => CursorIcon::Grab,
-            (None, Some(Hit::Empty) | None) => CursorIcon::Default,
+            (None, Some(Hit::Empty | Hit::Luck(_)) | None) => CursorIcon::Default,
         };
         if self.drag.is_some() || response.hovered() {
             ui.ctx().set_cursor_icon(icon);

@@ -6,8 +6,9 @@ use egui::{
 };
 use glam::Vec3;
 
-use super::curves::{LUCK, Movement, Quantity, degrees_between, room};
+use super::curves::{Movement, Quantity, room};
 use super::hit::{LEAST_GAP, Target};
+use super::luck;
 use super::paint::Look;
 use super::tips::tip;
 use crate::editor::{Command, Edit, Editor, GestureCommand, TimelineEdit};
@@ -157,15 +158,18 @@ impl Graphs {
         if let Some(dot) = self.hovered {
             let keyframe = look.editor.document().keyframes.get(KeyframeIndex::new(dot.place));
             let value = keyframe.map_or(0.0, |keyframe| keyframe.pose.get(rbt).translation[dot.axis]);
-            let heading = format!("Keyframe {}: {} = {value:.3}", dot.place, AXES[dot.axis]);
-            response.clone().on_hover_ui_at_pointer(|ui| tip(ui, &heading, "Drag it up or down to change it.", look));
+            let heading = look
+                .words
+                .fill("Keyframe {}: {} = {}", &[&dot.place.to_string(), AXES[dot.axis], &format!("{value:.3}")]);
+            let body = look.words.say("Drag it up or down to change it.");
+            response.clone().on_hover_ui_at_pointer(|ui| tip(ui, &heading, body, look));
             return true;
         }
         let warned = warnings(look, rbt).into_iter().find(|&(x, ..)| warning_place(look, x).distance(at) <= 9.0);
         let Some((_, place, degrees)) = warned else { return false };
-        let heading = format!("Keyframe {place} to {} turns by {degrees:.1}°", place + 1);
-        let body =
-            "So near to half a turn, which way round it goes is a matter of luck. A keyframe between them decides it.";
+        let (from, to) = (place.to_string(), (place + 1).to_string());
+        let heading = look.words.fill("Keyframe {} to {} turns by {}°", &[&from, &to, &format!("{degrees:.1}")]);
+        let body = look.words.say(luck::ADVICE);
         response.clone().on_hover_ui_at_pointer(|ui| tip(ui, &heading, body, look));
         true
     }
@@ -176,7 +180,7 @@ impl Graphs {
         let painter = ui.painter().with_clip_rect(column.intersect(ui.clip_rect()));
         let scene = look.editor.scene();
         let chosen = look.editor.session().chosen;
-        let node = chosen.map_or("Nothing chosen", |rbt| scene.node(scene.rbt_node(rbt)).name.as_str());
+        let node = chosen.map_or(look.words.say("Nothing chosen"), |rbt| scene.node(scene.rbt_node(rbt)).name.as_str());
         let colour = if chosen.is_some() { tokens.accent } else { tokens.dim };
         let at = pos2(column.left() + 12.0, column.top() + ROW / 2.0);
         painter.text(at, Align2::LEFT_CENTER, node, small_font(), colour);
@@ -185,10 +189,12 @@ impl Graphs {
             let top = column.top() + ROW * (place as f32 + 1.0);
             let row = Rect::from_x_y_ranges(column.left() + 4.0..=column.right() - 4.0, top..=top + ROW);
             let seen = row.intersect(column);
-            let name = quantity.name();
+            let name = look.words.say(quantity.name());
             let response = ui.interact(seen, ui.scope_id().with(("graph", place)), Sense::click());
             let is_on = self.shown[place];
-            response.widget_info(|| WidgetInfo::selected(Role::CheckBox, true, is_on, format!("Graph of {name}")));
+            response.widget_info(|| {
+                WidgetInfo::selected(Role::CheckBox, true, is_on, look.words.fill("Graph of {}", &[name]))
+            });
             if response.hovered() {
                 painter.rect_filled(row, CORNER, tokens.raised);
             }
@@ -223,9 +229,10 @@ impl Graphs {
         let (Some(rbt), Ok(range)) = (look.editor.session().chosen, PlayRange::new(&look.editor.document().keyframes))
         else {
             let text = if look.target.range.is_none() {
-                "Four keyframes make an animation, and an animation has graphs."
+                look.words.say("Four keyframes make an animation, and an animation has graphs.")
             } else {
-                "Choose a node to see its graphs: click its name in the tree, or Ctrl+click it in the scene."
+                look.words
+                    .say("Choose a node to see its graphs: click its name in the tree, or Ctrl+click it in the scene.")
             };
             painter.text(tracks.center(), Align2::CENTER_CENTER, text, FontId::proportional(12.0), look.tokens.dim);
             return;
@@ -360,7 +367,7 @@ fn scale_of_values(painter: &Painter, look: &Look<'_>, lane: &Lane) {
     let (high, low) = (format!("{:.decimals$}{unit}", lane.high), format!("{:.decimals$}{unit}", lane.low));
     write(pos2(left, area.top() - 2.0), Align2::LEFT_TOP, high, font.clone());
     write(pos2(left, area.bottom() + 2.0), Align2::LEFT_BOTTOM, low, font);
-    let name = lane.quantity.name().to_owned();
+    let name = look.words.say(lane.quantity.name()).to_owned();
     write(pos2(area.right() - 6.0, area.top() - 2.0), Align2::RIGHT_TOP, name, FontId::proportional(10.0));
 }
 
@@ -373,12 +380,11 @@ fn warnings(look: &Look<'_>, rbt: RbtIndex) -> Vec<(f32, usize, f32)> {
         return Vec::new();
     }
     let first = seen.start.saturating_sub(1).max(1);
-    let rotation = |place: usize| keyframes[place].pose.get(rbt).rotation;
     (first..seen.end.min(keyframes.len().saturating_sub(2)))
         .filter_map(|place| {
-            let degrees = degrees_between(rotation(place), rotation(place + 1));
+            let (_, degrees) = luck::nodes(keyframes, place, std::iter::once(rbt)).pop()?;
             let middle = f64::midpoint(columns.time(place), columns.time(place + 1));
-            (degrees > LUCK).then(|| (scale.x_of(middle), place, degrees))
+            Some((scale.x_of(middle), place, degrees))
         })
         .collect()
 }

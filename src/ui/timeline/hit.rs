@@ -3,7 +3,9 @@
 use egui::{Pos2, Rect, pos2, vec2};
 
 use super::columns::Columns;
+use super::luck::has_luck;
 use super::scale::Scale;
+use crate::keyframe::Easing;
 use crate::ui::theme::ROW;
 
 /// Width of the column of names.
@@ -22,6 +24,16 @@ const GRIP: f32 = 13.0;
 const LEAST_FOR_GRIP: f32 = 34.0;
 /// Height of the bar of the played range, at the lower edge of the ruler.
 pub const RANGE_BAR: f32 = 7.0;
+/// Width and height of a keyframe's picture in the strip.
+const THUMBNAIL: egui::Vec2 = vec2(48.0, 36.0);
+/// Height of the strip of pictures.
+const STRIP: f32 = THUMBNAIL.y + 6.0;
+/// A lower timeline has no strip: the rows come first.
+const LEAST_FOR_STRIP: f32 = 184.0;
+/// Intervals shorter than this have no room for a warning.
+const LEAST_FOR_LUCK: f32 = 44.0;
+/// Intervals at least this long show their easing in the middle.
+pub const LEAST_FOR_EASING: f32 = 64.0;
 /// How far from the middle of a small thing it can be taken.
 const REACH: f32 = 5.0;
 
@@ -36,6 +48,8 @@ pub struct Layout {
     pub ruler: Rect,
     /// All rows of diamonds.
     pub tracks: Rect,
+    /// Pictures of keyframes; empty where there is no room for them.
+    pub strip: Rect,
     /// The row that stands for all nodes.
     pub summary: Rect,
     /// The rows of nodes.
@@ -43,19 +57,23 @@ pub struct Layout {
 }
 
 impl Layout {
-    /// The areas of a timeline in a rectangle.
+    /// The areas of a timeline in a rectangle, where there is room with a strip of pictures.
     #[must_use]
-    pub fn of(whole: Rect) -> Self {
+    pub fn of(whole: Rect, has_strip: bool) -> Self {
         let labels = LABELS.min(whole.width() * 0.5);
         let cut = whole.left() + labels;
         let top = whole.top() + RULER.min(whole.height());
         let tracks = Rect::from_min_max(pos2(cut, top), whole.max);
-        let summary = tracks.with_max_y((top + ROW).min(tracks.bottom()));
+        let strip = if has_strip && whole.height() >= LEAST_FOR_STRIP { STRIP } else { 0.0 };
+        let strip = tracks.with_max_y(top + strip);
+        let below = strip.bottom();
+        let summary = tracks.with_min_y(below).with_max_y((below + ROW).min(tracks.bottom()));
         Self {
             header: Rect::from_min_max(whole.min, pos2(cut, top)),
             labels: Rect::from_min_max(pos2(whole.left(), top), pos2(cut, whole.bottom())),
             ruler: Rect::from_min_max(pos2(cut, whole.top()), pos2(whole.right(), top)),
             tracks,
+            strip,
             summary,
             nodes: tracks.with_min_y(summary.bottom()),
         }
@@ -81,6 +99,8 @@ pub enum Hit {
     Diamond(usize),
     /// The time handle of the interval that begins at a keyframe.
     Grip(usize),
+    /// The warning on the interval that begins at a keyframe.
+    Luck(usize),
     /// Nothing: a drag selects what it surrounds.
     Empty,
 }
@@ -115,6 +135,11 @@ impl Target<'_> {
         if !self.has_rows {
             return Hit::Ruler;
         }
+        if layout.strip.contains(at) {
+            let pictures = self.thumbnails();
+            let found = pictures.into_iter().find(|(_, rect)| rect.contains(at));
+            return found.map_or(Hit::Empty, |(place, _)| Hit::Diamond(place));
+        }
         let row_middle = if layout.summary.contains(at) {
             Some(layout.summary.center().y)
         } else {
@@ -128,8 +153,56 @@ impl Target<'_> {
         }
         match self.diamond_at(at.x) {
             Some(place) if (at.y - row_middle).abs() <= RADIUS + 3.0 => Hit::Diamond(place),
+            _ if layout.summary.contains(at) => {
+                let warned = self.lucks().find(|(_, x)| (x - at.x).abs() <= REACH + 3.0);
+                warned.map_or(Hit::Empty, |(place, _)| Hit::Luck(place))
+            }
             _ => Hit::Empty,
         }
+    }
+
+    /// The keyframes whose pictures are in sight, and where those stand: all of them where there is room, else every second, every
+    /// fourth and so on, so that panning changes none.
+    #[must_use]
+    pub fn thumbnails(&self) -> Vec<(usize, Rect)> {
+        if self.layout.strip.height() <= 0.0 {
+            return Vec::new();
+        }
+        let least = THUMBNAIL.x + 4.0;
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "floats saturate")]
+        let stride = (f64::from(least) / self.scale.view.points_per_unit).ceil().clamp(1.0, 1e6) as usize;
+        let stride = stride.next_power_of_two();
+        let seen = self.columns.within(&self.scale.in_sight(THUMBNAIL.x));
+        let mut free_from = f32::NEG_INFINITY;
+        let mut found = Vec::new();
+        for place in (seen.start.next_multiple_of(stride)..seen.end).step_by(stride) {
+            let x = self.scale.x_of(self.columns.time(place));
+            if x >= free_from {
+                free_from = x + least;
+                let centre = pos2(x, self.layout.strip.center().y);
+                found.push((place, Rect::from_center_size(centre, THUMBNAIL)));
+            }
+        }
+        found
+    }
+
+    /// The intervals in sight in which a node turns by nearly half a turn, and where their marks stand: in the middle, or beside the
+    /// easing there.
+    pub fn lucks(&self) -> impl Iterator<Item = (usize, f32)> + '_ {
+        let keyframes = self.columns.keyframes();
+        let nodes = keyframes.first().map_or(0, |keyframe| keyframe.pose.len());
+        let seen = self.columns.within(&self.scale.in_sight(0.0));
+        // Where hundreds are in sight, none has room.
+        let seen = if seen.len() > 200 { 0..0 } else { seen.start.saturating_sub(1)..seen.end };
+        seen.filter_map(move |place| {
+            let from = self.scale.x_of(self.columns.time(place));
+            let to = self.scale.x_of(self.columns.time_after(place));
+            if to - from < LEAST_FOR_LUCK || !has_luck(keyframes, place, 0..nodes) {
+                return None;
+            }
+            let has_easing = keyframes[place].easing != Easing::Linear && to - from >= LEAST_FOR_EASING;
+            Some((place, f32::midpoint(from, to) - if has_easing { 25.0 } else { 0.0 }))
+        })
     }
 
     /// The keyframe whose column is at a place.
@@ -217,7 +290,7 @@ mod tests {
         let list = KeyframeList::new((0..6).map(|_| Keyframe::new(Pose::new(Vec::new()))).collect());
         let mut columns = Columns::default();
         columns.update(&list);
-        let layout = Layout::of(Rect::from_min_size(Pos2::ZERO, vec2(1000.0, 160.0)));
+        let layout = Layout::of(Rect::from_min_size(Pos2::ZERO, vec2(1000.0, 160.0)), true);
         // Keyframe k stands at 200 + 100 k.
         let view = View { start: -1.0 - (200.0 - f64::from(LABELS)) / 100.0, points_per_unit: 100.0 };
         let scale = Scale { left: layout.tracks.left(), right: layout.tracks.right(), view };

@@ -2,27 +2,30 @@
 
 use egui::{Align2, Painter, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2};
 
-use super::columns::Columns;
 use super::hit::Layout;
 use super::paint::Look;
 use super::rows::{Row, Subject};
-use super::{Tab, Timeline, key_menu};
-use crate::editor::{Command, Editor, ViewCommand};
+use super::{Ask, Tab, Timeline, key_menu};
+use crate::editor::keymap::Binding;
+use crate::editor::{Command, ViewCommand, WindowCommand};
 use crate::pose::RbtIndex;
+use crate::ui::binding_of;
 use crate::ui::icons::{Icon, button_at, was_pressed};
 use crate::ui::theme::{CORNER, ROW, Tokens, small_font, text_font};
+use crate::ui::words::Words;
 
 /// Shows tabs and buttons.
-pub fn header(timeline: &mut Timeline, ui: &Ui, layout: &Layout, columns: &Columns, editor: &Editor) {
+pub fn header(timeline: &mut Timeline, ui: &Ui, layout: &Layout, bindings: &[Binding]) {
     let tokens = Tokens::of(ui);
     let middle = layout.header.center().y;
     let mut left = layout.header.left() + 8.0;
-    for (tab, name) in [(Tab::Keyframes, "Keyframes"), (Tab::Graphs, "Graphs")] {
+    let words = Words::of(ui);
+    for (tab, name) in [(Tab::Keyframes, words.say("Keyframes")), (Tab::Graphs, words.say("Graphs"))] {
         let is_shown = timeline.tab == tab;
         let galley = ui.painter().layout_no_wrap(name.to_owned(), small_font(), tokens.text);
         let area = Rect::from_min_size(pos2(left, middle - ROW / 2.0), vec2(galley.size().x + 12.0, ROW));
         left = area.right() + 2.0;
-        let response = ui.interact(area, ui.scope_id().with(name), Sense::click());
+        let response = ui.interact(area, ui.scope_id().with(tab), Sense::click());
         response.widget_info(|| WidgetInfo::selected(Role::Tab, true, is_shown, name));
         let colour = if is_shown || response.hovered() { tokens.text } else { tokens.dim };
         if response.has_focus() {
@@ -39,11 +42,16 @@ pub fn header(timeline: &mut Timeline, ui: &Ui, layout: &Layout, columns: &Colum
     }
     let at =
         |place: f32| Rect::from_center_size(pos2(layout.header.right() - 16.0 - 24.0 * place, middle), vec2(24.0, ROW));
-    if button_at(ui, at(1.0), Icon::FitAll, "Fit all", "F over the timeline", true, false) {
-        timeline.fit_all(layout, columns);
-    }
-    if button_at(ui, at(0.0), Icon::FitSelection, "Fit selection", "Shift+F over the timeline", true, false) {
-        timeline.fit_selection(editor, layout, columns);
+    for (place, icon, command, ask) in [
+        (1.0, Icon::FitAll, WindowCommand::FitTimeline, Ask::FitAll),
+        (0.0, Icon::FitSelection, WindowCommand::FitSelection, Ask::FitSelection),
+    ] {
+        let binding = binding_of(bindings, &Command::Window(command));
+        let (name, key) = binding.map(|binding| (binding.name, binding.menu_key())).unwrap_or_default();
+        if button_at(ui, at(place), icon, words.say(name), &key, true, false) {
+            timeline.ask(ask);
+            ui.ctx().request_repaint();
+        }
     }
 }
 
@@ -53,8 +61,8 @@ pub fn rows(timeline: &mut Timeline, ui: &Ui, look: &Look<'_>, rows: &[Row], com
     let tokens = look.tokens;
     let column = layout.labels;
     let summary = column.with_max_y(layout.summary.bottom());
-    let text = pos2(column.left() + 22.0, summary.center().y);
-    ui.painter().text(text, Align2::LEFT_CENTER, "All", text_font(), tokens.text);
+    let text = pos2(column.left() + 22.0, layout.summary.center().y);
+    ui.painter().text(text, Align2::LEFT_CENTER, look.words.say("All"), text_font(), tokens.text);
     ui.painter().hline(column.x_range(), summary.bottom() - 0.5, Stroke::new(1.0, tokens.line));
     let area = column.with_min_y(summary.bottom());
     let painter = ui.painter().with_clip_rect(area.intersect(ui.clip_rect()));
@@ -87,7 +95,9 @@ fn name(
     let is_chosen = look.editor.session().chosen == Some(rbt);
     let response = ui.interact(seen.shrink2(vec2(1.0, 0.0)), ui.scope_id().with(("row", rbt)), Sense::click());
     let path = scene.rbt_path(rbt);
-    response.widget_info(|| WidgetInfo::selected(Role::ListBoxOption, true, is_chosen, format!("Row of {path}")));
+    response.widget_info(|| {
+        WidgetInfo::selected(Role::ListBoxOption, true, is_chosen, look.words.fill("Row of {}", &[path]))
+    });
     let fill = if is_chosen {
         Some(tokens.accent_fill)
     } else if response.hovered() {
@@ -106,7 +116,11 @@ fn name(
     let name = &scene.node(row.node).name;
     let font = if row.depth == 0 { text_font() } else { small_font() };
     painter.text(text, Align2::LEFT_CENTER, name, font, if is_chosen { tokens.accent } else { tokens.text });
-    let tip = if is_chosen { "A click chooses nothing" } else { "Choose it: drags move it, and the graphs show it" };
+    let tip = if is_chosen {
+        look.words.say("A click chooses nothing")
+    } else {
+        look.words.say("Choose it: drags move it, and the graphs show it")
+    };
     let response = response.on_hover_text(tip);
     key_menu::of_rbt(&response, look.editor, row.node, commands);
     if was_pressed(&response) {
@@ -118,9 +132,15 @@ fn triangle(timeline: &mut Timeline, ui: &Ui, painter: &Painter, look: &Look<'_>
     let tokens = look.tokens;
     let area = Rect::from_center_size(centre, vec2(18.0, ROW)).intersect(painter.clip_rect());
     let response = ui.interact(area, ui.scope_id().with(("fold row", row.node)), Sense::click());
-    let path = &look.editor.scene().node(row.node).path;
-    let verb = if row.is_unfolded { "Fold" } else { "Unfold" };
-    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("{verb} the row of {path}")));
+    let path = look.editor.scene().node(row.node).path.as_str();
+    response.widget_info(|| {
+        let name = if row.is_unfolded {
+            look.words.fill("Fold the row of {}", &[path])
+        } else {
+            look.words.fill("Unfold the row of {}", &[path])
+        };
+        WidgetInfo::labeled(Role::Button, true, name)
+    });
     let at = |x: f32, y: f32| centre + vec2(x, y);
     let corners = if row.is_unfolded {
         vec![at(-4.0, -2.0), at(4.0, -2.0), at(0.0, 3.0)]

@@ -7,14 +7,15 @@ use egui::{
 use super::drag_of_number;
 use super::hit::{Hit, Target};
 use super::paint::curve;
-use super::tips::easing_text;
+use super::tips::{CURVES, easing_text};
 use super::{Tab, Timeline};
 use crate::editor::keymap::Binding;
-use crate::editor::{Command, Edit, Editor, PlaybackCommand, TimelineEdit, ViewCommand};
+use crate::editor::{Command, Edit, Editor, PlaybackCommand, TimelineEdit, ViewCommand, WindowCommand};
 use crate::keyframe::{DURATION_RANGE, Easing, KeyframeIndex};
 use crate::ui::binding_of;
 use crate::ui::icons::was_pressed;
 use crate::ui::theme::{CORNER, GRID, ROW, Tokens};
+use crate::ui::words::Words;
 
 /// Size of a picture of an easing, in points.
 const PICTURE: egui::Vec2 = vec2(40.0, 28.0);
@@ -50,7 +51,7 @@ impl Timeline {
             ui.spacing_mut().item_spacing.y = 0.0;
             match menu_for {
                 Some(place) => self.of_keyframe(ui, place, editor, bindings, commands),
-                None => self.of_nothing(ui, target, editor, bindings, commands),
+                None => of_nothing(ui, target, editor, bindings, commands),
             }
         });
         let _ = ui;
@@ -67,15 +68,22 @@ impl Timeline {
         let index = KeyframeIndex::new(place);
         let Some(keyframe) = editor.document().keyframes.get(index) else { return };
         let at_hand = editor.keyframes_at_hand().len();
-        let heading = if at_hand > 1 { format!("{at_hand} keyframes") } else { format!("Keyframe {place}") };
+        let words = Words::of(ui);
+        let heading = if at_hand > 1 {
+            words.fill("{} keyframes", &[&at_hand.to_string()])
+        } else {
+            words.fill("Keyframe {}", &[&place.to_string()])
+        };
         caption(ui, &heading);
-        if row(ui, "Rename…", "F2", !editor.is_playing()) {
+        let rename = binding_of(bindings, &Command::Window(WindowCommand::RenameCurrent));
+        let (name, key) = rename.map(|binding| (binding.name, binding.menu_key())).unwrap_or_default();
+        if row(ui, words.say(name), &key, !editor.is_playing()) {
             self.start_renaming(editor, Some(index));
             ui.close();
         }
         duration(ui, index, keyframe.duration, editor, commands);
         ui.add_enabled_ui(!editor.is_playing(), |ui| {
-            ui.menu_button("Easing", |ui| {
+            ui.menu_button(words.say("Easing"), |ui| {
                 if let Some(easing) = easings(ui, keyframe.easing) {
                     commands.push(Command::Edit(Edit::Timeline(TimelineEdit::SetEasing(easing))));
                     Popup::close_all(ui.ctx());
@@ -95,37 +103,25 @@ impl Timeline {
         ui.separator();
         item(ui, editor, bindings, Command::Edit(Edit::Timeline(TimelineEdit::DeleteKeyframes)), commands);
     }
+}
 
-    fn of_nothing(
-        &mut self,
-        ui: &mut Ui,
-        target: &Target<'_>,
-        editor: &Editor,
-        bindings: &[Binding],
-        commands: &mut Vec<Command>,
-    ) {
-        let count = target.columns.len();
-        if row(ui, "Select all keyframes", "", count > 0) {
-            let all = (0..count).map(KeyframeIndex::new).collect();
-            commands.push(Command::View(ViewCommand::SelectKeyframes(all)));
-            ui.close();
-        }
-        item(ui, editor, bindings, Command::Edit(Edit::Timeline(TimelineEdit::PasteKeyframes)), commands);
-        item(ui, editor, bindings, Command::Edit(Edit::Timeline(TimelineEdit::ReverseKeyframes)), commands);
-        ui.separator();
-        if row(ui, "Play all keyframes", "", editor.session().play_range.is_some()) {
-            commands.push(Command::Playback(PlaybackCommand::SetRange(None)));
-            ui.close();
-        }
-        if row(ui, "Fit all", "F", true) {
-            self.fit_all(target.layout, target.columns);
-            ui.close();
-        }
-        if row(ui, "Fit selection", "Shift+F", count > 0) {
-            self.fit_selection(editor, target.layout, target.columns);
-            ui.close();
-        }
+fn of_nothing(ui: &mut Ui, target: &Target<'_>, editor: &Editor, bindings: &[Binding], commands: &mut Vec<Command>) {
+    let words = Words::of(ui);
+    let count = target.columns.len();
+    if row(ui, words.say("Select all keyframes"), "", count > 0) {
+        let all = (0..count).map(KeyframeIndex::new).collect();
+        commands.push(Command::View(ViewCommand::SelectKeyframes(all)));
+        ui.close();
     }
+    item(ui, editor, bindings, Command::Edit(Edit::Timeline(TimelineEdit::PasteKeyframes)), commands);
+    item(ui, editor, bindings, Command::Edit(Edit::Timeline(TimelineEdit::ReverseKeyframes)), commands);
+    ui.separator();
+    if row(ui, words.say("Play all keyframes"), "", editor.session().play_range.is_some()) {
+        commands.push(Command::Playback(PlaybackCommand::SetRange(None)));
+        ui.close();
+    }
+    item(ui, editor, bindings, Command::Window(WindowCommand::FitTimeline), commands);
+    item(ui, editor, bindings, Command::Window(WindowCommand::FitSelection), commands);
 }
 
 fn caption(ui: &mut Ui, text: &str) {
@@ -146,7 +142,7 @@ fn row(ui: &mut Ui, label: &str, key: &str, is_enabled: bool) -> bool {
 /// A row of the table of bindings.
 fn item(ui: &mut Ui, editor: &Editor, bindings: &[Binding], command: Command, commands: &mut Vec<Command>) {
     let binding = binding_of(bindings, &command);
-    let label = binding.map_or("", |binding| binding.name);
+    let label = binding.map_or("", |binding| Words::of(ui).say(binding.name));
     let key = binding.map(Binding::menu_key).unwrap_or_default();
     if row(ui, label, &key, editor.can(&command)) {
         commands.push(command);
@@ -159,7 +155,8 @@ fn duration(ui: &mut Ui, keyframe: KeyframeIndex, duration: f64, editor: &Editor
     ui.add_enabled_ui(!editor.is_playing() && !is_last, |ui| {
         ui.horizontal(|ui| {
             ui.add_space(2.0);
-            ui.label("Duration");
+            let words = Words::of(ui);
+            ui.label(words.say("Duration"));
             ui.add_space(2.0 * GRID);
             // A field is a little sunken.
             let tokens = Tokens::of(ui);
@@ -171,14 +168,15 @@ fn duration(ui: &mut Ui, keyframe: KeyframeIndex, duration: f64, editor: &Editor
                 .range(DURATION_RANGE)
                 .speed(0.01)
                 .max_decimals(3)
-                .suffix(" steps")
+                .suffix(Words::of(ui).say(" steps"))
                 .update_while_editing(false);
             let response = ui.add_sized(vec2(92.0, ROW), number);
-            response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, "Duration in steps"));
+            response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, words.say("Duration in steps")));
             let edit = TimelineEdit::SetDuration { keyframe, duration: steps, ripple_free: false };
             drag_of_number(&response, Command::Edit(Edit::Timeline(edit)), commands);
             let seconds = duration * f64::from(editor.document().ms_between_keyframes) / 1000.0;
-            ui.label(RichText::new(format!("{seconds:.2} s")).small().color(Tokens::of(ui).dim));
+            let seconds = Words::of(ui).fill("{} s", &[&format!("{seconds:.2}")]);
+            ui.label(RichText::new(seconds).small().color(Tokens::of(ui).dim));
         });
     });
 }
@@ -196,7 +194,9 @@ pub fn easings(ui: &mut Ui, current: Easing) -> Option<Easing> {
     ui.spacing_mut().item_spacing = vec2(GRID, GRID);
     ui.add_space(GRID);
     egui::Grid::new("easings").spacing(vec2(GRID, GRID)).min_col_width(PICTURE.x).show(ui, |ui| {
-        for (place, heading) in ["", "in", "out", "in-out"].into_iter().enumerate() {
+        let words = Words::of(ui);
+        let ends = ["", words.say("in"), words.say("out"), words.say("in-out")];
+        for (place, heading) in ends.into_iter().enumerate() {
             if place == 0 {
                 ui.label("");
             } else {
@@ -204,14 +204,14 @@ pub fn easings(ui: &mut Ui, current: Easing) -> Option<Easing> {
             }
         }
         ui.end_row();
-        for (three, name) in curves.chunks(3).zip(["Sine", "Quad", "Cubic", "Back", "Bounce", "Elastic"]) {
-            ui.label(RichText::new(name).small());
+        for (three, name) in curves.chunks(3).zip(CURVES) {
+            ui.label(RichText::new(words.say(name)).small());
             for &easing in three {
                 picture(ui, easing);
             }
             ui.end_row();
         }
-        for (&easing, name) in plain.iter().zip(["Linear", "Hold"]) {
+        for (&easing, name) in plain.iter().zip([words.say("Linear"), words.say("Hold")]) {
             ui.label(RichText::new(name).small());
             picture(ui, easing);
             if easing == Easing::Linear {
@@ -225,8 +225,10 @@ pub fn easings(ui: &mut Ui, current: Easing) -> Option<Easing> {
 fn easing_button(ui: &mut Ui, easing: Easing, is_current: bool) -> bool {
     let tokens = Tokens::of(ui);
     let (rect, response) = ui.allocate_exact_size(PICTURE, Sense::click());
-    let name = easing_text(easing);
-    response.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, is_current, format!("Easing: {name}")));
+    let words = Words::of(ui);
+    let name = easing_text(easing, words);
+    response
+        .widget_info(|| WidgetInfo::selected(Role::RadioButton, true, is_current, words.fill("Easing: {}", &[&name])));
     let fill = if response.hovered() || response.has_focus() { tokens.hovered } else { tokens.raised };
     ui.painter().rect_filled(rect, CORNER, if is_current { tokens.accent_fill } else { fill });
     if is_current || response.has_focus() {

@@ -1,22 +1,22 @@
 //! How the timeline looks: ruler, rows, diamonds, playhead. Nothing here takes part in what the pointer does.
 
+use egui::text::{LayoutJob, TextWrapping};
 use egui::{Align2, Color32, FontFamily, FontId, Painter, Pos2, Rect, Shape, Stroke, pos2, vec2};
 
 use super::drag::Drag;
-use super::hit::{Hit, LEAST_GAP, RADIUS, RANGE_BAR, SMALL_RADIUS, Target};
+use super::hit::{Hit, LEAST_FOR_EASING, LEAST_GAP, RADIUS, RANGE_BAR, SMALL_RADIUS, Target};
 use super::rows::{Row, Subject, differs};
 use super::scale::{marks, seconds_text};
 use crate::editor::Editor;
 use crate::keyframe::{Easing, Keyframe, KeyframeIndex};
 use crate::ui::icons::diamond;
 use crate::ui::theme::{CORNER, Tokens};
+use crate::ui::words::Words;
 
 /// Points from one labelled second to the next, at least.
 const SECONDS_APART: f64 = 72.0;
 /// How many keyframes of a merged group are looked at for a difference.
 const LOOKED_AT: usize = 16;
-/// Intervals at least this long show their easing.
-const LEAST_FOR_EASING: f32 = 64.0;
 
 /// What painting needs to know beside the target.
 #[derive(Clone, Copy)]
@@ -27,6 +27,8 @@ pub struct Look<'a> {
     pub target: &'a Target<'a>,
     /// The colours in force.
     pub tokens: &'a Tokens,
+    /// The words in force.
+    pub words: Words,
     /// What the pointer is over.
     pub hovered: Option<Hit>,
 }
@@ -100,7 +102,7 @@ fn seconds(painter: &Painter, look: &Look<'_>) {
         painter.vline(x, ruler.top()..=ruler.top() + length, Stroke::new(1.0, colour));
         if is_labelled {
             let text = seconds_text(at, step);
-            painter.text(pos2(x + 4.0, ruler.top() + 7.0), Align2::LEFT_CENTER, text, ruler_font(), tokens.dim);
+            painter.text(pos2(x + 8.0, ruler.top() + 7.0), Align2::LEFT_CENTER, text, ruler_font(), tokens.dim);
         }
     }
 }
@@ -134,10 +136,13 @@ fn numbers(painter: &Painter, look: &Look<'_>) {
         let to = scale.x_of(columns.time_after(place)).max(x + 60.0);
         let room = Rect::from_x_y_ranges(number.right() + 4.0..=to - 12.0, layout.ruler.y_range());
         let font = FontId::new(11.0, FontFamily::Proportional);
-        let clipped = painter.with_clip_rect(room.intersect(painter.clip_rect()));
         let text = if is_current { tokens.accent } else { tokens.text };
-        let written = clipped.text(pos2(number.right() + 4.0, y), Align2::LEFT_CENTER, name, font, text);
-        taken = if is_current { taken } else { written.right().min(room.right()) + 6.0 };
+        let mut job = LayoutJob::simple_singleline(name.to_owned(), font, text);
+        job.wrap = TextWrapping::truncate_at_width(room.width());
+        let galley = painter.layout_job(job);
+        let written = Rect::from_min_size(pos2(room.left(), y - galley.size().y / 2.0), galley.size());
+        painter.galley(written.min, galley, text);
+        taken = if is_current { taken } else { written.right() + 6.0 };
     }
 }
 
@@ -335,8 +340,12 @@ pub fn dragging(painter: &Painter, look: &Look<'_>, drag: &Drag, surrounded: Opt
         Drag::Retime(retime) => {
             let Some(keyframe) = keyframes(look).get(retime.place) else { return };
             let seconds = keyframe.duration * f64::from(look.editor.document().ms_between_keyframes) / 1000.0;
-            let more = if retime.asked.1 { "  the next gives" } else { "" };
-            let text = format!("{:.2} steps = {seconds:.2} s{more}", keyframe.duration);
+            let (steps, seconds) = (format!("{:.2}", keyframe.duration), format!("{seconds:.2}"));
+            let text = if retime.asked.1 {
+                look.words.fill("{} steps = {} s  the next gives", &[&steps, &seconds])
+            } else {
+                look.words.fill("{} steps = {} s", &[&steps, &seconds])
+            };
             let from = scale.x_of(columns.time(retime.place));
             let to = scale.x_of(columns.time_after(retime.place));
             let y = layout.summary.bottom() + 6.0;

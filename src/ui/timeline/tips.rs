@@ -3,25 +3,47 @@
 use egui::{Response, RichText, Ui};
 
 use super::hit::Hit;
+use super::luck;
 use super::paint::Look;
 use super::{Tab, Timeline};
 use crate::keyframe::{Easing, KeyframeIndex};
+use crate::ui::thumbnails::Thumbnails;
+use crate::ui::words::Words;
+
+/// The curves' names, in the order of the menu.
+pub const CURVES: [&str; 6] = ["Sine", "Quad", "Cubic", "Back", "Bounce", "Elastic"];
 
 impl Timeline {
     /// Shows the tooltip of what the pointer is over.
-    pub(super) fn tips(&self, response: &Response, look: &Look<'_>) {
+    pub(super) fn tips(&self, response: &Response, look: &Look<'_>, thumbnails: &mut Thumbnails) {
         if self.tab == Tab::Graphs && self.graphs.tip(response, look) {
             return;
         }
         let Some(hit) = self.hovered else { return };
+        let words = look.words;
         let (heading, body) = match hit {
-            Hit::Diamond(place) => keyframe(look, place),
+            Hit::Diamond(place) => {
+                let (heading, body) = keyframe(look, place);
+                let pose = look.editor.document().keyframes.get(KeyframeIndex::new(place)).map(|it| &it.pose);
+                response.clone().on_hover_ui_at_pointer(|ui| {
+                    if let Some(pose) = pose {
+                        thumbnails.show_large(ui, pose);
+                    }
+                    tip(ui, &heading, &body, look);
+                });
+                return;
+            }
             Hit::Grip(place) => (
-                format!("The interval after keyframe {place}: {}", length(look, place)),
-                "Drag to retime it. With Shift the next one gives what this one takes.".to_owned(),
+                words.fill("The interval after keyframe {}: {}", &[&place.to_string(), &length(look, place)]),
+                words.say("Drag to retime it. With Shift the next one gives what this one takes.").to_owned(),
             ),
-            Hit::RangeStart => ("Playing begins here".to_owned(), "Drag to another keyframe.".to_owned()),
-            Hit::RangeEnd => ("Playing ends here".to_owned(), "Drag to another keyframe.".to_owned()),
+            Hit::Luck(place) => luck_tip(look, place),
+            Hit::RangeStart => {
+                (words.say("Playing begins here").to_owned(), words.say("Drag to another keyframe.").to_owned())
+            }
+            Hit::RangeEnd => {
+                (words.say("Playing ends here").to_owned(), words.say("Drag to another keyframe.").to_owned())
+            }
             Hit::Ruler | Hit::Empty => return,
         };
         response.clone().on_hover_ui_at_pointer(|ui| tip(ui, &heading, &body, look));
@@ -36,38 +58,67 @@ pub(super) fn tip(ui: &mut Ui, heading: &str, body: &str, look: &Look<'_>) {
     }
 }
 
-/// The easing in words: `sine, in and out`.
-pub(super) fn easing_text(easing: Easing) -> String {
-    easing.name().replace("-in-out", ", in and out").replace('-', ", ")
+/// Which nodes turn by nearly half a turn in an interval.
+fn luck_tip(look: &Look<'_>, place: usize) -> (String, String) {
+    let (from, to) = (place.to_string(), (place + 1).to_string());
+    let heading = look.words.fill("Keyframe {} to {}: nearly half a turn", &[&from, &to]);
+    let scene = look.editor.scene();
+    let nodes = luck::nodes(look.editor.document().keyframes.as_slice(), place, scene.rbt_indices());
+    let mut lines: Vec<String> =
+        nodes.iter().take(3).map(|&(rbt, degrees)| format!("{} {degrees:.1}°", scene.rbt_path(rbt))).collect();
+    if nodes.len() > 3 {
+        lines.push(look.words.fill("and {} more", &[&(nodes.len() - 3).to_string()]));
+    }
+    lines.push(look.words.say(luck::ADVICE).to_owned());
+    (heading, lines.join("\n"))
+}
+
+/// The easing in words: `Sine, in and out`.
+pub(super) fn easing_text(easing: Easing, words: Words) -> String {
+    let (name, ends) = easing.name().split_once('-').unwrap_or((easing.name(), ""));
+    let curve = CURVES.into_iter().find(|curve| curve.eq_ignore_ascii_case(name));
+    let curve = match easing {
+        Easing::Linear => words.say("Linear"),
+        Easing::Hold => words.say("Hold"),
+        Easing::Curve(..) => curve.map_or(name, |curve| words.say(curve)),
+    };
+    match ends {
+        "in" => words.fill("{}, in", &[curve]),
+        "out" => words.fill("{}, out", &[curve]),
+        "in-out" => words.fill("{}, in and out", &[curve]),
+        _ => curve.to_owned(),
+    }
 }
 
 fn length(look: &Look<'_>, place: usize) -> String {
     let keyframe = look.editor.document().keyframes.get(KeyframeIndex::new(place));
     let duration = keyframe.map_or(1.0, |keyframe| keyframe.duration);
     let seconds = duration * f64::from(look.editor.document().ms_between_keyframes) / 1000.0;
-    format!("{duration:.2} steps = {seconds:.2} s")
+    look.words.fill("{} steps = {} s", &[&format!("{duration:.2}"), &format!("{seconds:.2}")])
 }
 
 fn keyframe(look: &Look<'_>, place: usize) -> (String, String) {
+    let words = look.words;
     let keyframes = &look.editor.document().keyframes;
     let keyframe = keyframes.get(KeyframeIndex::new(place));
     let name = keyframe.and_then(|keyframe| keyframe.name.as_deref());
+    let heading = words.fill("Keyframe {}", &[&place.to_string()]);
     let heading = match name {
-        Some(name) => format!("Keyframe {place} · {name}"),
-        None => format!("Keyframe {place}"),
+        Some(name) => format!("{heading} · {name}"),
+        None => heading,
     };
     let count = keyframes.len();
     let steers = count >= 4 && (place == 0 || place + 1 == count);
     let mut lines = Vec::new();
     if steers {
-        lines.push("It only steers the spline: it is not played.".to_owned());
+        lines.push(words.say("It only steers the spline: it is not played.").to_owned());
     } else if count >= 4 {
         let seconds = look.target.columns.time(place) * f64::from(look.editor.document().ms_between_keyframes) / 1000.0;
-        lines.push(format!("Key time {} · {seconds:.2} s", place - 1));
+        lines.push(words.fill("Key time {} · {} s", &[&(place - 1).to_string(), &format!("{seconds:.2}")]));
     }
     if place + 1 < count {
         let easing = keyframe.map_or(Easing::Linear, |keyframe| keyframe.easing);
-        lines.push(format!("Then {} · {}", length(look, place), easing_text(easing)));
+        lines.push(words.fill("Then {} · {}", &[&length(look, place), &easing_text(easing, words)]));
     }
     (heading, lines.join("\n"))
 }

@@ -1,6 +1,8 @@
 //! Scripts and what becomes of their lines.
 
+use super::values::{duration, radians};
 use super::*;
+use crate::editor::ViewCommand;
 use crate::scene::{DEFAULT_SCENE, built_in_scene, scene_from_json};
 
 fn parsed(text: &str) -> Result<Vec<Line>, Vec<ScriptError>> {
@@ -23,11 +25,8 @@ fn comments_blanks_and_line_ends() {
 
 #[test]
 fn what_cannot_be_understood() {
-    check_problem(
-        "jump 3",
-        "\"jump\" is not a command; the commands are select, rotate, translate, key, wait, undo, redo, \
-         screenshot, put-control, remove-control, rename-control, add-key, set-key, move-key, delete-key, seconds and save-scene",
-    );
+    let sentence = format!("\"jump\" is not a command; the commands are {}", forms::names_sentence());
+    check_problem("jump 3", &sentence);
     check_problem("select robot3", "node \"robot3\" is not in the scene \"two-robots\"");
     check_problem("select", "expected `select PATH`, found `select`");
     check_problem("rotate z", "expected `rotate AXIS DEGREES`, found `rotate z`");
@@ -49,6 +48,55 @@ fn what_cannot_be_understood() {
     check_problem("undo it", "expected `undo`, found `undo it`");
     check_problem("redo 2", "expected `redo`, found `redo 2`");
     check_problem("screenshot", "expected `screenshot PATH`, found `screenshot`");
+    check_problem("do Fly", "\"Fly\" is not in the list of commands");
+    check_problem("do", "expected `do NAME`, found `do`");
+    check_problem("go x", "\"x\" is not a keyframe; expected a whole number from 0");
+    check_problem("go -1", "\"-1\" is not a keyframe; expected a whole number from 0");
+    check_problem("go", "expected `go KEYFRAME`, found `go`");
+    check_problem("select-keyframes", "expected `select-keyframes KEYFRAME…|none`, found `select-keyframes`");
+    check_problem("select-keyframes 1 4-2", "\"4-2\" is not a range of keyframes; expected as in 3-6");
+    check_problem("select-keyframes 0-99999999", "\"0-99999999\" is not a range of keyframes; expected as in 3-6");
+    check_problem("move", "expected `move PLACE`, found `move`");
+    check_problem("cut 3", "expected `cut`, found `cut 3`");
+    check_problem("duration 1 0", "\"0\" is not a duration; expected a number from 0.001 to 1000");
+    check_problem("duration 1 nan", "\"nan\" is not a duration; expected a number from 0.001 to 1000");
+    check_problem(
+        "duration 1 2 ripple",
+        "expected `duration KEYFRAME STEPS [ripple-free]`, found `duration 1 2 ripple`",
+    );
+    check_problem("rename", "expected `rename KEYFRAME [NAME]`, found `rename`");
+    check_problem("set-translation 1 2 3", "expected `set-translation X Y Z PATH`, found `set-translation 1 2 3`");
+    check_problem("set-translation 1 2 3 robot3", "node \"robot3\" is not in the scene \"two-robots\"");
+    check_problem("set-rotation 1 2 3 inf robot1", "\"inf\" is not a finite number");
+    check_problem("set-keyframe-rotation z 0 0 0 1 robot1", "\"z\" is not a keyframe; expected a whole number from 0");
+    check_problem("drag left", "expected `drag begin|end|cancel|move X Y Z|turn AXIS DEGREES`, found `drag left`");
+    check_problem("interpolation cubic", "\"cubic\" is not an interpolation; expected linear or catmull-rom");
+    check_problem("ms 99", "\"99\" is not a number of milliseconds; expected a whole number from 100 to 10000");
+    check_problem("scrub now", "\"now\" is not a finite number");
+    check_problem("step 1.5", "\"1.5\" is not a step in ticks; expected a whole number from -216000 to 216000");
+    check_problem("mode twice", "\"twice\" is not a mode of playing; expected once, loop or ping-pong");
+    check_problem("range 1", "expected `range FIRST LAST|all`, found `range 1`");
+    check_problem("speed 9", "\"9\" is not a speed in percent; expected a whole number from 10 to 1000");
+    check_problem("auto-key yes", "\"yes\" is not a state; expected on or off");
+    check_problem("ghosts 4", "\"4\" is not a number of ghosts; expected a whole number from 0 to 3");
+    check_problem("eye ground", "node \"ground\" is not an eye of the scene; expected sky, robot1 or robot2");
+}
+
+#[test]
+fn names_may_be_quoted() {
+    use crate::editor::{Edit, TimelineEdit};
+    use crate::keyframe::KeyframeIndex;
+    for (line, text, name) in [
+        ("rename 3 the jump # up", "rename 3 the jump", "the jump"),
+        ("rename 3 \"Take #2\" # \"up\"", "rename 3 \"Take #2\"", "Take #2"),
+        ("rename 3 \"a \\\"b\\\"\"", "rename 3 \"a \\\"b\\\"\"", "a \"b\""),
+        ("rename 3", "rename 3", ""),
+        ("rename 3 12", "rename 3 12", "12"),
+    ] {
+        let lines = parsed(line).expect(line);
+        let edit = Edit::Timeline(TimelineEdit::RenameKeyframe(KeyframeIndex::new(3), name.to_owned()));
+        assert_eq!((lines[0].text.as_str(), &lines[0].action), (text, &Action::Apply(Command::Edit(edit))));
+    }
 }
 
 #[test]

@@ -1,0 +1,112 @@
+//! Drags, which are one step of undo each, and undo itself.
+
+use super::apply::Outcome;
+use super::{CommandError, Document, Editor, GestureCommand};
+use crate::keyframe::{Keyframe, KeyframeList};
+
+/// A drag that goes on.
+#[derive(Clone, Debug)]
+pub(super) struct Gesture {
+    /// The document before it.
+    pub(super) before: Document,
+    /// What undo calls it.
+    pub(super) label: &'static str,
+}
+
+impl Editor {
+    pub(super) fn gesture(&mut self, command: GestureCommand) -> Outcome {
+        match command {
+            GestureCommand::Begin => {
+                self.refuse_while_playing("move a node")?;
+                self.commit_gesture();
+                self.history.end_run();
+                // What was scrubbed to stays on screen until the drag moves a node.
+                self.gesture = Some(Gesture { before: self.document.clone(), label: "drag" });
+            }
+            GestureCommand::Move(motion) => {
+                if self.gesture.is_none() {
+                    return Err(CommandError::NoDrag);
+                }
+                let moved = self.moved(motion);
+                let label = match self.session.chosen {
+                    None => "move the eye",
+                    Some(_) if motion.translation == glam::Vec3::ZERO => "turn a node",
+                    Some(_) => "move a node",
+                };
+                self.place(self.node_at_hand(), |_| moved, label, None)?;
+            }
+            GestureCommand::Commit => {
+                self.commit_gesture();
+            }
+            GestureCommand::Abort => {
+                if let Some(gesture) = self.gesture.take() {
+                    self.document = gesture.before;
+                    return Ok("Drag taken back.".to_owned());
+                }
+            }
+        }
+        Ok(self.message.text.clone())
+    }
+
+    /// Ends a drag, as one step of undo.
+    pub(super) fn commit_gesture(&mut self) {
+        let Some(Gesture { before, label }) = self.gesture.take() else { return };
+        let has_moved = !before.live_pose.same_as(&self.document.live_pose);
+        if self.session.auto_keys
+            && has_moved
+            && let Some(index) = self.document.keyframes.current()
+            && let Some(keyframe) = self.document.keyframes.current_keyframe()
+        {
+            let updated = keyframe.with_pose(self.document.live_pose.clone());
+            self.document.keyframes.replace(index, updated);
+            self.say(format!("{}: updated by auto-key.", self.where_we_are()));
+        }
+        self.history.record(before, &self.document, label, None);
+    }
+
+    pub(super) fn undo(&mut self) -> Outcome {
+        self.refuse_while_playing("undo")?;
+        if self.gesture.is_some() {
+            return Err(CommandError::DuringDrag);
+        }
+        self.end_scrub();
+        let before = self.document.keyframes.clone();
+        let label = self.history.undo(&mut self.document).ok_or(CommandError::NothingToUndo)?;
+        self.drop_stale_selection(&before);
+        Ok(format!("Undone: {label}."))
+    }
+
+    pub(super) fn redo(&mut self) -> Outcome {
+        self.refuse_while_playing("redo")?;
+        if self.gesture.is_some() {
+            return Err(CommandError::DuringDrag);
+        }
+        self.end_scrub();
+        let before = self.document.keyframes.clone();
+        let label = self.history.redo(&mut self.document).ok_or(CommandError::NothingToRedo)?;
+        self.drop_stale_selection(&before);
+        Ok(format!("Redone: {label}."))
+    }
+
+    /// Selects nothing where the list has become another one, in which the same places are other keyframes.
+    fn drop_stale_selection(&mut self, before: &KeyframeList) {
+        let after = &self.document.keyframes;
+        let is_same_pose = |(a, b): (&Keyframe, &Keyframe)| a.pose.same_as(&b.pose);
+        if before.len() != after.len() || !before.as_slice().iter().zip(after.as_slice()).all(is_same_pose) {
+            self.session.selected.clear();
+        }
+    }
+
+    pub(super) fn cancel(&mut self) -> String {
+        if let Some(gesture) = self.gesture.take() {
+            self.document = gesture.before;
+            return "Drag taken back.".to_owned();
+        }
+        if self.session.is_picking {
+            self.session.is_picking = false;
+            return "Nothing picked.".to_owned();
+        }
+        self.session.shows_help = false;
+        String::new()
+    }
+}

@@ -1,0 +1,52 @@
+//! What the window does when nothing else is to be done: pictures of the keyframes in sight, one at a time.
+
+use std::time::{Duration, Instant};
+
+use glam::Vec2;
+
+use super::now;
+use super::shell::Shell;
+use crate::camera::Camera;
+use crate::editor::Editor;
+use crate::frame::Frame;
+use crate::pose::Pose;
+use crate::ui::THUMBNAIL_PX;
+
+/// For so long nothing may have happened.
+const REST: Duration = Duration::from_millis(40);
+
+impl Shell {
+    /// When the next picture is due: none while something moves, is held, or is not wanted.
+    pub(super) fn plan_thumbnail(&mut self) {
+        let is_busy =
+            self.editor.is_playing() || self.editor.is_dragging() || self.pointer.is_held() || self.path_drag.is_some();
+        self.thumbnail_due = now().checked_add(REST).filter(|_| !is_busy && self.ui.wanted_thumbnail().is_some());
+    }
+
+    /// Makes a picture where one is due, and shows it.
+    pub(super) fn make_thumbnail(&mut self, at: Instant) {
+        if self.thumbnail_due.is_none_or(|due| due > at) {
+            return;
+        }
+        self.thumbnail_due = None;
+        let (Some(pose), Some(stage)) = (self.ui.wanted_thumbnail().cloned(), &mut self.stage) else { return };
+        // Where it cannot be made, the window says so elsewhere: its own pictures come from the same device.
+        if let Ok(picture) = stage.thumbnail(&thumbnail_frame(&self.editor, &pose)) {
+            self.ui.put_thumbnail(&stage.context, pose, &picture.rgba);
+            self.request_redraw();
+        }
+    }
+}
+
+/// The picture of a keyframe's pose, from the scene's first eye, with nothing over it.
+fn thumbnail_frame(editor: &Editor, pose: &Pose) -> Frame {
+    let scene = editor.scene();
+    let [width, height] = THUMBNAIL_PX;
+    #[expect(clippy::cast_precision_loss, reason = "it is a small picture")]
+    let camera = Camera {
+        world_from_eye: scene.world_from_rbt(pose, 0.0, scene.eyes()[0]),
+        vertical_fov: scene.vertical_fov(),
+        size_px: Vec2::new(width as f32, height as f32),
+    };
+    Frame::new(scene, pose, 0.0, &camera, None)
+}

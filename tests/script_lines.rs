@@ -1,0 +1,266 @@
+//! Every line of a script as its command: what it leaves, and that undo returns the document to the same bytes.
+
+mod common;
+
+use std::collections::BTreeSet;
+
+use common::{apply, editor_with, press, shown};
+use inbetween::cli::{script_commands, script_lines};
+use inbetween::editor::{Editor, PlayMode, Session};
+use inbetween::keyframe::keyframes_to_json;
+
+fn run(editor: &mut Editor, script: &str) {
+    let commands = script_commands(script.as_bytes(), editor.scene()).unwrap_or_else(|problems| panic!("{problems:?}"));
+    for command in commands {
+        apply(editor, command);
+    }
+}
+
+/// All that undo restores.
+fn document(editor: &Editor) -> (String, String, Vec<[f32; 7]>) {
+    let document = editor.document();
+    let text =
+        keyframes_to_json(editor.scene(), &document.keyframes, document.interpolation, document.ms_between_keyframes);
+    let pose = document.live_pose.iter().map(|rbt| {
+        let ([x, y, z], [a, b, c, d]) = (rbt.translation.to_array(), rbt.rotation.to_array());
+        [x, y, z, a, b, c, d]
+    });
+    (text, shown(editor), pose.collect())
+}
+
+/// Lines that edit the document, after lines that lead there: what the list is then, and what is said.
+const EDITS: &[(&str, &str, &str, &str)] = &[
+    ("select robot1", "rotate z 45", "0 1 2 3 4 [5] | 5", ""),
+    ("select robot1", "translate 0.5 0 0", "0 1 2 3 4 [5] | 5.5", ""),
+    ("", "key n", "0 1 2 3 4 5 [5] | 5", "Keyframe 6 (0 to 6): created after keyframe 5."),
+    ("", "do reverse keyframes", "5 4 3 2 1 [0] | 0", "Reversed 6 keyframes."),
+    ("select-keyframes 1-2", "move 6", "0 3 4 5 [1] 2 | 1", "Moved 2 keyframes to place 4."),
+    ("go 2", "move 0", "[2] 0 1 3 4 5 | 2", "Moved 1 keyframe to place 0."),
+    ("select-keyframes 1 3", "cut", "[0] 2 4 5 | 0", "Deleted 2 keyframes. Keyframe 0 (0 to 3)."),
+    (
+        "select-keyframes 1 3\ncopy\nselect-keyframes none\ngo 4",
+        "paste",
+        "0 1 2 3 4 [1] 3 5 | 1",
+        "2 keyframes pasted: now at 5.",
+    ),
+    ("go 3", "duplicate", "0 1 2 3 [3] 4 5 | 3", "1 keyframe duplicated: now at 4."),
+    ("select-keyframes 3 5", "delete", "0 1 [2] 4 | 2", "Deleted 2 keyframes. Keyframe 2 (0 to 3)."),
+    ("select-keyframes 1-3", "reverse", "0 3 2 1 4 [5] | 5", "Reversed 3 keyframes."),
+    ("select-keyframes 1-2", "easing bounce-out", "0 1 2 3 4 [5] | 5", "Easing: bounce-out."),
+    ("", "rename 2 the jump", "0 1 2 3 4 [5] | 5", "Keyframe 2 is now “the jump”."),
+    ("rename 2 jump", "rename 2", "0 1 2 3 4 [5] | 5", "Keyframe 2 has no name now."),
+    ("", "duration 2 1.75", "0 1 2 3 4 [5] | 5", "The interval after keyframe 2 lasts 1.750 of a step."),
+    ("", "duration 2 1.75 ripple-free", "0 1 2 3 4 [5] | 5", "The interval after keyframe 2 lasts 1.750 of a step."),
+    (
+        "select robot1\nrotate y 30\ncopy-pose\nselect robot2",
+        "paste-pose",
+        "0 1 2 3 4 [5] | 5",
+        "Pasted the pose of robot1 to robot2.",
+    ),
+    ("", "set-translation 7 1 0 robot1", "0 1 2 3 4 [5] | 7", ""),
+    ("", "set-rotation 0 3 0 4 robot1/head", "0 1 2 3 4 [5] | 5", ""),
+    ("", "set-keyframe-translation 2 9 1 0 robot1", "0 1 9 3 4 [5] | 5", ""),
+    ("", "set-keyframe-translation 5 9 1 0 robot1", "0 1 2 3 4 [9] | 9", ""),
+    ("", "set-keyframe-rotation 2 0 1 0 0 robot2/head", "0 1 2 3 4 [5] | 5", ""),
+    ("select robot1", "wheel 0.5", "0 1 2 3 4 [5] | 5", ""),
+    ("", "interpolation catmull-rom", "0 1 2 3 4 [5] | 5", "Interpolation: Catmull-Rom."),
+    ("", "ms 700", "0 1 2 3 4 [5] | 5", "700 ms between keyframes."),
+    ("select robot1", "drag begin\ndrag move 0 1 0\ndrag turn y 20\ndrag end", "0 1 2 3 4 [5] | 5", ""),
+    (
+        "auto-key on\nselect robot1",
+        "drag begin\ntranslate 3 0 0\ndrag end",
+        "0 1 2 3 4 [8] | 8",
+        "Keyframe 5 (0 to 5): updated by auto-key.",
+    ),
+    ("scrub 1.5", "key n", "0 1 2 [2.5] 3 4 5 | 2.5", "Keyframe 3 (0 to 6): created after keyframe 2."),
+    ("scrub 1.5", "key u", "0 1 2 3 4 [2.5] | 2.5", "Keyframe 5 (0 to 5): updated from the scene."),
+];
+
+#[test]
+fn every_edit_is_one_step_of_undo_back_to_the_same_bytes() {
+    for &(before, line, expected, message) in EDITS {
+        let mut editor = editor_with(6);
+        run(&mut editor, before);
+        let was = document(&editor);
+        // Where a scrubbed pose was on screen, undo shows the document again.
+        let was = if editor.is_scrubbed() { (was.0, "0 1 2 3 4 [5] | 5".to_owned(), was.2) } else { was };
+        run(&mut editor, line);
+        assert_eq!(shown(&editor), expected, "{line}");
+        if !message.is_empty() {
+            assert_eq!(editor.message().text, message, "{line}");
+        }
+        let after = document(&editor);
+        assert_ne!(after, was, "{line} changes nothing");
+        run(&mut editor, "undo");
+        assert_eq!(document(&editor), was, "undo of {line}");
+        run(&mut editor, "redo");
+        assert_eq!(document(&editor), after, "redo of {line}");
+    }
+}
+
+#[test]
+fn what_undo_takes_back_is_named_after_what_was_done() {
+    for (script, label) in [
+        ("select robot1\ndrag begin\ndrag move 0 1 0\ndrag end", "move a node"),
+        ("select robot1\ndrag begin\ndrag turn y 20\ndrag end", "turn a node"),
+        ("drag begin\ndrag turn y 20\ndrag end", "move the eye"),
+        ("drag begin\nduration 2 1.5\ndrag end", "retiming of an interval"),
+        ("drag begin\nset-keyframe-translation 2 9 1 0 robot1\ndrag end", "change of a node in a keyframe"),
+        ("drag begin\nms 700\ndrag end", "change of pace"),
+    ] {
+        let mut editor = editor_with(6);
+        run(&mut editor, script);
+        assert_eq!(editor.undo_label(), Some(label), "{script}");
+    }
+}
+
+#[test]
+fn a_cancelled_drag_is_as_if_it_had_not_been() {
+    let mut editor = editor_with(6);
+    let before = (document(&editor), editor.undo_label());
+    run(&mut editor, "select robot1\ndrag begin\ndrag move 0 1 0\ndrag cancel");
+    assert_eq!((document(&editor), editor.undo_label()), before);
+    assert!(!editor.is_dragging());
+}
+
+type Look = fn(&Session) -> String;
+
+/// Lines that change how things are looked at and played: what they leave, which undo leaves alone.
+const SESSIONS: &[(&str, &str, Look)] = &[
+    ("select robot1/head", "Some(RbtIndex(11))", |session| format!("{:?}", session.chosen)),
+    ("select none", "None", |session| format!("{:?}", session.chosen)),
+    ("select-keyframes 4 1-2", "1 2 4", |session| {
+        session.selected.iter().map(|index| index.get().to_string()).collect::<Vec<_>>().join(" ")
+    }),
+    ("mode ping-pong", "ping-pong", |session| session.play_mode.name().to_owned()),
+    ("mode loop", "loop", |session| session.play_mode.name().to_owned()),
+    ("range 2 3", "Some((2, 3))", |session| format!("{:?}", session.play_range)),
+    ("range 2 3\nrange all", "None", |session| format!("{:?}", session.play_range)),
+    ("range 0 3", "None", |session| format!("{:?}", session.play_range)),
+    ("speed 250", "250", |session| session.speed_percent.to_string()),
+    ("auto-key on", "true", |session| session.auto_keys.to_string()),
+    ("auto-key on\nauto-key off", "false", |session| session.auto_keys.to_string()),
+    ("ghosts 3", "3", |session| session.ghosts.to_string()),
+    ("ghosts 3\ndo ghosts", "0", |session| session.ghosts.to_string()),
+    ("eye robot2", "2", |session| session.eye.to_string()),
+];
+
+#[test]
+fn lines_that_change_the_session_leave_the_document_alone() {
+    for &(line, expected, look) in SESSIONS {
+        let mut editor = editor_with(6);
+        let before = (document(&editor), editor.undo_label());
+        run(&mut editor, line);
+        assert_eq!(look(editor.session()), expected, "{line}");
+        assert_eq!((document(&editor), editor.undo_label()), before, "{line}");
+    }
+}
+
+#[test]
+fn scrubbing_and_stepping_move_the_playhead_alone() {
+    let mut editor = editor_with(6);
+    let before = (document(&editor).0, editor.undo_label());
+    run(&mut editor, "scrub 1.25");
+    assert_eq!((editor.playhead(), shown(&editor).as_str()), (Some(1.25), "0 1 2 3 4 [5] | 2.25"));
+    run(&mut editor, "step 60");
+    assert_eq!(editor.playhead(), Some(1.75));
+    run(&mut editor, "step -30");
+    assert_eq!(editor.playhead(), Some(1.5));
+    assert_eq!((document(&editor).0, editor.undo_label()), before);
+}
+
+#[test]
+fn a_script_plays_a_range_in_a_loop_at_half_the_speed() {
+    let mut editor = editor_with(6);
+    run(&mut editor, "range 2 3\nmode loop\nspeed 50\nkey y");
+    assert_eq!(editor.session().play_mode, PlayMode::Loop);
+    // An interval of 2000 ms takes 240 ticks.
+    editor.tick(240 + 60);
+    assert_eq!(editor.key_time(), Some(1.25));
+}
+
+/// What the editor refuses while a script runs, in one sentence each.
+#[test]
+fn refusals_are_sentences() {
+    for (script, sentence) in [
+        ("go 6", "There is no keyframe 6: they are 0 to 5."),
+        ("select-keyframes 2 9", "There is no keyframe 9: they are 0 to 5."),
+        ("move 7", "There is no keyframe 7: they are 0 to 5."),
+        ("rename 6 x", "There is no keyframe 6: they are 0 to 5."),
+        ("duration 6 1", "There is no keyframe 6: they are 0 to 5."),
+        ("set-keyframe-translation 6 0 0 0 robot1", "There is no keyframe 6: they are 0 to 5."),
+        ("set-rotation 0 0 0 0 robot1", "That is not a rotation: nothing was changed."),
+        ("paste", "Nothing is copied yet: Ctrl+C copies the selected keyframes."),
+        ("select robot1\npaste-pose", "No pose is copied yet: choose a node and copy its pose first."),
+        ("copy-pose", "No node is chosen. Choose one first: p and a click, Ctrl+click, or the list of nodes."),
+        (
+            "range 0 3",
+            "Keyframes 0 to 3 cannot play: a range runs from keyframe 1 or later to the last but one or earlier.",
+        ),
+        ("drag move 0 0 0", "There is no drag to go on with."),
+        ("drag begin\nundo", "Finish the drag first, or press Escape to take it back."),
+        ("key y\ncut", "Cannot edit the timeline while playing. Press y to stop or Shift+P to pause first."),
+        ("key y\nstep 1", "Cannot step by ticks while playing. Press y to stop or Shift+P to pause first."),
+    ] {
+        let mut editor = editor_with(6);
+        run(&mut editor, script);
+        assert_eq!(editor.message().text, sentence, "{script}");
+    }
+    let mut empty = editor_with(0);
+    for (line, sentence) in [
+        ("cut", "No keyframe is defined yet. Press n to create one."),
+        ("duplicate", "No keyframe is defined yet. Press n to create one."),
+        ("easing hold", "No keyframe is defined yet. Press n to create one."),
+        ("reverse", "No keyframe is defined yet. Press n to create one."),
+        ("delete", "The list is empty: there is no keyframe to delete."),
+        ("scrub 1", "Fewer than 4 keyframes: nothing to play yet. Press n to add one."),
+    ] {
+        run(&mut empty, line);
+        assert_eq!(empty.message().text, sentence, "{line}");
+    }
+}
+
+/// What is tested elsewhere: times that are waited, pictures, and undo itself.
+const ELSEWHERE: [&str; 4] = ["wait", "screenshot", "undo", "redo"];
+
+#[test]
+fn every_line_of_the_table_is_tested() {
+    let tested: BTreeSet<&str> = EDITS
+        .iter()
+        .flat_map(|(before, line, ..)| [*before, *line])
+        .chain(SESSIONS.iter().map(|(line, ..)| *line))
+        .flat_map(str::lines)
+        .filter_map(|line| line.split_whitespace().next())
+        .chain(ELSEWHERE)
+        .collect();
+    let table = script_lines();
+    let names: BTreeSet<&str> =
+        table.lines().filter_map(|row| row.strip_prefix("| `")?.split([' ', '`']).next()).collect();
+    assert!(names.len() > 30);
+    // Scrubbing and steps have a test of their own, above.
+    let missing: Vec<_> = names.difference(&tested).filter(|name| **name != "step").collect();
+    assert!(missing.is_empty(), "{missing:?} have no test");
+}
+
+#[test]
+fn sentences_name_the_keys_in_force() {
+    use inbetween::editor::keymap::{Chord, Keymap};
+    let mut keymap = Keymap::default();
+    for (name, key) in [("New keyframe", "k"), ("Play or stop", "F5"), ("Pause or go on", "F6")] {
+        keymap.set(name, vec![Chord::parse(key).unwrap()]).unwrap();
+    }
+    keymap.set("Copy keyframes", vec![]).unwrap();
+    let mut editor = editor_with(0);
+    editor.set_keymap(keymap.clone());
+    run(&mut editor, "scrub 1");
+    assert_eq!(editor.message().text, "Fewer than 4 keyframes: nothing to play yet. Press k to add one.");
+    let mut editor = editor_with(6);
+    editor.set_keymap(keymap);
+    run(&mut editor, "paste");
+    assert_eq!(editor.message().text, "Nothing is copied yet: “Copy keyframes” copies the selected keyframes.");
+    press(&mut editor, "y");
+    run(&mut editor, "cut");
+    assert_eq!(editor.message().text, "Cannot edit the timeline while playing. Press F5 to stop or F6 to pause first.");
+    press(&mut editor, "shift+p");
+    assert_eq!(editor.message().text, "Paused: k or u captures this pose, F6 goes on.");
+}
