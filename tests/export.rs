@@ -312,7 +312,7 @@ fn what_does_not_play_is_not_exported() {
     }
     let mut harness = harness(editor, Settings::default());
     ask(&mut harness);
-    assert!(harness.query_by_label("Fewer than 4 keyframes: nothing to play yet. Press n to add one.").is_some());
+    assert!(harness.query_by_label("Fewer than 4 keyframes: there is nothing to make a film of yet.").is_some());
     assert!(harness.get_by_label("Export").accesskit_node().is_disabled());
     click(&mut harness, "Cancel");
     assert!(!harness.state().ui.has_dialog() && harness.state().commands.is_empty());

@@ -207,8 +207,8 @@ const SHOWN: [&str; 10] = [
     "true,",
     "text(",
 ];
-/// Names that are the same in every language.
-const NAMES: [&str; 1] = ["Inbetween"];
+/// Names that are the same in every language: of programs, of formats, of keys on the keyboard.
+const NAMES: [&str; 4] = ["Inbetween", "GIF", "APNG", "Delete"];
 
 /// What bypasses the catalogue in some code.
 fn bypassing(text: &str) -> Vec<String> {

@@ -278,7 +278,7 @@ fn problem(options: &ExportOptions, editor: &Editor, is_busy: bool, words: Words
         return (!is_moving).then(|| sentence.to_owned());
     }
     if PlayRange::new(keyframes).is_err() {
-        return Some(words.say("Fewer than 4 keyframes: nothing to play yet. Press n to add one.").to_owned());
+        return Some(words.say("Fewer than 4 keyframes: there is nothing to make a film of yet.").to_owned());
     }
     let is_seen_through = options.background == ExportBackground::Transparent;
     let problem = options.format.problem(options.size, Some(options.fps), is_seen_through)?;

@@ -3,6 +3,7 @@
 //! A widget says `Words::of(ui).say("New keyframe")`; what is missing in a language is said in English, and a test misses it.
 
 mod ko;
+mod ko_export;
 mod ko_scene_keys;
 
 use egui::{Context, Id, Ui};
@@ -80,11 +81,12 @@ impl Words {
     }
 
     fn table(self) -> impl Iterator<Item = &'static (&'static str, &'static str)> {
-        let (first, second) = match self.0 {
-            Language::English => (&[][..], &[][..]),
-            Language::Korean => (ko::WORDS, ko_scene_keys::WORDS),
+        static KOREAN: [&[(&str, &str)]; 3] = [ko::WORDS, ko_export::WORDS, ko_scene_keys::WORDS];
+        let tables = match self.0 {
+            Language::English => &[][..],
+            Language::Korean => &KOREAN,
         };
-        first.iter().chain(second)
+        tables.iter().copied().flatten()
     }
 }
 

@@ -21,7 +21,6 @@ pub static WORDS: &[(&str, &str)] = &[
         "The scene's control nodes and keys are in no file yet.",
         "장면의 제어 노드와 키가 아직 파일에 저장되지 않았습니다.",
     ),
-    ("Colour", "색"),
     ("{} of {} at {} s", "{1}의 {0}, {2}초"),
     ("{} of {}", "{1}의 {0}"),
     ("Keys: {} of {}", "키: {1}의 {0}"),
