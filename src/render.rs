@@ -7,6 +7,7 @@
 //! fragment shader. Depth is reversed: 1 at the near plane, 0 at infinity. No shader uses derivatives, so that a picture is the
 //! same to the byte whenever it is drawn.
 
+mod arrange;
 mod bounds;
 mod gpu;
 mod identity;
@@ -23,6 +24,7 @@ mod targets;
 mod uniforms;
 mod warm_up;
 
+pub use arrange::Arrangement;
 pub use gpu::{Gpu, GpuError};
 pub use identity::node_picture;
 pub use image::Image;

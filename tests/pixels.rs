@@ -4,7 +4,7 @@ mod support;
 
 use glam::{Affine3A, Quat, Vec3, Vec4};
 use inbetween::frame::{ArcballMark, Dot, DrawItem, Frame, Ghost, Line};
-use inbetween::render::{Background, Gpu, Image, Offscreen, Renderer, Viewport};
+use inbetween::render::{Arrangement, Background, Gpu, Image, Offscreen, Renderer, Viewport};
 use inbetween::scene::Shape;
 use support::{frame, ground, item, posed_items, sample_items};
 
@@ -377,4 +377,34 @@ fn a_picture_of_no_size_is_an_error_that_says_so() {
     let gpu = Gpu::headless().expect("a GPU adapter");
     let error = Offscreen::new(&gpu, 0, 480).expect_err("no width");
     assert!(error.to_string().starts_with("a picture of 0x480 pixels cannot be drawn"), "{error}");
+}
+
+#[test]
+fn what_is_cut_away_changes_no_byte_of_the_picture() {
+    let mut items = vec![ground()];
+    for place in 0..900_u16 {
+        let (x, z) = (f32::from(place % 30) - 15.0, f32::from(place / 30) - 15.0);
+        let mut cube = cube("#c8553d", Vec3::new(x, -1.6 + 0.02 * x * z, z), 0.7);
+        cube.outlined = place % 97 == 0;
+        items.push(cube);
+    }
+    let gpu = Gpu::headless().expect("a GPU adapter");
+    let mut renderers = [Arrangement::SortedAndCut, Arrangement::Sorted, Arrangement::AsGiven].map(|arrangement| {
+        let mut renderer = Renderer::new(&gpu, Offscreen::FORMAT, 1);
+        renderer.set_arrangement(arrangement);
+        renderer
+    });
+    let mut offscreen = Offscreen::new(&gpu, WIDTH, HEIGHT).expect("a target");
+    let mut frame = frame(items);
+    let world_from_eye = frame.view.world_from_eye;
+    for turns in 0..6_u8 {
+        // From among the boxes, in all directions.
+        let turn = Affine3A::from_rotation_y(f32::from(turns));
+        frame.view.world_from_eye = turn * Affine3A::from_translation(Vec3::new(0.0, 0.5, -3.0)) * world_from_eye;
+        frame.view.eye_from_world = frame.view.world_from_eye.inverse();
+        let [cut, sorted, as_given] =
+            renderers.each_mut().map(|renderer| offscreen.render(&gpu, renderer, &frame).expect("a picture"));
+        assert!(cut == sorted, "direction {turns}: the cut shows");
+        assert!(sorted == as_given, "direction {turns}: the order shows");
+    }
 }

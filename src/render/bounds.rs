@@ -28,6 +28,22 @@ impl Bounds {
         }
     }
 
+    /// A box along the axes around some boxes, of which there is one at least.
+    pub fn around(boxes: &[Self]) -> Self {
+        let (mut least, mut most) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
+        for bounds in boxes {
+            let half: Vec3 = bounds.half_edges_in_world.iter().map(|edge| edge.abs()).sum();
+            least = least.min(bounds.centre_in_world - half);
+            most = most.max(bounds.centre_in_world + half);
+        }
+        // A little more than needed, against rounding.
+        let half = (most - least) * 0.5 * 1.0001 + 1e-5;
+        Self {
+            centre_in_world: (least + most) * 0.5,
+            half_edges_in_world: [Vec3::X * half.x, Vec3::Y * half.y, Vec3::Z * half.z],
+        }
+    }
+
     /// How far the box reaches from its centre along a direction, in that direction's length.
     pub fn reach(&self, direction: Vec3) -> f32 {
         self.half_edges_in_world.iter().map(|edge| edge.dot(direction).abs()).sum()
@@ -75,6 +91,35 @@ impl ViewSides {
             let distance = normal.dot(from_eye).max(normal.dot(from_eye + sweep_in_world));
             distance >= -bounds.reach(normal)
         })
+    }
+}
+
+/// How much of a box may be seen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sight {
+    /// Nothing of it.
+    None,
+    /// Some of it, or none after all.
+    Partial,
+    /// All of it.
+    Whole,
+}
+
+impl ViewSides {
+    /// How much of a box may be seen.
+    pub fn sight(&self, bounds: &Bounds) -> Sight {
+        let from_eye = bounds.centre_in_world - self.eye_in_world;
+        let mut sight = Sight::Whole;
+        for &normal in &self.normals_in_world {
+            let (distance, reach) = (normal.dot(from_eye), bounds.reach(normal));
+            if distance < -reach {
+                return Sight::None;
+            }
+            if distance < reach {
+                sight = Sight::Partial;
+            }
+        }
+        sight
     }
 }
 

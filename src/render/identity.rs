@@ -7,6 +7,7 @@ use bytemuck::{cast_slice, pod_collect_to_vec};
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 
 use crate::frame::Frame;
+use crate::render::arrange::{Arranged, Arrangement};
 use crate::render::gpu::{Gpu, GpuError};
 use crate::render::instances::{INSTANCES_START, Instance, Packed};
 use crate::render::mesh::{Mesh, Vertex};
@@ -28,7 +29,9 @@ pub fn node_picture(gpu: &Gpu, frame: &Frame, width: u32, height: u32) -> Result
     }
     let device = &gpu.device;
     let mut packed = Packed::default();
-    packed.pack(frame, &Globals::new(frame, None, Viewport::whole(width, height)));
+    let mut arranged = Arranged::default();
+    arranged.take(frame, Arrangement::default());
+    packed.pack(frame, &arranged, &Globals::new(frame, None, Viewport::whole(width, height)));
     let usage = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::VERTEX;
     // The globals' binding ends where instances begin, also where there are none.
     let frame_buffer = device.create_buffer_init(&BufferInitDescriptor { label: None, contents: &packed.bytes, usage });
@@ -83,7 +86,7 @@ pub fn node_picture(gpu: &Gpu, frame: &Frame, width: u32, height: u32) -> Result
         });
         pass.set_pipeline(&pipeline);
         pass.set_bind_group(0, &globals, &[]);
-        for (kind, instances) in MeshKind::ALL.into_iter().zip(&packed.items) {
+        for (kind, instances) in MeshKind::ALL.into_iter().zip(&packed.seen) {
             if instances.is_empty() {
                 continue;
             }

@@ -7,6 +7,7 @@ use bytemuck::{Pod, Zeroable, bytes_of};
 use glam::{Affine3A, Vec3};
 
 use crate::frame::{ArcballMark, DrawItem, Frame, View};
+use crate::render::arrange::Arranged;
 use crate::render::look;
 use crate::render::uniforms::Globals;
 use crate::scene::MeshKind;
@@ -69,14 +70,14 @@ const CIRCLE_PIECES: u16 = 72;
 pub struct Packed {
     /// What is uploaded.
     pub bytes: Vec<u8>,
-    /// Instances of each kind, the outlined ones last.
+    /// Instances of each kind: those that may be seen, the outlined ones of them, then the rest.
     pub items: [Range<u32>; 6],
-    /// The outlined instances of each kind.
+    /// Those of each kind that may be seen.
+    pub seen: [Range<u32>; 6],
+    /// The outlined ones of each kind that may be seen.
     pub outlined: [Range<u32>; 6],
     /// Ghosts' instances of each kind.
     pub ghosts: [Range<u32>; 6],
-    /// Where the instances of items lie in the bytes.
-    pub item_bytes: Range<usize>,
     /// Where strokes begin in the bytes.
     pub strokes_start: usize,
     /// Strokes that are lines.
@@ -91,25 +92,28 @@ pub struct Packed {
 pub const INSTANCES_START: usize = 512;
 
 impl Packed {
-    /// Replaces what was packed by a frame.
-    pub fn pack(&mut self, frame: &Frame, globals: &Globals) {
+    /// Replaces what was packed by a frame, its items as they are arranged.
+    pub fn pack(&mut self, frame: &Frame, arranged: &Arranged, globals: &Globals) {
         self.bytes.clear();
         self.bytes.extend_from_slice(bytes_of(globals));
         self.bytes.resize(INSTANCES_START, 0);
         let mut count = 0;
         for (slot, kind) in MeshKind::ALL.into_iter().enumerate() {
+            debug_assert_eq!(slot, kind as usize, "slots are in the order of kinds");
             let start = count;
-            for outlined in [false, true] {
-                let begin = count;
-                for item in frame.items.iter().filter(|item| item.mesh == kind && item.outlined == outlined) {
+            let [plain, outlined] = &arranged.seen[slot];
+            for places in [plain, outlined, &arranged.unseen[slot]] {
+                for &place in places {
+                    let item = &frame.items[place as usize];
                     self.bytes.extend_from_slice(bytes_of(&Instance::new(item, 1.0)));
-                    count += 1;
                 }
-                self.outlined[slot] = begin..count;
+                count += places.len() as u32;
             }
+            let [plain, outlined] = [plain, outlined].map(|places| places.len() as u32);
+            self.outlined[slot] = start + plain..start + plain + outlined;
+            self.seen[slot] = start..start + plain + outlined;
             self.items[slot] = start..count;
         }
-        self.item_bytes = INSTANCES_START..self.bytes.len();
         for (slot, kind) in MeshKind::ALL.into_iter().enumerate() {
             let start = count;
             for ghost in frame.ghosts.iter().filter(|ghost| ghost.item.mesh == kind) {

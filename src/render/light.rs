@@ -39,26 +39,23 @@ pub fn towards_sun_in_world() -> Vec3 {
 }
 
 impl SunBox {
-    /// The box around all that casts a shadow into the frame's view; `None` where nothing does.
-    pub fn fit(frame: &Frame) -> Option<Self> {
+    /// The box around all that casts a shadow into the frame's view, the items' own boxes being `bounds`; `None` where nothing does.
+    pub fn fit(frame: &Frame, bounds: &[Bounds]) -> Option<Self> {
         let sides = ViewSides::of(&frame.view);
         let z = towards_sun_in_world();
         let x = Vec3::Y.cross(z).normalize();
         let y = z.cross(x);
-        let floor = frame
-            .items
+        let floor = bounds
             .iter()
-            .map(Bounds::of)
             .filter(|bounds| sides.may_see(bounds, Vec3::ZERO))
             .map(|bounds| bounds.centre_in_world.y - bounds.reach(Vec3::Y))
             .fold(f32::INFINITY, f32::min);
         let (mut least, mut most) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
-        for item in frame.items.iter().filter(|item| item.mesh != MeshKind::Plane) {
-            let bounds = Bounds::of(item);
+        for (_, bounds) in frame.items.iter().zip(bounds).filter(|(item, _)| item.mesh != MeshKind::Plane) {
             let centre = bounds.centre_in_world;
             let throw = ((centre.y + bounds.reach(Vec3::Y) - floor) / z.y).clamp(0.0, LONGEST_THROW);
             let near_enough = centre.distance(sides.eye_in_world) < FARTHEST_CASTER;
-            if near_enough && sides.may_see(&bounds, -z * throw) {
+            if near_enough && sides.may_see(bounds, -z * throw) {
                 let place = Vec3::new(centre.dot(x), centre.dot(y), centre.dot(z));
                 let reach = Vec3::new(bounds.reach(x), bounds.reach(y), bounds.reach(z));
                 least = least.min(place - reach);

@@ -8,6 +8,7 @@ use bytemuck::cast_slice;
 use glam::Vec3;
 
 use crate::frame::Frame;
+use crate::render::arrange::{Arranged, Arrangement};
 use crate::render::bounds::{Bounds, rectangle_px};
 use crate::render::gpu::Gpu;
 use crate::render::instances::{INSTANCES_START, Packed};
@@ -90,6 +91,8 @@ pub struct Renderer {
     sun_map: wgpu::TextureView,
     sun_map_group: wgpu::BindGroup,
     targets: Option<Targets>,
+    arrangement: Arrangement,
+    arranged: Arranged,
     packed: Packed,
     /// What the GPU's buffer holds.
     uploaded: Packed,
@@ -133,6 +136,8 @@ impl Renderer {
             sun_map,
             sun_map_group,
             targets: None,
+            arrangement: Arrangement::default(),
+            arranged: Arranged::default(),
             packed: Packed::default(),
             uploaded: Packed::default(),
             sun_map_box: None,
@@ -150,6 +155,11 @@ impl Renderer {
     /// What is behind everything from now on.
     pub fn set_background(&mut self, background: Background) {
         self.background = background;
+    }
+
+    /// How items are drawn from now on.
+    pub fn set_arrangement(&mut self, arrangement: Arrangement) {
+        self.arrangement = arrangement;
     }
 
     /// How often the sun's map was drawn so far: only when shapes moved or the box it covers did.
@@ -179,12 +189,10 @@ impl Renderer {
         if self.targets.as_ref().is_none_or(|targets| targets.size_px != viewport.target_px) {
             self.targets = Some(Targets::new(&gpu.device, self.format, self.samples, viewport.target_px));
         }
-        let sun = SunBox::fit(frame);
+        let items_moved = self.arranged.take(frame, self.arrangement);
+        let sun = SunBox::fit(frame, &self.arranged.bounds);
         let globals = Globals::new(frame, sun.as_ref(), viewport);
-        self.packed.pack(frame, &globals);
-        let items_moved = self.packed.bytes[self.packed.item_bytes.clone()]
-            != *self.uploaded.bytes.get(self.uploaded.item_bytes.clone()).unwrap_or_default()
-            || self.packed.items != self.uploaded.items;
+        self.packed.pack(frame, &self.arranged, &globals);
         self.upload(gpu);
         let is_map_due = sun.is_some() && (items_moved || sun != self.sun_map_box);
         if self.is_cold {
@@ -233,7 +241,7 @@ impl Renderer {
             Kind::Plane => plane..plane + 1,
             _ => 0..0,
         };
-        let items = &self.uploaded.items[meshes.clone()];
+        let items = &self.uploaded.seen[meshes.clone()];
         let drawn = items.iter().position(|instances| !instances.is_empty());
         if drawn.is_none() && (kind != Kind::Sky || self.background != Background::Sky) {
             return;
@@ -260,8 +268,12 @@ impl Renderer {
         if grows {
             (self.frame_buffer, self.globals) = frame_buffer(&gpu.device, &self.pipelines, needed.next_power_of_two());
         }
-        if grows || self.packed.bytes != self.uploaded.bytes {
+        if grows {
             gpu.queue.write_buffer(&self.frame_buffer, 0, &self.packed.bytes);
+        } else {
+            for range in changed(&self.uploaded.bytes, &self.packed.bytes) {
+                gpu.queue.write_buffer(&self.frame_buffer, range.start as u64, &self.packed.bytes[range]);
+            }
         }
         mem::swap(&mut self.packed, &mut self.uploaded);
     }
@@ -323,7 +335,7 @@ impl Renderer {
         pass.set_bind_group(1, &self.sun_map_group, &[]);
         let device = &gpu.device;
         let plane = MeshKind::Plane as usize;
-        let items = &self.uploaded.items;
+        let items = &self.uploaded.seen;
         if items[..plane].iter().any(|instances| !instances.is_empty()) {
             pass.set_pipeline(self.pipelines.get(device, Kind::Shape));
             for (mesh, instances) in self.meshes.iter().zip(items).take(plane) {
@@ -422,6 +434,20 @@ impl Renderer {
             |channel: f32| f64::from(if self.format.is_srgb() { channel } else { look::srgb_from_linear(channel) });
         wgpu::Color { r: encode(colour.x), g: encode(colour.y), b: encode(colour.z), a: 1.0 }
     }
+}
+
+/// Where bytes differ from what they were, and what is new, in pieces of some length.
+fn changed<'a>(before: &'a [u8], after: &'a [u8]) -> impl Iterator<Item = Range<usize>> + 'a {
+    const PIECE: usize = 4096;
+    let pieces = (0..after.len()).step_by(PIECE).map(|start| start..(start + PIECE).min(after.len()));
+    let mut pieces = pieces.filter(|piece| before.get(piece.clone()) != Some(&after[piece.clone()])).peekable();
+    std::iter::from_fn(move || {
+        let mut range = pieces.next()?;
+        while let Some(next) = pieces.next_if(|next| next.start == range.end) {
+            range.end = next.end;
+        }
+        Some(range)
+    })
 }
 
 fn draw_mesh(pass: &mut wgpu::RenderPass<'_>, mesh: &MeshPlace, instances: &Range<u32>) {
