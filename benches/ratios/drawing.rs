@@ -64,12 +64,13 @@ pub fn boxes(report: &mut Report) {
         let [mut our_target, mut their_target] = targets;
         let picture = our_target.render(&gpu, &mut ours, &frame).expect("a picture");
         assert!(picture == their_target.render(&gpu, &mut theirs, &frame).expect("a picture"), "the same picture");
-        let [ours, theirs] = in_turn(
-            30,
-            [&mut || drop(black_box(our_target.render(&gpu, &mut ours, &frame))), &mut || {
-                drop(black_box(their_target.render(&gpu, &mut theirs, &frame)))
-            }],
-        );
+        let mut draw_ours = || {
+            black_box(our_target.render(&gpu, &mut ours, &frame)).expect("a picture");
+        };
+        let mut draw_theirs = || {
+            black_box(their_target.render(&gpu, &mut theirs, &frame)).expect("a picture");
+        };
+        let [ours, theirs] = in_turn(30, [&mut draw_ours, &mut draw_theirs]);
         report.at_most(&format!("a picture with {what}"), ours, theirs, most);
     }
 }

@@ -11,9 +11,11 @@ use std::process::ExitCode;
 
 use report::Report;
 
+/// A goal's number, and what measures it.
+type Goal = (usize, fn(&mut Report));
+
 fn main() -> ExitCode {
-    let goals: [(usize, fn(&mut Report)); 4] =
-        [(1, poses::linear), (2, poses::catmull_rom), (3, poses::worlds), (4, drawing::boxes)];
+    let goals: [Goal; 4] = [(1, poses::linear), (2, poses::catmull_rom), (3, poses::worlds), (4, drawing::boxes)];
     let asked: Vec<usize> = std::env::args().filter_map(|argument| argument.parse().ok()).collect();
     let mut report = Report::default();
     for (goal, measure) in goals {
