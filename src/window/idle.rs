@@ -20,7 +20,10 @@ impl Shell {
     pub(super) fn plan_thumbnail(&mut self) {
         let is_busy =
             self.editor.is_playing() || self.editor.is_dragging() || self.pointer.is_held() || self.path_drag.is_some();
-        self.thumbnail_due = now().checked_add(REST).filter(|_| !is_busy && self.ui.wanted_thumbnail().is_some());
+        let is_wanted = !is_busy && self.ui.wanted_thumbnail().is_some();
+        // Where keys at their own times run, something happens all the time: what is due stays due.
+        let kept = self.thumbnail_due.filter(|_| self.editor.wants_ticks());
+        self.thumbnail_due = kept.or_else(|| now().checked_add(REST)).filter(|_| is_wanted);
     }
 
     /// Makes a picture where one is due, and shows it.
