@@ -30,8 +30,8 @@ pub fn node_picture(gpu: &Gpu, frame: &Frame, width: u32, height: u32) -> Result
     let device = &gpu.device;
     let mut packed = Packed::default();
     let mut arranged = Arranged::default();
-    arranged.take(frame, Arrangement::default());
-    packed.pack(frame, &arranged, &Globals::new(frame, None, Viewport::whole(width, height)));
+    arranged.take(frame, height, Arrangement::AsGiven);
+    packed.pack(frame, &arranged, &Globals::new(frame, None, Viewport::whole(width, height)), false);
     let usage = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::VERTEX;
     // The globals' binding ends where instances begin, also where there are none.
     let frame_buffer = device.create_buffer_init(&BufferInitDescriptor { label: None, contents: &packed.bytes, usage });

@@ -9,6 +9,7 @@ use glam::{Affine3A, Vec3};
 use crate::frame::{ArcballMark, DrawItem, Frame, View};
 use crate::render::arrange::Arranged;
 use crate::render::look;
+use crate::render::mesh::{MESHES, SHARP_BOX};
 use crate::render::uniforms::Globals;
 use crate::scene::MeshKind;
 
@@ -70,12 +71,12 @@ const CIRCLE_PIECES: u16 = 72;
 pub struct Packed {
     /// What is uploaded.
     pub bytes: Vec<u8>,
-    /// Instances of each kind: those that may be seen, the outlined ones of them, then the rest.
-    pub items: [Range<u32>; 6],
-    /// Those of each kind that may be seen.
-    pub seen: [Range<u32>; 6],
-    /// The outlined ones of each kind that may be seen.
-    pub outlined: [Range<u32>; 6],
+    /// Instances of each mesh that may be seen, the outlined ones last.
+    pub seen: [Range<u32>; MESHES],
+    /// The outlined ones of each mesh.
+    pub outlined: [Range<u32>; MESHES],
+    /// All instances of each kind, for the sun's map; none where it is not drawn.
+    pub casters: [Range<u32>; 6],
     /// Ghosts' instances of each kind.
     pub ghosts: [Range<u32>; 6],
     /// Where strokes begin in the bytes.
@@ -92,27 +93,32 @@ pub struct Packed {
 pub const INSTANCES_START: usize = 512;
 
 impl Packed {
-    /// Replaces what was packed by a frame, its items as they are arranged.
-    pub fn pack(&mut self, frame: &Frame, arranged: &Arranged, globals: &Globals) {
+    /// Replaces what was packed by a frame, its items as they are arranged, and again for the sun's map where that is to be drawn.
+    pub fn pack(&mut self, frame: &Frame, arranged: &Arranged, globals: &Globals, has_casters: bool) {
         self.bytes.clear();
         self.bytes.extend_from_slice(bytes_of(globals));
         self.bytes.resize(INSTANCES_START, 0);
         let mut count = 0;
-        for (slot, kind) in MeshKind::ALL.into_iter().enumerate() {
-            debug_assert_eq!(slot, kind as usize, "slots are in the order of kinds");
+        for (mesh, [plain, outlined]) in arranged.seen.iter().enumerate() {
             let start = count;
-            let [plain, outlined] = &arranged.seen[slot];
-            for places in [plain, outlined, &arranged.unseen[slot]] {
-                for &place in places {
-                    let item = &frame.items[place as usize];
-                    self.bytes.extend_from_slice(bytes_of(&Instance::new(item, 1.0)));
+            for &place in plain.iter().chain(outlined) {
+                let mut instance = Instance::new(&frame.items[place as usize], 1.0);
+                if mesh == SHARP_BOX {
+                    instance.rounding = 0.0;
                 }
-                count += places.len() as u32;
+                self.bytes.extend_from_slice(bytes_of(&instance));
+                count += 1;
             }
-            let [plain, outlined] = [plain, outlined].map(|places| places.len() as u32);
-            self.outlined[slot] = start + plain..start + plain + outlined;
-            self.seen[slot] = start..start + plain + outlined;
-            self.items[slot] = start..count;
+            self.outlined[mesh] = start + plain.len() as u32..count;
+            self.seen[mesh] = start..count;
+        }
+        for (kind, casters) in MeshKind::ALL.into_iter().zip(&mut self.casters) {
+            let start = count;
+            for item in frame.items.iter().filter(|item| has_casters && item.mesh == kind) {
+                self.bytes.extend_from_slice(bytes_of(&Instance::new(item, 1.0)));
+                count += 1;
+            }
+            *casters = start..count;
         }
         for (slot, kind) in MeshKind::ALL.into_iter().enumerate() {
             let start = count;

@@ -18,6 +18,12 @@ const CAPSULE_STEPS: u16 = 18;
 const CAPSULE_RINGS: u16 = 3;
 /// Steps along each rounded edge of a box.
 const BEVEL_STEPS: u16 = 3;
+/// Meshes in all: one of each kind, in the order of kinds, then boxes in less detail.
+pub const MESHES: usize = MeshKind::ALL.len() + 2;
+/// The box whose edges are cut off straight.
+pub const CHAMFERED_BOX: usize = MeshKind::ALL.len();
+/// The box of six faces. It is drawn with no rounding.
+pub const SHARP_BOX: usize = CHAMFERED_BOX + 1;
 /// Cells along each side of a plane: large triangles interpolate badly.
 const PLANE_CELLS: u16 = 8;
 
@@ -44,13 +50,23 @@ impl Mesh {
     /// The unit mesh of a kind.
     pub fn unit(kind: MeshKind) -> Self {
         match kind {
-            MeshKind::Box => rounded_box(),
+            MeshKind::Box => rounded_box(BEVEL_STEPS),
             MeshKind::Sphere => sphere(),
             MeshKind::Cylinder => cylinder(),
             MeshKind::Cone => cone(),
             MeshKind::Capsule => capsule(),
             MeshKind::Plane => plane(),
         }
+    }
+
+    /// All [`MESHES`], in their order.
+    pub fn all() -> [Self; MESHES] {
+        let [a, b, c, d, e, f] = MeshKind::ALL.map(Self::unit);
+        let chamfered = rounded_box(1);
+        let mut sharp = chamfered.clone();
+        // The faces come first.
+        sharp.indices.truncate(6 * 6);
+        [a, b, c, d, e, f, chamfered, sharp]
     }
 
     fn vertex(&mut self, core: Vec3, normal: Vec3) -> u16 {
@@ -79,10 +95,9 @@ impl Mesh {
     }
 }
 
-/// Eight corner patches, joined by twelve rounded edges and six faces.
-fn rounded_box() -> Mesh {
+/// Six faces, and the eight corner patches and twelve rounded edges that join them.
+fn rounded_box(n: u16) -> Mesh {
     let mut mesh = Mesh::default();
-    let n = BEVEL_STEPS;
     // Corner patches: rings from the x axis (i = 0) to the edge between y and z (i = n).
     let direction = |i: u16, j: u16| {
         let on_edge = |steps: u16, of: u16| if of == 0 { 0.0 } else { FRAC_PI_2 * f32::from(steps) / f32::from(of) };
@@ -105,6 +120,20 @@ fn rounded_box() -> Mesh {
     let places: Vec<Vec3> =
         mesh.vertices.iter().map(|v| Vec3::from_array(v.core) + 0.5 * Vec3::from_array(v.normal)).collect();
     let place = |index: u16| places[usize::from(index)];
+    let pole = |axis: u16, corner: u16| match axis {
+        0 => at(corner, 0, 0),
+        1 => at(corner, n, 0),
+        _ => at(corner, n, n),
+    };
+    for axis in 0..3u16 {
+        let (u, v) = (1 << ((axis + 1) % 3), 1 << ((axis + 2) % 3));
+        for side in [0, 1 << axis] {
+            let [a, b, c, d] = [side, side | u, side | u | v, side | v].map(|corner| pole(axis, corner));
+            let outwards = Vec3::from_array(mesh.vertices[usize::from(a)].normal);
+            mesh.triangle_facing(outwards, [a, b, c], place);
+            mesh.triangle_facing(outwards, [a, c, d], place);
+        }
+    }
     for corner in 0..8 {
         for i in 0..n {
             for j in 0..=i {
@@ -139,20 +168,6 @@ fn rounded_box() -> Mesh {
                 mesh.triangle_facing(outwards, [a, b, c], place);
                 mesh.triangle_facing(outwards, [a, c, d], place);
             }
-        }
-    }
-    let pole = |axis: u16, corner: u16| match axis {
-        0 => at(corner, 0, 0),
-        1 => at(corner, n, 0),
-        _ => at(corner, n, n),
-    };
-    for axis in 0..3u16 {
-        let (u, v) = (1 << ((axis + 1) % 3), 1 << ((axis + 2) % 3));
-        for side in [0, 1 << axis] {
-            let [a, b, c, d] = [side, side | u, side | u | v, side | v].map(|corner| pole(axis, corner));
-            let outwards = Vec3::from_array(mesh.vertices[usize::from(a)].normal);
-            mesh.triangle_facing(outwards, [a, b, c], place);
-            mesh.triangle_facing(outwards, [a, c, d], place);
         }
     }
     mesh

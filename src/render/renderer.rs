@@ -14,7 +14,7 @@ use crate::render::gpu::Gpu;
 use crate::render::instances::{INSTANCES_START, Packed};
 use crate::render::light::{MAP_TEXELS, SunBox};
 use crate::render::look;
-use crate::render::mesh::Mesh;
+use crate::render::mesh::{MESHES, Mesh};
 use crate::render::pipelines::{Kind, Pipelines};
 use crate::render::targets::{Targets, sun_map};
 use crate::render::uniforms::Globals;
@@ -83,7 +83,7 @@ pub struct Renderer {
     samples: u32,
     background: Background,
     pipelines: Pipelines,
-    meshes: [MeshPlace; 6],
+    meshes: [MeshPlace; MESHES],
     vertices: wgpu::Buffer,
     indices: wgpu::Buffer,
     frame_buffer: wgpu::Buffer,
@@ -111,8 +111,7 @@ impl Renderer {
         let samples = if samples > 1 { 4 } else { 1 };
         let pipelines = Pipelines::new(device, target_format, samples, if gpu.is_software { 1 } else { 4 });
         let (mut corners, mut triangles) = (Vec::new(), Vec::new());
-        let meshes = MeshKind::ALL.map(|kind| {
-            let mesh = Mesh::unit(kind);
+        let meshes = Mesh::all().map(|mesh| {
             let start = triangles.len() as u32;
             let first_vertex = corners.len() as i32;
             corners.extend(mesh.vertices);
@@ -189,12 +188,12 @@ impl Renderer {
         if self.targets.as_ref().is_none_or(|targets| targets.size_px != viewport.target_px) {
             self.targets = Some(Targets::new(&gpu.device, self.format, self.samples, viewport.target_px));
         }
-        let items_moved = self.arranged.take(frame, self.arrangement);
+        let items_moved = self.arranged.take(frame, viewport.height, self.arrangement);
         let sun = SunBox::fit(frame, &self.arranged.bounds);
         let globals = Globals::new(frame, sun.as_ref(), viewport);
-        self.packed.pack(frame, &self.arranged, &globals);
-        self.upload(gpu);
         let is_map_due = sun.is_some() && (items_moved || sun != self.sun_map_box);
+        self.packed.pack(frame, &self.arranged, &globals, is_map_due);
+        self.upload(gpu);
         if self.is_cold {
             self.warm_up(gpu, is_map_due);
         } else if is_map_due {
@@ -236,13 +235,14 @@ impl Renderer {
     fn first_draw(&self, gpu: &Gpu, target: &WarmUp, kind: Kind) {
         let device = &gpu.device;
         let plane = MeshKind::Plane as usize;
-        let meshes = match kind {
-            Kind::Shape => 0..plane,
-            Kind::Plane => plane..plane + 1,
-            _ => 0..0,
-        };
-        let items = &self.uploaded.seen[meshes.clone()];
-        let drawn = items.iter().position(|instances| !instances.is_empty());
+        let drawn = (0..MESHES).find(|&mesh| {
+            let is_of_kind = match kind {
+                Kind::Shape => mesh != plane,
+                Kind::Plane => mesh == plane,
+                _ => false,
+            };
+            is_of_kind && !self.uploaded.seen[mesh].is_empty()
+        });
         if drawn.is_none() && (kind != Kind::Sky || self.background != Background::Sky) {
             return;
         }
@@ -251,7 +251,7 @@ impl Renderer {
             pass.set_pipeline(pipeline);
             self.bind_instances(pass);
             if let Some(slot) = drawn {
-                let (mesh, first) = (&self.meshes[meshes.start + slot], items[slot].start);
+                let (mesh, first) = (&self.meshes[slot], self.uploaded.seen[slot].start);
                 let triangle = mesh.indices.start..mesh.indices.start + 3;
                 pass.set_bind_group(1, &self.sun_map_group, &[]);
                 pass.draw_indexed(triangle, mesh.first_vertex, first..first + 1);
@@ -292,7 +292,7 @@ impl Renderer {
         pass.set_scissor_rect(1, 1, MAP_TEXELS - 2, MAP_TEXELS - 2);
         pass.set_pipeline(self.pipelines.get(device, Kind::Shadow));
         self.bind_instances(&mut pass);
-        for (mesh, instances) in self.meshes.iter().zip(&self.uploaded.items).take(MeshKind::Plane as usize) {
+        for (mesh, instances) in self.meshes.iter().zip(&self.uploaded.casters).take(MeshKind::Plane as usize) {
             draw_mesh(&mut pass, mesh, instances);
         }
     }
@@ -336,9 +336,10 @@ impl Renderer {
         let device = &gpu.device;
         let plane = MeshKind::Plane as usize;
         let items = &self.uploaded.seen;
-        if items[..plane].iter().any(|instances| !instances.is_empty()) {
+        let shapes = || self.meshes.iter().zip(items).enumerate().filter(|(mesh, _)| *mesh != plane);
+        if shapes().any(|(_, (_, instances))| !instances.is_empty()) {
             pass.set_pipeline(self.pipelines.get(device, Kind::Shape));
-            for (mesh, instances) in self.meshes.iter().zip(items).take(plane) {
+            for (_, (mesh, instances)) in shapes() {
                 draw_mesh(&mut pass, mesh, instances);
             }
         }
