@@ -27,7 +27,7 @@
 //! | level | modules | may name |
 //! |---|---|---|
 //! | 0 | [`rbt`], [`interpolation`], [`json`] | glam |
-//! | 1 | [`timed`], [`pose`], [`scene`], [`camera`] | serde, in file formats |
+//! | 1 | [`timed`], [`pose`], [`blend`], [`scene`], [`camera`] | serde, in file formats |
 //! | 2 | [`keyframe`], [`clock`], [`settings`], [`text_layouts`] | serde, in file formats; `Duration`, never `Instant` |
 //! | 3 | [`editor`], [`diagnosis`], [`difference`] | no wgpu, egui, winit, file system |
 //! | 4 | [`frame`] | |
@@ -59,6 +59,11 @@
 //!   the elapsed seconds beside the pose.
 //! * The control points of a spline belong to the shared storage of a [`keyframe::KeyframeList`]: one cell an interval, filled when
 //!   first asked for and dropped with the list's state, so that a change of a long list costs nothing for intervals that nobody looks at.
+//! * [`interpolation`] says what a blend of two transforms is; whole poses are made by [`blend`], sixteen nodes at a time, and a
+//!   [`pose::Pose`] lies in memory as that wants it. Tests hold the two together.
+//! * A scene is part of the document, since its control nodes and keys can be edited: a change shares all that stayed as it was.
+//! * The renderer draws what may be seen, the nearest first, and rounded edges in the detail that their pixels show; it uploads what
+//!   changed.
 //! * Playback's position is an exact fraction, since the pace can change while it plays and the end must come at the right tick.
 //! * A writing effect says whether the file is known to the editor: a window keeps a copy of what it would overwrite unseen.
 
