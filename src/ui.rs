@@ -17,6 +17,7 @@ mod menu;
 mod overlay;
 mod palette;
 mod program;
+mod statistics;
 mod status;
 pub mod theme;
 mod thumbnails;
@@ -36,6 +37,7 @@ use crate::pose::Pose;
 use crate::settings::Settings;
 use dialogs::Dialog;
 pub use export::Exporting;
+pub use statistics::Statistics;
 use theme::Tokens;
 pub use thumbnails::THUMBNAIL_PX;
 
@@ -115,6 +117,8 @@ pub struct Ui {
     exported: Option<(PathBuf, ExportOptions)>,
     /// The export that is under way.
     pub exporting: Option<Exporting>,
+    /// How fast the window is, where that is shown.
+    pub statistics: Option<Statistics>,
 }
 
 impl Ui {
@@ -180,7 +184,7 @@ impl Ui {
             self.show_panels(ui, editor, &mut output.commands);
         }
         output.viewport = CentralPanel::no_frame().show(ui, |ui| ui.max_rect()).inner;
-        overlay::show(ui, output.viewport, editor, &self.keymap, &self.log);
+        overlay::show(ui, output.viewport, editor, &self.keymap, &self.log, self.statistics.as_ref());
         if editor.session().shows_help {
             help::show(ui, self.keymap.bindings(), &mut output.commands);
         }
@@ -204,12 +208,12 @@ impl Ui {
         let plain = |fill, x, y| Frame::new().fill(fill).inner_margin(Margin::symmetric(x, y));
         let is_exporting = self.exporting.is_some();
         let shown = Shown { editor, keymap: &self.keymap, settings: &self.settings, is_exporting };
-        let shows_messages = self.log.is_shown();
+        let on = menu::On { messages: self.log.is_shown(), statistics: self.statistics.is_some() };
         Panel::top("menu bar").exact_size(theme::MENU_BAR).frame(plain(tokens.panel, 4, 1)).show(ui, |ui| {
-            menu::show(ui, shown, shows_messages, commands);
+            menu::show(ui, shown, on, commands);
         });
         Panel::bottom("status").exact_size(theme::STATUS).frame(plain(tokens.panel, 8, 2)).show(ui, |ui| {
-            status::show(ui, editor);
+            status::show(ui, editor, self.statistics.as_ref());
         });
         let mut timeline_height = theme::TIMELINE;
         Panel::bottom("timeline")

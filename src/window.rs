@@ -3,6 +3,7 @@
 //! Only here are winit's names known and, for the window, the clock on the wall read. What can be decided without a window is
 //! plain data with tables of tests: [`keys`], [`path`] and [`pointer`].
 
+mod damage;
 mod desktop;
 mod dialog;
 mod effects;
@@ -11,6 +12,8 @@ mod handling;
 mod idle;
 mod kept;
 pub mod keys;
+mod meter;
+mod panels;
 pub mod path;
 pub mod pointer;
 mod shell;

@@ -10,7 +10,7 @@ use inbetween::editor::keymap::bindings;
 use inbetween::editor::{Command, Edit, Editor, Effect, FileCommand, Severity, ViewCommand, WindowCommand};
 use inbetween::scene::{DEFAULT_SCENE, built_in_scene};
 use inbetween::settings::{Language, Settings, ThemeChoice};
-use inbetween::ui::{Ui, theme};
+use inbetween::ui::{Statistics, Ui, theme};
 
 struct App {
     editor: Editor,
@@ -241,6 +241,33 @@ fn results_and_errors_are_toasts_and_all_is_in_the_log() {
     harness.step();
     let delay = harness.output().viewport_output[&egui::ViewportId::ROOT].repaint_delay;
     assert_eq!(delay, std::time::Duration::MAX);
+}
+
+#[test]
+fn statistics_are_in_the_status_line() {
+    let english = "58 pictures/s · 60 ticks/s · ms: input 0.1, evaluation 0.2, frame 0.3, UI 1.4, drawing 15.5";
+    let korean = "58화면/초 · 60틱/초 · 밀리초: 입력 0.1, 계산 0.2, 장면 0.3, 패널 1.4, 그리기 15.5";
+    let mut harness = harness(4);
+    assert!(harness.query_by_label_contains("pictures/s").is_none());
+    ask(&mut harness, WindowCommand::ToggleStatistics);
+    let shown = &mut harness.state_mut().ui.statistics;
+    assert_eq!(*shown, Some(Statistics::default()));
+    *shown = Some(Statistics {
+        pictures: 57.6,
+        ticks: 60.0,
+        input_ms: 0.06,
+        evaluation_ms: 0.2,
+        frame_ms: 0.3,
+        ui_ms: 1.4,
+        drawing_ms: 15.5,
+    });
+    harness.run();
+    harness.get_by_label(english);
+    ask(&mut harness, WindowCommand::SetLanguage(Language::Korean));
+    harness.get_by_label(korean);
+    ask(&mut harness, WindowCommand::SetLanguage(Language::English));
+    ask(&mut harness, WindowCommand::ToggleStatistics);
+    assert!(harness.query_by_label_contains("pictures/s").is_none());
 }
 
 #[test]

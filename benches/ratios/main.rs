@@ -4,8 +4,10 @@
 //! where a goal is missed. `cargo bench --bench ratios -- 1 3` measures some of the goals.
 
 mod drawing;
+mod films;
 mod poses;
 mod report;
+mod start;
 
 use std::process::ExitCode;
 
@@ -15,7 +17,18 @@ use report::Report;
 type Goal = (usize, fn(&mut Report));
 
 fn main() -> ExitCode {
-    let goals: [Goal; 4] = [(1, poses::linear), (2, poses::catmull_rom), (3, poses::worlds), (4, drawing::boxes)];
+    if let Some(path) = std::env::args().skip_while(|argument| argument != start::BARE).nth(1) {
+        start::be_bare(&path);
+        return ExitCode::SUCCESS;
+    }
+    let goals: [Goal; 6] = [
+        (1, poses::linear),
+        (2, poses::catmull_rom),
+        (3, poses::worlds),
+        (4, drawing::boxes),
+        (5, start::process),
+        (7, films::frames),
+    ];
     let asked: Vec<usize> = std::env::args().filter_map(|argument| argument.parse().ok()).collect();
     let mut report = Report::default();
     for (goal, measure) in goals {

@@ -47,6 +47,8 @@ pub enum WindowCommand {
     ShowExport,
     /// Shows or hides the log of messages.
     ToggleMessages,
+    /// Shows or hides how fast the window is.
+    ToggleStatistics,
     /// The panels one step larger.
     Larger,
     /// The panels one step smaller.

@@ -1,5 +1,7 @@
 //! Frames to pictures, with no window.
 
+use std::mem;
+
 use glam::Vec2;
 
 use super::ExportError;
@@ -28,6 +30,10 @@ pub struct Painter {
     gpu: Gpu,
     renderer: Renderer,
     offscreen: Offscreen,
+    /// The other target, once pictures overlap.
+    spare: Option<Offscreen>,
+    /// Whether a picture is being drawn on the first target.
+    is_under_way: bool,
 }
 
 impl Painter {
@@ -38,7 +44,8 @@ impl Painter {
     pub fn on(gpu: Gpu, size: Size, samples: Option<u32>) -> Result<Self, GpuError> {
         let offscreen = Offscreen::new(&gpu, size.width, size.height)?;
         let samples = samples.unwrap_or_else(|| default_samples(gpu.is_software));
-        Ok(Self { size, samples, renderer: Renderer::new(&gpu, Offscreen::FORMAT, samples), offscreen, gpu })
+        let renderer = Renderer::new(&gpu, Offscreen::FORMAT, samples);
+        Ok(Self { size, samples, renderer, offscreen, spare: None, is_under_way: false, gpu })
     }
 
     /// The pictures' width and height in pixels.
@@ -53,7 +60,33 @@ impl Painter {
     /// # Errors
     /// [`GpuError`]
     pub fn image(&mut self, frame: &Frame) -> Result<Image, GpuError> {
+        self.is_under_way = false;
         self.offscreen.render(&self.gpu, &mut self.renderer, frame)
+    }
+
+    /// Begins to draw the next frame of a run, where there is one, and gives the picture of the one before, where there was one: while
+    /// that comes back the next is drawn already.
+    ///
+    /// # Errors
+    /// [`GpuError`]
+    pub fn next_image(&mut self, frame: Option<&Frame>) -> Result<Option<Image>, GpuError> {
+        let was_under_way = mem::replace(&mut self.is_under_way, frame.is_some());
+        let Some(frame) = frame else {
+            return if was_under_way { self.offscreen.read(&self.gpu).map(Some) } else { Ok(None) };
+        };
+        if !was_under_way {
+            self.offscreen.submit(&self.gpu, &mut self.renderer, frame);
+            return Ok(None);
+        }
+        let mut before = match self.spare.take() {
+            Some(spare) => spare,
+            None => Offscreen::new(&self.gpu, self.size.width, self.size.height)?,
+        };
+        mem::swap(&mut self.offscreen, &mut before);
+        self.offscreen.submit(&self.gpu, &mut self.renderer, frame);
+        let image = before.read(&self.gpu);
+        self.spare = Some(before);
+        image.map(Some)
     }
 
     /// Draws a frame and encodes it: 8 bits a channel, not interlaced.

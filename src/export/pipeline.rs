@@ -42,10 +42,18 @@ impl Drawing<'_> {
                 scope.spawn(move || receiver.into_iter().enumerate().try_for_each(|(place, image)| take(place, image)));
             let drawn = moments.all.iter().enumerate().try_for_each(|(place, moment)| -> Result<(), Stop> {
                 goes_on(place)?;
-                let image = painter.image(&stage.frame(moment)?)?;
-                // Where the other side is gone it has an error to tell.
-                sender.send(image).map_err(|_| Stop(None))
+                match painter.next_image(Some(&stage.frame(moment)?))? {
+                    // Where the other side is gone it has an error to tell.
+                    Some(image) => sender.send(image).map_err(|_| Stop(None)),
+                    None => Ok(()),
+                }
             });
+            // What was begun is finished, also where no more is wanted.
+            let drawn = match painter.next_image(None) {
+                Ok(Some(image)) => drawn.and(sender.send(image).map_err(|_| Stop(None))),
+                Ok(None) => drawn,
+                Err(error) => drawn.and(Err(error.into())),
+            };
             drop(sender);
             let taken = taker.join().expect("taking pictures does not panic");
             match drawn {

@@ -64,9 +64,15 @@ impl Frame {
     /// The picture that an editor displays, `size_px` pixels wide and high, with the chosen node outlined and the arcball.
     #[must_use]
     pub fn of_editor(editor: &Editor, size_px: Vec2) -> Self {
+        Self::of_displayed(editor, &editor.displayed_pose(), size_px)
+    }
+
+    /// As [`Frame::of_editor`], of the pose that the editor displays, [`Editor::displayed_pose`].
+    #[must_use]
+    pub fn of_displayed(editor: &Editor, pose: &Pose, size_px: Vec2) -> Self {
         let camera = editor.camera(size_px);
         let session = editor.session();
-        let mut frame = Self::new(editor.scene(), &editor.displayed_pose(), editor.seconds(), &camera, session.chosen);
+        let mut frame = Self::new(editor.scene(), pose, editor.seconds(), &camera, session.chosen);
         if session.shows_arcball && !editor.is_playing() {
             frame.arcball = editor
                 .manipulation(&camera)

@@ -17,7 +17,14 @@ pub struct Offscreen {
     view: wgpu::TextureView,
     buffer: wgpu::Buffer,
     row_bytes: u32,
-    mapped: Option<mpsc::Receiver<Result<(), wgpu::BufferAsyncError>>>,
+    submitted: Option<Submitted>,
+}
+
+/// A picture that is being drawn.
+#[derive(Debug)]
+struct Submitted {
+    index: wgpu::SubmissionIndex,
+    mapped: mpsc::Receiver<Result<(), wgpu::BufferAsyncError>>,
 }
 
 impl Offscreen {
@@ -54,7 +61,7 @@ impl Offscreen {
             usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
             mapped_at_creation: false,
         });
-        Ok(Self { width, height, texture, view, buffer, row_bytes: row_bytes as u32, mapped: None })
+        Ok(Self { width, height, texture, view, buffer, row_bytes: row_bytes as u32, submitted: None })
     }
 
     /// Draws a frame and waits for its picture.
@@ -70,7 +77,7 @@ impl Offscreen {
     /// Starts drawing a frame; [`Offscreen::read`] waits for it. With two of these one can be read while the other is drawn.
     /// A picture that was not read is dropped.
     pub fn submit(&mut self, gpu: &Gpu, renderer: &mut Renderer, frame: &Frame) {
-        if self.mapped.take().is_some() {
+        if self.submitted.take().is_some() {
             self.buffer.unmap();
         }
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
@@ -87,24 +94,26 @@ impl Offscreen {
             },
             self.texture.size(),
         );
-        gpu.queue.submit([encoder.finish()]);
-        let (sender, receiver) = mpsc::channel();
+        let index = gpu.queue.submit([encoder.finish()]);
+        let (sender, mapped) = mpsc::channel();
         self.buffer.map_async(wgpu::MapMode::Read, .., move |result| {
             // Nobody listens where the picture was dropped.
             let _ = sender.send(result);
         });
-        self.mapped = Some(receiver);
+        self.submitted = Some(Submitted { index, mapped });
     }
 
-    /// Waits for the picture that was last submitted.
+    /// Waits for the picture that was last submitted, and for nothing that was submitted after it.
     ///
     /// # Errors
     ///
     /// [`GpuError::ReadBack`] where nothing was submitted or the device is lost.
     pub fn read(&mut self, gpu: &Gpu) -> Result<Image, GpuError> {
         let failed = |reason: String| GpuError::ReadBack { adapter: gpu.info.name.clone(), reason };
-        let mapped = self.mapped.take().ok_or_else(|| failed("nothing was drawn".to_owned()))?;
-        gpu.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|error| failed(error.to_string()))?;
+        let Submitted { index, mapped } =
+            self.submitted.take().ok_or_else(|| failed("nothing was drawn".to_owned()))?;
+        let until = wgpu::PollType::Wait { submission_index: Some(index), timeout: None };
+        gpu.device.poll(until).map_err(|error| failed(error.to_string()))?;
         mapped.recv().map_err(|error| failed(error.to_string()))?.map_err(|error| failed(error.to_string()))?;
         let row = 4 * self.width as usize;
         let mut rgba = Vec::with_capacity(row * self.height as usize);

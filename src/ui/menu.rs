@@ -34,6 +34,15 @@ impl Menu {
     }
 }
 
+/// What the window shows that the editor does not know of.
+#[derive(Clone, Copy, Debug)]
+pub struct On {
+    /// All that was said.
+    pub messages: bool,
+    /// How fast the window is.
+    pub statistics: bool,
+}
+
 /// Room at both sides of an item, in points; at the left a tick stands in it.
 const INSET: f32 = 20.0;
 
@@ -61,7 +70,7 @@ fn order(command: &Command) -> u8 {
 }
 
 /// Shows the bar.
-pub fn show(ui: &mut Ui, shown: Shown<'_>, shows_messages: bool, commands: &mut Vec<Command>) {
+pub fn show(ui: &mut Ui, shown: Shown<'_>, on: On, commands: &mut Vec<Command>) {
     let words = Words::of(ui);
     MenuBar::new().ui(ui, |ui| {
         for menu in Menu::ALL {
@@ -79,7 +88,7 @@ pub fn show(ui: &mut Ui, shown: Shown<'_>, shows_messages: bool, commands: &mut 
                         ui.separator();
                     }
                     last_order = own_order;
-                    item(ui, shown.editor, binding, shows_messages, commands);
+                    item(ui, shown.editor, binding, on, commands);
                     if binding.command == Command::File(FileCommand::ChooseOpen) {
                         recent(ui, shown, commands);
                     }
@@ -91,7 +100,7 @@ pub fn show(ui: &mut Ui, shown: Shown<'_>, shows_messages: bool, commands: &mut 
     });
 }
 
-fn item(ui: &mut Ui, editor: &Editor, binding: &Binding, shows_messages: bool, commands: &mut Vec<Command>) {
+fn item(ui: &mut Ui, editor: &Editor, binding: &Binding, on: On, commands: &mut Vec<Command>) {
     let words = Words::of(ui);
     let label = match (&binding.command, editor.undo_label(), editor.redo_label()) {
         (Command::Undo, Some(step), _) => words.fill("Undo {}", &[words.say(step)]),
@@ -110,7 +119,8 @@ fn item(ui: &mut Ui, editor: &Editor, binding: &Binding, shows_messages: bool, c
         Command::View(ViewCommand::ToggleHelp) => session.shows_help,
         Command::View(ViewCommand::TogglePanels) => session.shows_panels,
         Command::View(ViewCommand::StartPicking) => session.is_picking,
-        Command::Window(WindowCommand::ToggleMessages) => shows_messages,
+        Command::Window(WindowCommand::ToggleMessages) => on.messages,
+        Command::Window(WindowCommand::ToggleStatistics) => on.statistics,
         _ => false,
     };
     let button =

@@ -4,13 +4,14 @@ use egui::{Align2, Painter, Pos2, Rect, Ui, vec2};
 
 use super::key_of;
 use super::log::Log;
+use super::statistics::Statistics;
 use super::theme::{CORNER, GRID, Tokens, small_font};
 use super::words::Words;
 use crate::editor::keymap::Keymap;
 use crate::editor::{Command, Editor, PlaybackCommand, Severity, SkyMode, ViewCommand};
 
 /// Draws the texts into the corners of the 3D view.
-pub fn show(ui: &Ui, viewport: Rect, editor: &Editor, keymap: &Keymap, log: &Log) {
+pub fn show(ui: &Ui, viewport: Rect, editor: &Editor, keymap: &Keymap, log: &Log, statistics: Option<&Statistics>) {
     let tokens = Tokens::of(ui);
     let words = Words::of(ui);
     let painter = ui.painter();
@@ -33,6 +34,10 @@ pub fn show(ui: &Ui, viewport: Rect, editor: &Editor, keymap: &Keymap, log: &Log
         // There is no status line to say it.
         let colour = if message.severity == Severity::Error { tokens.error } else { tokens.text };
         add(&words.message(&message.text), colour);
+    }
+    if let Some(statistics) = statistics.filter(|_| !editor.session().shows_panels) {
+        let at = viewport.left_top() + vec2(margin.x, -margin.y);
+        tag(painter, at, Align2::LEFT_TOP, &statistics.sentence(words), tokens.text, tokens);
     }
     let key = key_of(keymap, &Command::View(ViewCommand::ToggleHelp));
     if !key.is_empty() {

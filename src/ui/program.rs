@@ -4,6 +4,7 @@ use super::dialogs::Dialog;
 use super::export::ExportDialog;
 use super::keys::KeysDialog;
 use super::palette::Palette;
+use super::statistics::Statistics;
 use super::timeline::Ask;
 use super::words::Words;
 use super::{PanelSize, Ui};
@@ -45,6 +46,9 @@ impl Ui {
                 self.dialog = Some(Dialog::Export(Box::new(ExportDialog::new(self.exported.clone()))));
             }
             WindowCommand::ToggleMessages => self.log.toggle(),
+            WindowCommand::ToggleStatistics => {
+                self.statistics = if self.statistics.is_some() { None } else { Some(Statistics::default()) };
+            }
             WindowCommand::Larger => settings.scale_percent = settings.next_scale(true),
             WindowCommand::Smaller => settings.scale_percent = settings.next_scale(false),
             WindowCommand::SetScale(percent) => settings.scale_percent = *percent,

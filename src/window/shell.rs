@@ -15,6 +15,7 @@ use winit::window::{Window, WindowId};
 use super::export::Export;
 use super::kept::Kept;
 use super::keys::{KeyInput, SpaceBar};
+use super::meter::{Meter, Work};
 use super::path::PathDrag;
 use super::pointer::Pointer;
 use super::stage::Stage;
@@ -58,6 +59,7 @@ pub struct Shell {
     show_again: Option<Instant>,
     /// When the next picture of a keyframe is made, unless something happens before.
     pub(super) thumbnail_due: Option<Instant>,
+    pub(super) meter: Meter,
     title: String,
     error: Option<WindowError>,
 }
@@ -92,6 +94,7 @@ impl Shell {
             last_tick: None,
             show_again: None,
             thumbnail_due: None,
+            meter: Meter::default(),
             title: String::new(),
             error: None,
         }
@@ -152,7 +155,9 @@ impl Shell {
         let cursor = self.cursor();
         let hovered = self.hovered();
         let Some(stage) = &mut self.stage else { return };
+        let start = now();
         let Some(mut laid_out) = stage.lay_out(&mut self.ui, &self.editor, cursor) else { return };
+        self.meter.add(Work::Ui, start, now());
         let commands = std::mem::take(&mut laid_out.output.commands);
         let answer = laid_out.output.quit_answer.take();
         let panels = std::mem::take(&mut laid_out.output.panels);
@@ -171,10 +176,14 @@ impl Shell {
             self.quit_answered(answer);
         }
         if let Some(stage) = &mut self.stage {
-            stage.paint(&self.editor, hovered, dot, laid_out);
+            stage.paint(&self.editor, hovered, dot, laid_out, &mut self.meter);
             if again {
                 stage.window.request_redraw();
             }
+        }
+        let statistics = self.meter.picture(now());
+        if let (Some(shown), Some(statistics)) = (&mut self.ui.statistics, statistics) {
+            *shown = statistics;
         }
         self.plan_thumbnail();
     }
@@ -204,12 +213,59 @@ impl Shell {
             None => self.clock.restart(),
             Some(last) => {
                 let ticks = self.clock.advance_at_most(at.duration_since(last), LONGEST_STALL);
+                self.meter.ticks(ticks);
                 if self.editor.tick(ticks) {
                     self.request_redraw();
                 }
+                self.meter.add(Work::Evaluation, at, now());
             }
         }
         Some(at + self.clock.until_next_tick())
+    }
+
+    /// Takes in what happened to the window, but that it is to be drawn.
+    fn take_in(&mut self, event: WindowEvent) {
+        let Some(stage) = &mut self.stage else { return };
+        let mut shows = stage.input.on_window_event(&stage.window, &event).repaint;
+        match event {
+            WindowEvent::CloseRequested => self.apply(Command::File(FileCommand::Quit)),
+            WindowEvent::Resized(_) | WindowEvent::ScaleFactorChanged { .. } => {
+                stage.is_outdated();
+                shows = true;
+            }
+            WindowEvent::DroppedFile(path) => self.apply(Command::File(FileCommand::Open(path))),
+            WindowEvent::ModifiersChanged(modifiers) => {
+                // With Ctrl a click chooses, and the node that it would choose is outlined.
+                shows |= self.modifiers.control_key() != modifiers.state().control_key();
+                self.modifiers = modifiers.state();
+            }
+            WindowEvent::KeyboardInput { event, is_synthetic, .. } => {
+                self.key(&KeyInput::new(&event, is_synthetic, self.modifiers));
+            }
+            WindowEvent::CursorMoved { position, .. } => {
+                let changes = self.moved(position);
+                if !changes && let Some(stage) = &mut self.stage {
+                    // The panels need not hear of movements over the scene, which change nothing of theirs.
+                    stage.input.egui_input_mut().events.pop_if(|event| matches!(event, egui::Event::PointerMoved(_)));
+                }
+                shows = changes;
+            }
+            WindowEvent::MouseInput { state, button, .. } => self.button(state, button),
+            WindowEvent::MouseWheel { delta, .. } => self.wheel(delta),
+            // What the desktop prefers may have been changed meanwhile.
+            WindowEvent::Focused(true) => desktop::ask_theme(self.proxy.clone()),
+            WindowEvent::Focused(false) => {
+                self.space.release();
+                self.let_go_of_dot();
+                if let Some(action) = self.pointer.let_go() {
+                    self.act(action);
+                }
+            }
+            _ => {}
+        }
+        if shows {
+            self.request_redraw();
+        }
     }
 
     fn update_title(&mut self) {
@@ -257,47 +313,9 @@ impl ApplicationHandler<Happening> for Shell {
             self.redraw();
             return;
         }
-        let Some(stage) = &mut self.stage else { return };
-        let mut shows = stage.input.on_window_event(&stage.window, &event).repaint;
-        match event {
-            WindowEvent::CloseRequested => self.apply(Command::File(FileCommand::Quit)),
-            WindowEvent::Resized(_) | WindowEvent::ScaleFactorChanged { .. } => {
-                stage.is_outdated();
-                shows = true;
-            }
-            WindowEvent::DroppedFile(path) => self.apply(Command::File(FileCommand::Open(path))),
-            WindowEvent::ModifiersChanged(modifiers) => {
-                // With Ctrl a click chooses, and the node that it would choose is outlined.
-                shows |= self.modifiers.control_key() != modifiers.state().control_key();
-                self.modifiers = modifiers.state();
-            }
-            WindowEvent::KeyboardInput { event, is_synthetic, .. } => {
-                self.key(&KeyInput::new(&event, is_synthetic, self.modifiers));
-            }
-            WindowEvent::CursorMoved { position, .. } => {
-                let changes = self.moved(position);
-                if !changes && let Some(stage) = &mut self.stage {
-                    // The panels need not hear of movements over the scene, which change nothing of theirs.
-                    stage.input.egui_input_mut().events.pop_if(|event| matches!(event, egui::Event::PointerMoved(_)));
-                }
-                shows = changes;
-            }
-            WindowEvent::MouseInput { state, button, .. } => self.button(state, button),
-            WindowEvent::MouseWheel { delta, .. } => self.wheel(delta),
-            // What the desktop prefers may have been changed meanwhile.
-            WindowEvent::Focused(true) => desktop::ask_theme(self.proxy.clone()),
-            WindowEvent::Focused(false) => {
-                self.space.release();
-                self.let_go_of_dot();
-                if let Some(action) = self.pointer.let_go() {
-                    self.act(action);
-                }
-            }
-            _ => {}
-        }
-        if shows {
-            self.request_redraw();
-        }
+        let start = now();
+        self.take_in(event);
+        self.meter.add(Work::Input, start, now());
     }
 
     fn exiting(&mut self, _event_loop: &ActiveEventLoop) {

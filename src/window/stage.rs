@@ -3,12 +3,13 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use egui_wgpu::{RendererOptions, ScreenDescriptor};
 use glam::Vec2;
 use winit::event_loop::{ActiveEventLoop, EventLoopProxy};
 use winit::window::Window;
 
-use super::{Happening, WindowError};
+use super::meter::{Meter, Work};
+use super::panels::{Panels, Place};
+use super::{Happening, WindowError, now};
 use crate::editor::{Editor, PathDot};
 use crate::frame::Frame;
 use crate::pose::RbtIndex;
@@ -29,6 +30,12 @@ impl View {
         let corner = |at: egui::Pos2| (Vec2::new(at.x, at.y) * pixels_per_point).round();
         let min_px = corner(viewport.min);
         Self { min_px, size_px: (corner(viewport.max) - min_px).max(Vec2::ONE) }
+    }
+
+    /// It as a rectangle of whole pixels.
+    fn area(&self) -> egui::Rect {
+        let max_px = self.min_px + self.size_px;
+        egui::Rect::from_min_max(egui::pos2(self.min_px.x, self.min_px.y), egui::pos2(max_px.x, max_px.y))
     }
 
     /// Whether a pixel of the window is in it.
@@ -55,7 +62,7 @@ pub struct Stage {
     is_configured: bool,
     scene_format: wgpu::TextureFormat,
     renderer: Renderer,
-    panels: egui_wgpu::Renderer,
+    panels: Panels,
     /// What small pictures are made with, once one was wanted.
     thumbnails: Option<(Renderer, Offscreen)>,
 }
@@ -66,7 +73,7 @@ pub struct LaidOut {
     pub output: UiOutput,
     /// When the panels want to be shown again.
     pub again_after: Duration,
-    jobs: Vec<egui::ClippedPrimitive>,
+    shapes: Vec<egui::epaint::ClippedShape>,
     textures: egui::TexturesDelta,
     pixels_per_point: f32,
 }
@@ -95,9 +102,10 @@ impl Stage {
         let mut configuration =
             surface.get_default_config(&gpu.adapter, size.width.max(1), size.height.max(1)).ok_or_else(no_surface)?;
         // The panels blend in sRGB's own numbers, the scene in linear light: one texture, two views of it.
-        let formats = surface.get_capabilities(&gpu.adapter).formats;
+        let capabilities = surface.get_capabilities(&gpu.adapter);
         let flags = gpu.adapter.get_downlevel_capabilities().flags;
-        let plain = formats
+        let plain = capabilities
+            .formats
             .iter()
             .copied()
             .find(|format| matches!(format, wgpu::TextureFormat::Bgra8Unorm | wgpu::TextureFormat::Rgba8Unorm));
@@ -107,11 +115,11 @@ impl Stage {
             scene_format = plain.add_srgb_suffix();
             configuration.view_formats = vec![scene_format];
         }
+        configuration.usage |= wgpu::TextureUsages::COPY_DST & capabilities.usages;
         configuration.present_mode = wgpu::PresentMode::AutoVsync;
         configuration.desired_maximum_frame_latency = 1;
         let renderer = Renderer::new(&gpu, scene_format, default_samples(gpu.is_software));
-        let options = RendererOptions { dithering: false, ..RendererOptions::default() };
-        let panels = egui_wgpu::Renderer::new(&gpu.device, configuration.format, options);
+        let panels = Panels::new(&gpu, configuration.format);
         let context = egui::Context::default();
         theme::install(&context);
         #[expect(clippy::cast_possible_truncation, reason = "scale factors are small")]
@@ -176,7 +184,7 @@ impl Stage {
         Some(LaidOut {
             output,
             again_after: root.map_or(Duration::MAX, |root| root.repaint_delay),
-            jobs: self.context.tessellate(std::mem::take(&mut shown.shapes), shown.pixels_per_point),
+            shapes: std::mem::take(&mut shown.shapes),
             textures: std::mem::take(&mut shown.textures_delta),
             pixels_per_point: shown.pixels_per_point,
         })
@@ -184,13 +192,19 @@ impl Stage {
 
     /// Paints the scene as it is now, with the node outlined that a click would choose and the dot marked that a press would take, and
     /// panels over it.
-    pub fn paint(&mut self, editor: &Editor, hovered: Option<RbtIndex>, dot: Option<PathDot>, mut laid_out: LaidOut) {
-        for (id, deltas) in laid_out.textures.set.drain() {
-            for delta in deltas {
-                self.panels.update_texture(&self.gpu.device, &self.gpu.queue, id, &delta);
-            }
-        }
-        let mut frame = Frame::of_editor(editor, self.view.size_px);
+    pub fn paint(
+        &mut self,
+        editor: &Editor,
+        hovered: Option<RbtIndex>,
+        dot: Option<PathDot>,
+        mut laid_out: LaidOut,
+        meter: &mut Meter,
+    ) {
+        let start = now();
+        let pose = editor.displayed_pose();
+        let evaluated = now();
+        meter.add(Work::Evaluation, start, evaluated);
+        let mut frame = Frame::of_displayed(editor, &pose, self.view.size_px);
         if let Some(hovered) = hovered {
             frame.outline(editor.scene(), hovered);
         }
@@ -198,13 +212,22 @@ impl Stage {
             frame.mark_dot(dot);
         }
         frame.scale_strokes(laid_out.pixels_per_point);
-        self.draw(&frame, &laid_out.jobs, laid_out.pixels_per_point);
-        for id in laid_out.textures.free.drain() {
-            self.panels.free_texture(&id);
-        }
+        let built = now();
+        meter.add(Work::Frame, evaluated, built);
+        let place = Place {
+            size_px: [self.configuration.width, self.configuration.height],
+            scene_px: self.view.area(),
+            pixels_per_point: laid_out.pixels_per_point,
+            can_copy: self.configuration.usage.contains(wgpu::TextureUsages::COPY_DST),
+        };
+        let cut = self.panels.update(&self.gpu, &self.context, laid_out.shapes, &mut laid_out.textures, place);
+        meter.add(Work::Ui, built, cut);
+        self.draw(&frame);
+        self.panels.free(&mut laid_out.textures);
+        meter.add(Work::Drawing, cut, now());
     }
 
-    fn draw(&mut self, frame: &Frame, jobs: &[egui::ClippedPrimitive], pixels_per_point: f32) {
+    fn draw(&mut self, frame: &Frame) {
         let Some(texture) = self.next_texture() else { return };
         let view = |format| {
             texture.texture.create_view(&wgpu::TextureViewDescriptor { format: Some(format), ..Default::default() })
@@ -213,20 +236,8 @@ impl Stage {
         let mut encoder = self.gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         let viewport = viewport(self.view, size_in_pixels);
         self.renderer.encode(&self.gpu, &mut encoder, frame, &view(self.scene_format), viewport);
-        let screen = ScreenDescriptor { size_in_pixels, pixels_per_point };
-        let mut buffers = self.panels.update_buffers(&self.gpu.device, &self.gpu.queue, &mut encoder, jobs, &screen);
         let over = view(self.configuration.format);
-        let pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            label: Some("panels"),
-            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                view: &over,
-                depth_slice: None,
-                resolve_target: None,
-                ops: wgpu::Operations { load: wgpu::LoadOp::Load, store: wgpu::StoreOp::Store },
-            })],
-            ..Default::default()
-        });
-        self.panels.render(&mut pass.forget_lifetime(), jobs, &screen);
+        let mut buffers = self.panels.draw(&self.gpu, &mut encoder, &texture.texture, &over);
         buffers.push(encoder.finish());
         self.gpu.queue.submit(buffers);
         self.window.pre_present_notify();

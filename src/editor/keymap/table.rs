@@ -352,6 +352,13 @@ pub fn bindings() -> Vec<Binding> {
             "Messages",
             "Show or hide all that was said since the start",
         ),
+        row(
+            Group::Window,
+            vec![],
+            Command::Window(WindowCommand::ToggleStatistics),
+            "Statistics",
+            "Show or hide pictures a second, and where their time goes",
+        ),
         repeating(
             Group::Window,
             vec![held(ctrl, '+'), held(ctrl, '=')],

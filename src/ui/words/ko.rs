@@ -94,6 +94,12 @@ pub static WORDS: &[(&str, &str)] = &[
     ("Show the keys, and change them", "단축키를 보고 바꿉니다"),
     ("Messages", "메시지"),
     ("Show or hide all that was said since the start", "시작한 뒤의 모든 메시지를 보이거나 숨깁니다"),
+    ("Statistics", "통계"),
+    ("Show or hide pictures a second, and where their time goes", "초당 화면 수와 시간이 드는 곳을 보이거나 숨깁니다"),
+    (
+        "{} pictures/s · {} ticks/s · ms: input {}, evaluation {}, frame {}, UI {}, drawing {}",
+        "{}화면/초 · {}틱/초 · 밀리초: 입력 {}, 계산 {}, 장면 {}, 패널 {}, 그리기 {}",
+    ),
     ("Larger", "크게"),
     ("Show the panels larger", "패널을 더 크게 보여 줍니다"),
     ("Smaller", "작게"),
