@@ -3,6 +3,7 @@
 //! Both sides run in turn, so that whatever else the machine does weighs on both; a ratio is one of undisturbed times. Exits with 1
 //! where a goal is missed. `cargo bench --bench ratios -- 1 3` measures some of the goals.
 
+mod files;
 mod poses;
 mod report;
 
@@ -11,10 +12,11 @@ use std::process::ExitCode;
 use report::Report;
 
 fn main() -> ExitCode {
-    let goals: [fn(&mut Report); 3] = [poses::linear, poses::catmull_rom, poses::worlds];
+    let goals: [(usize, fn(&mut Report)); 4] =
+        [(1, poses::linear), (2, poses::catmull_rom), (3, poses::worlds), (6, files::keyframe_files)];
     let asked: Vec<usize> = std::env::args().filter_map(|argument| argument.parse().ok()).collect();
     let mut report = Report::default();
-    for (goal, measure) in (1..).zip(goals) {
+    for (goal, measure) in goals {
         if asked.is_empty() || asked.contains(&goal) {
             report.goal = goal;
             measure(&mut report);
