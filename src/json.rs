@@ -1,10 +1,12 @@
 //! What the JSON formats share: how a parse error reads, and how numbers are written.
 
-use std::fmt::Write as _;
+use std::fmt::{self, Write as _};
 
 use crate::rbt::Rbt;
 
-/// From this size on, numbers have no exponent.
+/// Below this size, all numbers but 0 have an exponent.
+const ALWAYS_WITH_EXPONENT: f32 = 1e-6;
+/// From this size on, numbers have none.
 const SMALLEST_WITHOUT_EXPONENT: f32 = 1e-4;
 /// Up to this size, all digits before the point are written.
 const ALL_WHOLE: f32 = 16_777_216.0;
@@ -21,14 +23,13 @@ pub fn sentence(error: &serde_json::Error) -> String {
 /// Appends a finite number in its shortest form that reads back to the same value: `0.25`, `4`, `1e-7`, `-0`.
 pub fn push_f32(text: &mut String, number: f32) {
     debug_assert!(number.is_finite(), "JSON has no {number}");
-    match shortest(&mut zmij::Buffer::new(), number) {
-        Some(shortest) => text.push_str(shortest),
-        None => {
-            let _ = write!(text, "{number:?}");
-            if text.ends_with(".0") {
-                text.truncate(text.len() - 2);
-            }
-        }
+    if let Some(shortest) = shortest(&mut zmij::Buffer::new(), number) {
+        text.push_str(shortest);
+        return;
+    }
+    let _ = write!(text, "{number:?}");
+    if text.ends_with(".0") {
+        text.truncate(text.len() - 2);
     }
 }
 
@@ -36,7 +37,8 @@ pub fn push_f32(text: &mut String, number: f32) {
 #[inline]
 fn shortest(buffer: &mut zmij::Buffer, number: f32) -> Option<&str> {
     let size = number.abs();
-    if size != 0.0 && !(SMALLEST_WITHOUT_EXPONENT..ALL_WHOLE).contains(&size) {
+    let is_known = size < ALWAYS_WITH_EXPONENT || (SMALLEST_WITHOUT_EXPONENT..ALL_WHOLE).contains(&size);
+    if !is_known {
         return None;
     }
     let text = buffer.format_finite(number);
@@ -115,13 +117,11 @@ impl Line {
             if place > 0 {
                 self.put(b", ");
             }
-            match shortest(&mut zmij::Buffer::new(), number) {
-                Some(shortest) => self.put_digits(shortest.as_bytes()),
-                None => {
-                    let mut text = String::new();
-                    push_f32(&mut text, number);
-                    self.put_digits(text.as_bytes());
-                }
+            if let Some(shortest) = shortest(&mut zmij::Buffer::new(), number) {
+                self.put_digits(shortest.as_bytes());
+            } else {
+                let _ = write!(self, "{number:?}");
+                self.len -= if self.bytes[..self.len].ends_with(b".0") { 2 } else { 0 };
             }
         }
     }
@@ -138,6 +138,13 @@ impl Line {
             }
             _ => into.copy_from_slice(digits),
         }
+    }
+}
+
+impl fmt::Write for Line {
+    fn write_str(&mut self, part: &str) -> fmt::Result {
+        self.put_digits(part.as_bytes());
+        Ok(())
     }
 }
 
@@ -171,7 +178,7 @@ mod tests {
 
     #[test]
     fn a_transform_has_its_numbers_in_it() {
-        let numbers = [-1.1754944e-38, 3.4028235e38, -0.0, 1.0, 123_456.79, -1e12, -0.000_123_456_79];
+        let numbers = [-f32::MIN_POSITIVE, f32::MAX, -0.0, 1.0, 123_456.79, -1e12, -0.000_123_456_79];
         let [x, y, z, i, j, k, w] = numbers;
         let rbt = Rbt::new(glam::Vec3::new(x, y, z), glam::Quat::from_xyzw(i, j, k, w));
         let mut text = "a".to_owned();

@@ -11,8 +11,11 @@ use std::process::ExitCode;
 
 use report::Report;
 
+/// Measures what a goal is about.
+type Measure = fn(&mut Report);
+
 fn main() -> ExitCode {
-    let goals: [(usize, fn(&mut Report)); 4] =
+    let goals: [(usize, Measure); 4] =
         [(1, poses::linear), (2, poses::catmull_rom), (3, poses::worlds), (6, files::keyframe_files)];
     let asked: Vec<usize> = std::env::args().filter_map(|argument| argument.parse().ok()).collect();
     let mut report = Report::default();

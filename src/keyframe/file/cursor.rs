@@ -147,13 +147,11 @@ impl<'a> Cursor<'a> {
             power += self.pass_exponent()?;
         }
         let is_exact = whole + places <= MOST_DIGITS && digits <= LARGEST_WHOLE;
-        match if is_exact { to_single(digits, power) } else { None } {
-            Some(number) => Some(if is_negative { -number } else { number }),
-            None => {
-                let text = std::str::from_utf8(&self.bytes[start..self.at]).ok()?;
-                text.parse().ok().filter(|number: &f32| number.is_finite())
-            }
+        if is_exact && let Some(number) = to_single(digits, power) {
+            return Some(if is_negative { -number } else { number });
         }
+        let text = std::str::from_utf8(&self.bytes[start..self.at]).ok()?;
+        text.parse().ok().filter(|number: &f32| number.is_finite())
     }
 
     fn pass_exponent(&mut self) -> Option<i64> {

@@ -132,7 +132,7 @@ impl Keyframes<'_> {
         }
         read.sort_unstable_by_key(|&(piece, _)| piece);
         let mut keyframes = Vec::with_capacity(read.iter().map(|(_, keyframes)| keyframes.len()).sum());
-        read.into_iter().for_each(|(_, piece)| keyframes.extend(piece));
+        keyframes.extend(read.into_iter().flat_map(|(_, piece)| piece));
         Some(keyframes)
     }
 
