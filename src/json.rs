@@ -84,15 +84,15 @@ pub fn push_f32s(text: &mut String, numbers: &[f32]) {
     text.push(']');
 }
 
-/// Appends `{ "translation": [x, y, z], "rotation": [x, y, z, w] }`.
-pub fn push_rbt(text: &mut String, rbt: &Rbt) {
+/// Appends `{ "translation": [x, y, z], "rotation": [x, y, z, w] }`, which is ASCII.
+pub fn push_rbt(text: &mut Vec<u8>, rbt: &Rbt) {
     let mut line = Line { bytes: [0; Line::MOST_BYTES], len: 0 };
     line.put(b"{ \"translation\": [");
     line.put_numbers(rbt.translation.to_array());
     line.put(b"], \"rotation\": [");
     line.put_numbers(rbt.rotation.to_array());
     line.put(b"] }");
-    text.push_str(std::str::from_utf8(&line.bytes[..line.len]).expect("numbers and names are ASCII"));
+    text.extend_from_slice(&line.bytes[..line.len]);
 }
 
 /// Text that is put together from short parts, whose lengths the compiler knows where it can, before it is copied as one.
@@ -181,12 +181,12 @@ mod tests {
         let numbers = [-f32::MIN_POSITIVE, f32::MAX, -0.0, 1.0, 123_456.79, -1e12, -0.000_123_456_79];
         let [x, y, z, i, j, k, w] = numbers;
         let rbt = Rbt::new(glam::Vec3::new(x, y, z), glam::Quat::from_xyzw(i, j, k, w));
-        let mut text = "a".to_owned();
+        let mut text = b"a".to_vec();
         push_rbt(&mut text, &rbt);
         let mut plain = "a{ \"translation\": ".to_owned();
         push_f32s(&mut plain, &numbers[..3]);
         plain.push_str(", \"rotation\": ");
         push_f32s(&mut plain, &numbers[3..]);
-        assert_eq!(text, plain + " }");
+        assert_eq!(String::from_utf8(text).expect("it is ASCII"), plain + " }");
     }
 }

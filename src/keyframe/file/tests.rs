@@ -204,7 +204,7 @@ fn plain_text(keyframes: &[Keyframe]) -> String {
 fn texts_in_pieces_are_whole() {
     let scene = scene();
     for (keyframes, nodes) in
-        [(0, 22), (1, 0), (1, 22), (5, 2048), (3, 2049), (2, 5000), (300, 22), (5000, 1), (2100, 0)]
+        [(0, 22), (1, 0), (1, 22), (5, 1024), (3, 1025), (2, 5000), (300, 22), (5000, 1), (2100, 0)]
     {
         let list = list(keyframes, nodes, &[None]);
         let text = keyframes_to_json(&scene, &list, Interpolation::Linear, 2000);

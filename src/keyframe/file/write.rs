@@ -11,15 +11,15 @@ use crate::interpolation::Interpolation;
 use crate::json::push_rbt;
 use crate::keyframe::easing::Easing;
 use crate::keyframe::list::{Keyframe, KeyframeList};
-use crate::pose::{Pose, RbtIndex};
+use crate::pose::RbtIndex;
 use crate::scene::SceneGraph;
 
-/// Nodes of poses whose text is made in one go, some hundred kilobytes.
-const PIECE_NODES: usize = 2048;
+/// Nodes of poses whose text is made in one go, some hundred kilobytes at most.
+const PIECE_NODES: usize = 1024;
 /// What a node of a pose takes at most, but for numbers that are seldom: in room that is not used, memory is not either.
 const MOST_NODE_BYTES: usize = 160;
 /// Texts that each thread has made and nobody has taken yet, and one that is being made.
-const PIECES_AHEAD: usize = 2;
+const PIECES_AHEAD: usize = 3;
 
 /// The text of a keyframe file: the same bytes for the same keyframes, one line for each node of each pose.
 #[must_use]
@@ -129,8 +129,7 @@ fn write_keyframes(keyframes: &[Keyframe], mut write: impl FnMut(&str) -> fmt::R
     if threads <= 1 {
         let mut text = String::new();
         return pieces.iter().try_for_each(|piece| {
-            text.clear();
-            push_piece(&mut text, keyframes, piece);
+            text = text_of(piece, keyframes, std::mem::take(&mut text));
             write(&text)
         });
     }
@@ -145,10 +144,8 @@ fn write_keyframes(keyframes: &[Keyframe], mut write: impl FnMut(&str) -> fmt::R
                 }
                 scope.spawn(move || {
                     for piece in pieces.iter().skip(thread).step_by(threads) {
-                        let Ok(mut text) = blank.recv() else { break };
-                        text.clear();
-                        push_piece(&mut text, keyframes, piece);
-                        if give.send(text).is_err() {
+                        let Ok(storage) = blank.recv() else { break };
+                        if give.send(text_of(piece, keyframes, storage)).is_err() {
                             break;
                         }
                     }
@@ -165,32 +162,32 @@ fn write_keyframes(keyframes: &[Keyframe], mut write: impl FnMut(&str) -> fmt::R
     })
 }
 
-/// Appends a piece of the text between the brackets of `keyframes`.
-fn push_piece(text: &mut String, keyframes: &[Keyframe], piece: &Piece) {
+/// A piece of the text between the brackets of `keyframes`, in storage that may have held another one.
+fn text_of(piece: &Piece, keyframes: &[Keyframe], storage: String) -> String {
+    let mut text = storage.into_bytes();
+    text.clear();
     for place in piece.keyframes.clone() {
         let keyframe = &keyframes[place];
         if piece.nodes.start == 0 {
-            text.push_str(if place == 0 { "\n    { " } else { ",\n    { " });
-            push_extras(text, keyframe);
-            text.push_str("\"pose\": [");
+            text.extend_from_slice(if place == 0 { b"\n    { " } else { b",\n    { " });
+            text.extend_from_slice(extras(keyframe).as_bytes());
+            text.extend_from_slice(b"\"pose\": [");
         }
         let nodes = keyframe.pose.len();
-        push_nodes(text, &keyframe.pose, piece.nodes.start..nodes.min(piece.nodes.end));
+        for node in piece.nodes.start..nodes.min(piece.nodes.end) {
+            text.extend_from_slice(if node == 0 { b"\n      " } else { b",\n      " });
+            push_rbt(&mut text, &keyframe.pose.get(RbtIndex::new(node)));
+        }
         if piece.nodes.end >= nodes {
-            text.push_str("\n    ] }");
+            text.extend_from_slice(b"\n    ] }");
         }
     }
+    String::from_utf8(text).expect("it was put together from texts")
 }
 
-fn push_nodes(text: &mut String, pose: &Pose, nodes: Range<usize>) {
-    for node in nodes {
-        text.push_str(if node == 0 { "\n      " } else { ",\n      " });
-        push_rbt(text, &pose.get(RbtIndex::new(node)));
-    }
-}
-
-/// Appends what a keyframe has beside its pose, nothing where it has nothing.
-fn push_extras(text: &mut String, keyframe: &Keyframe) {
+/// What a keyframe has beside its pose, nothing where it has nothing.
+fn extras(keyframe: &Keyframe) -> String {
+    let mut text = String::new();
     if let Some(name) = &keyframe.name {
         let _ = write!(text, "\"name\": {}, ", serde_json::Value::from(&**name));
     }
@@ -201,4 +198,5 @@ fn push_extras(text: &mut String, keyframe: &Keyframe) {
     if keyframe.easing != Easing::Linear {
         let _ = write!(text, "\"easing\": \"{}\", ", keyframe.easing.name());
     }
+    text
 }
