@@ -84,26 +84,35 @@ pub fn push_f32s(text: &mut String, numbers: &[f32]) {
     text.push(']');
 }
 
-/// Appends `{ "translation": [x, y, z], "rotation": [x, y, z, w] }`, which is ASCII.
-pub fn push_rbt(text: &mut Vec<u8>, rbt: &Rbt) {
-    let mut line = Line { bytes: [0; Line::MOST_BYTES], len: 0 };
-    line.put(b"{ \"translation\": [");
-    line.put_numbers(rbt.translation.to_array());
-    line.put(b"], \"rotation\": [");
-    line.put_numbers(rbt.rotation.to_array());
-    line.put(b"] }");
-    text.extend_from_slice(&line.bytes[..line.len]);
-}
-
-/// Text that is put together from short parts, whose lengths the compiler knows where it can, before it is copied as one.
-struct Line {
+/// Room for the text of one transform, put together from short parts whose lengths the compiler knows where it can.
+#[derive(Debug)]
+pub struct RbtText {
     bytes: [u8; Self::MOST_BYTES],
     len: usize,
 }
 
-impl Line {
-    /// More than seven numbers and the names take.
+impl Default for RbtText {
+    fn default() -> Self {
+        Self { bytes: [0; Self::MOST_BYTES], len: 0 }
+    }
+}
+
+impl RbtText {
+    /// More than seven numbers, the names and what comes before take.
     const MOST_BYTES: usize = 256;
+
+    /// A text, at most 32 bytes of it, then `{ "translation": [x, y, z], "rotation": [x, y, z, w] }`, which is ASCII.
+    pub fn of<const N: usize>(&mut self, before: &[u8; N], rbt: &Rbt) -> &[u8] {
+        const { assert!(N <= 32) }
+        self.len = 0;
+        self.put(before);
+        self.put(b"{ \"translation\": [");
+        self.put_numbers(rbt.translation.to_array());
+        self.put(b"], \"rotation\": [");
+        self.put_numbers(rbt.rotation.to_array());
+        self.put(b"] }");
+        &self.bytes[..self.len]
+    }
 
     #[inline]
     fn put<const N: usize>(&mut self, part: &[u8; N]) {
@@ -141,7 +150,7 @@ impl Line {
     }
 }
 
-impl fmt::Write for Line {
+impl fmt::Write for RbtText {
     fn write_str(&mut self, part: &str) -> fmt::Result {
         self.put_digits(part.as_bytes());
         Ok(())
@@ -181,12 +190,12 @@ mod tests {
         let numbers = [-f32::MIN_POSITIVE, f32::MAX, -0.0, 1.0, 123_456.79, -1e12, -0.000_123_456_79];
         let [x, y, z, i, j, k, w] = numbers;
         let rbt = Rbt::new(glam::Vec3::new(x, y, z), glam::Quat::from_xyzw(i, j, k, w));
-        let mut text = b"a".to_vec();
-        push_rbt(&mut text, &rbt);
+        let mut room = RbtText::default();
+        let text = room.of(b"a", &rbt);
         let mut plain = "a{ \"translation\": ".to_owned();
         push_f32s(&mut plain, &numbers[..3]);
         plain.push_str(", \"rotation\": ");
         push_f32s(&mut plain, &numbers[3..]);
-        assert_eq!(String::from_utf8(text).expect("it is ASCII"), plain + " }");
+        assert_eq!(std::str::from_utf8(text).expect("it is ASCII"), plain + " }");
     }
 }

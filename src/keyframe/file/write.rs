@@ -8,7 +8,7 @@ use std::thread;
 
 use super::{FORMAT, VERSIONS};
 use crate::interpolation::Interpolation;
-use crate::json::push_rbt;
+use crate::json::RbtText;
 use crate::keyframe::easing::Easing;
 use crate::keyframe::list::{Keyframe, KeyframeList};
 use crate::pose::RbtIndex;
@@ -166,6 +166,7 @@ fn write_keyframes(keyframes: &[Keyframe], mut write: impl FnMut(&str) -> fmt::R
 fn text_of(piece: &Piece, keyframes: &[Keyframe], storage: String) -> String {
     let mut text = storage.into_bytes();
     text.clear();
+    let mut room = RbtText::default();
     for place in piece.keyframes.clone() {
         let keyframe = &keyframes[place];
         if piece.nodes.start == 0 {
@@ -175,8 +176,8 @@ fn text_of(piece: &Piece, keyframes: &[Keyframe], storage: String) -> String {
         }
         let nodes = keyframe.pose.len();
         for node in piece.nodes.start..nodes.min(piece.nodes.end) {
-            text.extend_from_slice(if node == 0 { b"\n      " } else { b",\n      " });
-            push_rbt(&mut text, &keyframe.pose.get(RbtIndex::new(node)));
+            let rbt = keyframe.pose.get(RbtIndex::new(node));
+            text.extend_from_slice(if node == 0 { room.of(b"\n      ", &rbt) } else { room.of(b",\n      ", &rbt) });
         }
         if piece.nodes.end >= nodes {
             text.extend_from_slice(b"\n    ] }");
