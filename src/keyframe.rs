@@ -10,7 +10,8 @@ mod timing;
 pub use compare::Blend;
 pub use easing::{Curve, Easing, Ends};
 pub use file::{
-    KeyframeFile, KeyframeFileError, KeyframesJson, LARGEST_FILE_BYTES, keyframes_from_json, keyframes_to_json,
+    KeyframeFile, KeyframeFileError, KeyframesJson, KeyframesText, LARGEST_FILE_BYTES, keyframes_from_json,
+    keyframes_to_json,
 };
 pub use list::{DURATION_RANGE, Keyframe, KeyframeIndex, KeyframeList};
 pub use sample::{PlayRange, SampleError, keyframes_counted};

@@ -4,6 +4,7 @@
 //! where a goal is missed. `cargo bench --bench ratios -- 1 3` measures some of the goals.
 
 mod drawing;
+mod files;
 mod films;
 mod poses;
 mod report;
@@ -21,12 +22,13 @@ fn main() -> ExitCode {
         start::be_bare(&path);
         return ExitCode::SUCCESS;
     }
-    let goals: [Goal; 6] = [
+    let goals: [Goal; 7] = [
         (1, poses::linear),
         (2, poses::catmull_rom),
         (3, poses::worlds),
         (4, drawing::boxes),
         (5, start::process),
+        (6, files::keyframe_files),
         (7, films::frames),
     ];
     let asked: Vec<usize> = std::env::args().filter_map(|argument| argument.parse().ok()).collect();

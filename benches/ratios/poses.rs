@@ -17,7 +17,7 @@ const FEW: usize = 22;
 const MILLION: usize = 1_000_000;
 
 /// A pose in which every node stands in its own way.
-fn rbts(nodes: usize, keyframe: usize) -> Vec<Rbt> {
+pub fn rbts(nodes: usize, keyframe: usize) -> Vec<Rbt> {
     let rbt = |node: usize| {
         let phase = (keyframe * 7 + node * 13) as f32;
         let axis = Vec3::new(phase.sin(), (1.3 * phase).cos(), (0.7 * phase).sin() + 0.1).normalize();
@@ -150,7 +150,7 @@ pub fn catmull_rom(report: &mut Report) {
 }
 
 /// A tree of RBT nodes, three below each.
-fn tree(count: usize) -> SceneGraph {
+pub fn tree(count: usize) -> SceneGraph {
     fn below(builder: &mut SceneBuilder, place: usize, count: usize) {
         if place < count {
             builder.open_rbt(&format!("n{place}"), Rbt::IDENTITY).expect("a name of its own");

@@ -19,19 +19,29 @@ impl Report {
     /// How many times as fast `ours` is as `theirs`, which is to be `least` or more.
     pub fn at_least(&mut self, what: &str, ours: Duration, theirs: Duration, least: f64) {
         let times = theirs.as_secs_f64() / ours.as_secs_f64();
-        self.line(what, times, &format!("at least {least}"), times >= least, ours, theirs);
+        let sides = format!("{ours:.1?} beside {theirs:.1?}");
+        self.line(what, times, &format!("at least {least}"), times >= least, &sides);
     }
 
     /// How many times as long as `theirs` `ours` takes, which is to be `most` or less.
     pub fn at_most(&mut self, what: &str, ours: Duration, theirs: Duration, most: f64) {
         let times = ours.as_secs_f64() / theirs.as_secs_f64();
-        self.line(what, times, &format!("at most {most}"), times <= most, ours, theirs);
+        let sides = format!("{ours:.1?} beside {theirs:.1?}");
+        self.line(what, times, &format!("at most {most}"), times <= most, &sides);
     }
 
-    fn line(&mut self, what: &str, times: f64, limit: &str, is_met: bool, ours: Duration, theirs: Duration) {
+    /// How many times as many bytes as `theirs` `ours` are, which is to be `most` or less.
+    pub fn bytes_at_most(&mut self, what: &str, ours: usize, theirs: usize, most: f64) {
+        let times = ours as f64 / theirs as f64;
+        let [ours, theirs] = [ours, theirs].map(|bytes| bytes as f64 / 1e6);
+        let sides = format!("{ours:.1} MB beside {theirs:.1} MB");
+        self.line(what, times, &format!("at most {most}"), times <= most, &sides);
+    }
+
+    fn line(&mut self, what: &str, times: f64, limit: &str, is_met: bool, sides: &str) {
         self.missed += usize::from(!is_met);
         let verdict = if is_met { "met" } else { "missed" };
-        println!("goal {}: {times:.3} times, {limit}: {verdict} ({what}: {ours:.1?} beside {theirs:.1?})", self.goal);
+        println!("goal {}: {times:.3} times, {limit}: {verdict} ({what}: {sides})", self.goal);
     }
 }
 

@@ -6,7 +6,7 @@ use glam::{Quat, Vec3};
 
 use super::{ExportOptions, KeyAt, PlayMode, SceneEdit};
 use crate::interpolation::Interpolation;
-use crate::keyframe::{Easing, KeyframeIndex};
+use crate::keyframe::{Easing, KeyframeIndex, KeyframesText};
 use crate::pose::RbtIndex;
 use crate::rbt::Rbt;
 use crate::settings::{Language, ThemeChoice};
@@ -294,8 +294,8 @@ pub enum Effect {
     WriteKeyframes {
         /// Which file.
         path: PathBuf,
-        /// All of its text.
-        text: String,
+        /// Its text, to be made as it is written.
+        text: KeyframesText,
         /// Whether the file was read or written before: where not, what it held is not known here, and a careful shell keeps it.
         is_known: bool,
     },

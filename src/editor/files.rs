@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::{CommandError, Editor, Effect, FileCommand, Severity};
-use crate::keyframe::{KeyframeList, keyframes_counted, keyframes_to_json};
+use crate::keyframe::{KeyframeList, KeyframesText, keyframes_counted};
 use crate::scene::scene_to_json;
 use crate::text_layouts::{ImportError, Imported, Options, import};
 
@@ -49,12 +49,12 @@ impl Editor {
         Effect::WriteKeyframes {
             is_known: self.is_file_known && path == self.path,
             path,
-            text: keyframes_to_json(
-                &self.document.scene,
-                &document.keyframes,
-                document.interpolation,
-                document.ms_between_keyframes,
-            ),
+            text: KeyframesText {
+                scene: Arc::clone(&document.scene),
+                keyframes: document.keyframes.clone(),
+                interpolation: document.interpolation,
+                ms_between_keyframes: document.ms_between_keyframes,
+            },
         }
     }
 

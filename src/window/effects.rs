@@ -1,5 +1,6 @@
 //! What the editor asks of the shell, done: files read and written, pictures taken, questions asked.
 
+use std::fmt::Display;
 use std::path::{Path, PathBuf};
 
 use super::dialog::{self, Question};
@@ -166,8 +167,8 @@ impl Shell {
 }
 
 /// Writes a file; what stood there and is not known is kept beside it.
-fn write(path: &Path, text: &str, is_known: bool) -> Result<Option<PathBuf>, String> {
+fn write(path: &Path, text: &impl Display, is_known: bool) -> Result<Option<PathBuf>, String> {
     let kept = if is_known { None } else { storage::keep_copy(path).map_err(|error| error.to_string())? };
-    storage::write(path, text.as_bytes()).map_err(|error| error.to_string())?;
+    storage::write_with(path, |file| write!(file, "{text}")).map_err(|error| error.to_string())?;
     Ok(kept)
 }

@@ -126,7 +126,7 @@ fn apply(
                 let _ = editor.keyframes_read(&path, bytes);
             }
             Effect::WriteKeyframes { path, text, .. } => {
-                folder.write(plain_name(&path)?, text.into_bytes())?;
+                folder.write(plain_name(&path)?, text.to_string().into_bytes())?;
                 let _ = editor.keyframes_written(&path, Ok(None));
             }
             Effect::Screenshot { path: Some(path) } => {

@@ -97,7 +97,7 @@ impl Runner {
                     let _ = self.editor.keyframes_read(&path, bytes);
                 }
                 Effect::WriteKeyframes { path, text, is_known: _ } => {
-                    let written = storage::write(&path, text.as_bytes()).map(|()| None);
+                    let written = storage::write_with(&path, |file| write!(file, "{text}")).map(|()| None);
                     self.editor.keyframes_written(&path, written.map_err(|error| error.to_string()))?;
                 }
                 Effect::WriteScene { path, text, is_known: _ } => {

@@ -2,7 +2,7 @@
 
 use serde::Deserialize;
 
-use super::{KeyframeFileError, Problems};
+use super::problems::{KeyframeFileError, Problems};
 
 #[derive(Deserialize)]
 struct FileText {
@@ -22,7 +22,7 @@ struct RbtText {
 }
 
 /// The translations and rotations of a file whose numbers are beyond single precision; none where that is not what is wrong with it.
-pub(super) fn numbers_too_large(bytes: &[u8]) -> Vec<KeyframeFileError> {
+pub fn numbers_too_large(bytes: &[u8]) -> Vec<KeyframeFileError> {
     let Ok(text) = serde_json::from_slice::<FileText>(bytes) else { return Vec::new() };
     let mut problems = Problems::default();
     for (keyframe, KeyframeText { pose }) in text.keyframes.iter().enumerate() {

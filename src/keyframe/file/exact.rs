@@ -1,0 +1,253 @@
+//! The reader that says what a keyframe file means, and everything that is wrong with one.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use glam::{Quat, Vec3};
+use serde::de::{SeqAccess, Visitor};
+use serde::{Deserialize, Deserializer};
+
+use super::problems::{KeyframeFileError, Problems};
+use super::{FORMAT, KeyframeFile, VERSIONS, too_large};
+use crate::interpolation::Interpolation;
+use crate::keyframe::MS_BETWEEN_KEYFRAMES_RANGE;
+use crate::keyframe::easing::Easing;
+use crate::keyframe::list::{DURATION_RANGE, Keyframe};
+use crate::pose::Pose;
+use crate::rbt::Rbt;
+use crate::scene::SceneGraph;
+
+/// Rotations this near to unit length are kept bit for bit.
+const UNIT_TOLERANCE: f64 = 1e-6;
+/// Rotations this near to unit length are normalised; beyond, they are errors.
+const NORMALISED_TOLERANCE: f64 = 0.01;
+
+/// A keyframe file as it stands there.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct FileText {
+    pub format: String,
+    pub version: u64,
+    #[serde(rename = "scene")]
+    _scene: String,
+    interpolation: Option<String>,
+    ms_between_keyframes: Option<f64>,
+    pub nodes: Vec<String>,
+    keyframes: Vec<KeyframeText>,
+}
+
+/// What tells another kind of file, or a later version of this one, from a broken file.
+#[derive(Deserialize)]
+struct HeaderText {
+    format: String,
+    version: u64,
+}
+
+/// A keyframe as it stands there.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct KeyframeText {
+    name: Option<String>,
+    duration: Option<f64>,
+    easing: Option<String>,
+    pose: PoseText,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct RbtText {
+    translation: [f32; 3],
+    rotation: [f32; 4],
+}
+
+/// A pose in the file's order, in its final storage: nothing of the size of the file is held twice.
+struct PoseText(Arc<[Rbt]>);
+
+impl<'de> Deserialize<'de> for PoseText {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct PoseVisitor;
+
+        impl<'de> Visitor<'de> for PoseVisitor {
+            type Value = PoseText;
+
+            fn expecting(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                formatter.write_str("an array of translations and rotations")
+            }
+
+            fn visit_seq<A: SeqAccess<'de>>(self, mut entries: A) -> Result<PoseText, A::Error> {
+                let mut pose = Vec::new();
+                while let Some(RbtText { translation, rotation }) = entries.next_element()? {
+                    pose.push(Rbt::new(Vec3::from(translation), Quat::from_array(rotation)));
+                }
+                Ok(PoseText(pose.into()))
+            }
+        }
+
+        deserializer.deserialize_seq(PoseVisitor)
+    }
+}
+
+/// Reads a keyframe file for a scene.
+///
+/// # Errors
+/// Everything that is wrong, each with its place, in the file's order: never empty.
+pub fn read(bytes: &[u8], scene: &SceneGraph) -> Result<KeyframeFile, Vec<KeyframeFileError>> {
+    let text: FileText = match serde_json::from_slice(bytes) {
+        Ok(text) => text,
+        Err(error) => {
+            let header: Option<HeaderText> = serde_json::from_slice(bytes).ok();
+            if let Some(problem) = header.and_then(|header| header_problem(&header.format, header.version)) {
+                return Err(vec![problem]);
+            }
+            let too_large = too_large::numbers_too_large(bytes);
+            return Err(if too_large.is_empty() {
+                vec![KeyframeFileError::Json { message: crate::json::sentence(&error) }]
+            } else {
+                too_large
+            });
+        }
+    };
+    if let Some(problem) = header_problem(&text.format, text.version) {
+        return Err(vec![problem]);
+    }
+    let mut problems = Problems::default();
+    let Head { interpolation, ms_between_keyframes, place_in_file } = head_of(&text, scene, &mut problems);
+    let keyframes: Vec<Keyframe> = text
+        .keyframes
+        .into_iter()
+        .enumerate()
+        .filter_map(|(keyframe, text_of_keyframe)| {
+            let extras = extras_of(&text_of_keyframe, keyframe, text.version, &mut problems);
+            let PoseText(mut pose) = text_of_keyframe.pose;
+            if pose.len() != text.nodes.len() {
+                let (found, expected) = (pose.len(), text.nodes.len());
+                problems.push(KeyframeFileError::PoseLength { keyframe, found, expected });
+                return None;
+            }
+            for (rbt, path) in Arc::get_mut(&mut pose)?.iter_mut().zip(&text.nodes) {
+                if let Some(problem) = mend_rotation(rbt, keyframe, path) {
+                    problems.push(problem);
+                }
+            }
+            Some(Keyframe { pose: in_scene_order(pose, place_in_file.as_deref()?), ..extras })
+        })
+        .collect();
+    problems.into_result(KeyframeFile { interpolation, ms_between_keyframes, keyframes })
+}
+
+/// What a file says beside its keyframes.
+pub struct Head {
+    pub interpolation: Option<Interpolation>,
+    pub ms_between_keyframes: Option<u32>,
+    /// For each RBT node of the scene, its place in `nodes`; `None` where they do not match.
+    pub place_in_file: Option<Vec<usize>>,
+}
+
+/// What a file says beside its keyframes; what is wrong with that goes to the problems.
+pub fn head_of(text: &FileText, scene: &SceneGraph, problems: &mut Problems) -> Head {
+    let interpolation = text.interpolation.as_ref().and_then(|name| {
+        let known = Interpolation::from_name(name);
+        if known.is_none() {
+            problems.push(KeyframeFileError::Interpolation { found: name.clone() });
+        }
+        known
+    });
+    let ms_between_keyframes = text.ms_between_keyframes.and_then(|found| {
+        let whole = MS_BETWEEN_KEYFRAMES_RANGE.clone().find(|&ms| f64::from(ms) == found);
+        if whole.is_none() {
+            problems.push(KeyframeFileError::MsBetweenKeyframes { found });
+        }
+        whole
+    });
+    Head { interpolation, ms_between_keyframes, place_in_file: match_nodes(&text.nodes, scene, problems) }
+}
+
+/// A keyframe's name, duration and easing, with no pose yet; what is wrong with them goes to the problems.
+pub fn extras_of(text: &KeyframeText, keyframe: usize, version: u64, problems: &mut Problems) -> Keyframe {
+    let mut extras = Keyframe::new(Pose::new(Vec::new()));
+    let given =
+        [("name", text.name.is_some()), ("duration", text.duration.is_some()), ("easing", text.easing.is_some())];
+    if let Some((field, _)) = given.into_iter().find(|&(_, is_given)| is_given && version < 2) {
+        problems.push(KeyframeFileError::NeedsVersion2 { keyframe, field });
+    }
+    extras.name = text.name.as_deref().filter(|name| !name.is_empty()).map(Arc::from);
+    if let Some(found) = text.duration {
+        if DURATION_RANGE.contains(&found) {
+            extras.duration = found;
+        } else {
+            problems.push(KeyframeFileError::Duration { keyframe, found });
+        }
+    }
+    if let Some(found) = &text.easing {
+        match Easing::from_name(found) {
+            Some(easing) => extras.easing = easing,
+            None => problems.push(KeyframeFileError::Easing { keyframe, found: found.clone() }),
+        }
+    }
+    extras
+}
+
+/// Another kind of file, or a later version of this one.
+pub fn header_problem(format: &str, version: u64) -> Option<KeyframeFileError> {
+    if format != FORMAT {
+        Some(KeyframeFileError::Format { found: format.to_owned() })
+    } else if !VERSIONS.contains(&version) {
+        Some(KeyframeFileError::Version { found: version })
+    } else {
+        None
+    }
+}
+
+/// For each RBT node of the scene, its place in `nodes`; `None` where they do not match.
+fn match_nodes(nodes: &[String], scene: &SceneGraph, problems: &mut Problems) -> Option<Vec<usize>> {
+    let mut place_of: HashMap<&str, usize> = HashMap::with_capacity(nodes.len());
+    let problems_before = problems.count();
+    for (place, path) in nodes.iter().enumerate() {
+        if place_of.insert(path, place).is_some() {
+            problems.push(KeyframeFileError::DuplicateNode { path: path.clone() });
+        } else if scene.find_rbt(path).is_none() {
+            problems.push(KeyframeFileError::ExtraNode { path: path.clone(), scene: scene.name().to_owned() });
+        }
+    }
+    let places: Vec<usize> = scene
+        .rbt_paths()
+        .filter_map(|path| {
+            let place = place_of.get(path).copied();
+            if place.is_none() {
+                problems.push(KeyframeFileError::MissingNode { path: path.to_owned(), scene: scene.name().to_owned() });
+            }
+            place
+        })
+        .collect();
+    (problems.count() == problems_before).then_some(places)
+}
+
+fn in_scene_order(pose: Arc<[Rbt]>, place_in_file: &[usize]) -> Pose {
+    if place_in_file.iter().enumerate().all(|(place, &in_file)| place == in_file) {
+        Pose::from_slice(&pose)
+    } else {
+        Pose::new(place_in_file.iter().map(|&place| pose[place]).collect())
+    }
+}
+
+/// Normalises a rotation that is a little off; says what is wrong with one that is far off.
+pub fn mend_rotation(rbt: &mut Rbt, keyframe: usize, path: &str) -> Option<KeyframeFileError> {
+    let not_finite = |field| Some(KeyframeFileError::NotFinite { keyframe, path: path.to_owned(), field });
+    if !rbt.translation.is_finite() {
+        return not_finite("translation");
+    }
+    if !rbt.rotation.is_finite() {
+        return not_finite("rotation");
+    }
+    let exact = rbt.rotation.as_dquat();
+    let off_unit = (exact.length() - 1.0).abs();
+    if off_unit > NORMALISED_TOLERANCE {
+        #[expect(clippy::cast_possible_truncation, reason = "it is for a message")]
+        let length = exact.length() as f32;
+        return Some(KeyframeFileError::NotUnit { keyframe, path: path.to_owned(), length });
+    }
+    if off_unit > UNIT_TOLERANCE {
+        rbt.rotation = exact.normalize().as_quat();
+    }
+    None
+}

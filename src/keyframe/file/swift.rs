@@ -1,0 +1,224 @@
+//! The quick reader: keyframes as programs write them, read on all cores straight into poses.
+//!
+//! It knows one shape: `keyframes` somewhere in the file, `pose` last in each keyframe, names without escapes, numbers within range.
+//! Anything else, and anything wrong, it leaves to the exact reader. Around the keyframes and the poses, the text is read by the same
+//! code as there; between them, it is read by a [`Cursor`].
+
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::thread;
+
+use glam::{Quat, Vec3};
+
+use super::KeyframeFile;
+use super::cursor::Cursor;
+use super::exact::{self, FileText, Head, KeyframeText};
+use super::problems::Problems;
+use crate::keyframe::list::Keyframe;
+use crate::pose::{LANES, Pose, RbtBlock};
+use crate::rbt::Rbt;
+use crate::scene::SceneGraph;
+
+/// Text that is read in one go, in bytes: some milliseconds.
+const PIECE_BYTES: usize = 1 << 20;
+
+/// Reads a keyframe file for a scene, as [`exact::read`] does; `None` where that is to read it.
+pub fn read(bytes: &[u8], scene: &SceneGraph) -> Option<KeyframeFile> {
+    read_in_pieces(bytes, scene, PIECE_BYTES)
+}
+
+/// The same with pieces of at least so many bytes.
+pub fn read_in_pieces(bytes: &[u8], scene: &SceneGraph, piece_bytes: usize) -> Option<KeyframeFile> {
+    let mut cursor = Cursor::new(bytes, 0);
+    cursor.pass_to_array(b"\"keyframes\"")?;
+    let (start, end) = (cursor.at(), end_of_keyframes(bytes)?);
+    let around = [bytes.get(..start)?, bytes.get(end..)?].concat();
+    if end < start {
+        return None;
+    }
+    let text: FileText = serde_json::from_slice(&around).ok()?;
+    if exact::header_problem(&text.format, text.version).is_some() {
+        return None;
+    }
+    let mut problems = Problems::default();
+    let Head { interpolation, ms_between_keyframes, place_in_file } = exact::head_of(&text, scene, &mut problems);
+    problems.into_result(()).ok()?;
+    let place_in_file = place_in_file?;
+    let mut place_in_scene = vec![0; place_in_file.len()];
+    for (in_scene, in_file) in place_in_file.into_iter().enumerate() {
+        *place_in_scene.get_mut(in_file)? = in_scene;
+    }
+    let keyframes = Keyframes { text: bytes, version: text.version, place_in_scene };
+    Some(KeyframeFile {
+        interpolation,
+        ms_between_keyframes,
+        keyframes: keyframes.read(&pieces(bytes, start, end, piece_bytes))?,
+    })
+}
+
+/// The last byte but white space before a place.
+fn last_before(bytes: &[u8], at: usize) -> Option<usize> {
+    bytes[..at].iter().rposition(|byte| !matches!(byte, b' ' | b'\n' | b'\t' | b'\r'))
+}
+
+/// Where the `]` behind the keyframes seems to be: the last to come after a `}` and a `]`, which end the last keyframe and its pose.
+fn end_of_keyframes(bytes: &[u8]) -> Option<usize> {
+    let mut at = bytes.len();
+    loop {
+        at = bytes[..at].iter().rposition(|&byte| byte == b']')?;
+        let brace = last_before(bytes, at)?;
+        if bytes[brace] == b'}' && bytes[last_before(bytes, brace)?] == b']' {
+            return Some(at);
+        }
+    }
+}
+
+/// Places that seem to be those of keyframes, `piece_bytes` or more apart; the first is `start`, and the last `end`. Where one of
+/// them is something else, what is before it is no whole keyframe.
+fn pieces(bytes: &[u8], start: usize, end: usize, piece_bytes: usize) -> Vec<usize> {
+    let mut places = vec![start];
+    let mut at = start + piece_bytes;
+    while let Some(found) = bytes.get(at..end).and_then(|rest| rest.iter().position(|&byte| byte == b']')) {
+        at += found + 1;
+        let is_end_of_pose = last_before(bytes, at - 1).is_some_and(|before| bytes[before] == b'}');
+        let mut cursor = Cursor::new(&bytes[..end], at);
+        if is_end_of_pose && cursor.pass(b'}').is_some() && cursor.pass(b',').is_some() {
+            cursor.pass_space();
+            places.push(cursor.at());
+            at = cursor.at() + piece_bytes;
+        }
+    }
+    places.push(end);
+    places
+}
+
+/// What is needed to read keyframes.
+struct Keyframes<'a> {
+    text: &'a [u8],
+    version: u64,
+    /// For each place in `nodes`, the one in the scene's order.
+    place_in_scene: Vec<usize>,
+}
+
+impl Keyframes<'_> {
+    /// The keyframes between these places, on as many cores as there are and pay.
+    fn read(&self, places: &[usize]) -> Option<Vec<Keyframe>> {
+        let count = places.len() - 1;
+        let (next, is_given_up) = (AtomicUsize::new(0), AtomicBool::new(false));
+        let work = || {
+            let mut read = Vec::new();
+            while let piece = next.fetch_add(1, Ordering::Relaxed)
+                && piece < count
+                && !is_given_up.load(Ordering::Relaxed)
+            {
+                let Some(keyframes) = self.piece(places[piece], places[piece + 1], piece + 1 == count) else {
+                    is_given_up.store(true, Ordering::Relaxed);
+                    break;
+                };
+                read.push((piece, keyframes));
+            }
+            read
+        };
+        let helpers = thread::available_parallelism().map_or(1, usize::from).min(count) - 1;
+        let mut read = thread::scope(|scope| {
+            let helpers: Vec<_> = (0..helpers).map(|_| scope.spawn(work)).collect();
+            let mut read = work();
+            for helper in helpers {
+                read.extend(helper.join().unwrap_or_default());
+            }
+            read
+        });
+        if read.len() != count {
+            return None;
+        }
+        read.sort_unstable_by_key(|&(piece, _)| piece);
+        let mut keyframes = Vec::with_capacity(read.iter().map(|(_, keyframes)| keyframes.len()).sum());
+        keyframes.extend(read.into_iter().flat_map(|(_, piece)| piece));
+        Some(keyframes)
+    }
+
+    /// The keyframes from one place up to another: whole ones, with a comma after each but the last of all.
+    fn piece(&self, start: usize, end: usize, is_last: bool) -> Option<Vec<Keyframe>> {
+        let mut cursor = Cursor::new(&self.text[..end], start);
+        let mut keyframes = Vec::new();
+        loop {
+            keyframes.push(self.keyframe(&mut cursor)?);
+            cursor.pass_space();
+            if cursor.is_at_end() {
+                return is_last.then_some(keyframes);
+            }
+            cursor.pass(b',')?;
+            cursor.pass_space();
+            if cursor.is_at_end() {
+                return (!is_last).then_some(keyframes);
+            }
+        }
+    }
+
+    fn keyframe(&self, cursor: &mut Cursor<'_>) -> Option<Keyframe> {
+        let start = *cursor;
+        cursor.pass(b'{')?;
+        let mut keyframe = if cursor.passes(b"\"pose\"") {
+            cursor.pass(b':')?;
+            cursor.pass(b'[')?;
+            Keyframe::new(Pose::identity(0))
+        } else {
+            *cursor = start;
+            cursor.pass_to_array(b"\"pose\"")?;
+            self.extras(&self.text[start.at()..cursor.at()])?
+        };
+        let mut is_read = false;
+        let nodes = self.place_in_scene.len();
+        keyframe.pose.fill(nodes, |blocks| is_read = self.pose(cursor, blocks).is_some());
+        cursor.pass(b'}')?;
+        is_read.then_some(keyframe)
+    }
+
+    /// A keyframe of what stands before its pose.
+    fn extras(&self, before_pose: &[u8]) -> Option<Keyframe> {
+        let text: KeyframeText = serde_json::from_slice(&[before_pose, b"]}"].concat()).ok()?;
+        let mut problems = Problems::default();
+        let keyframe = exact::extras_of(&text, 0, self.version, &mut problems);
+        problems.into_result(keyframe).ok()
+    }
+
+    fn pose(&self, cursor: &mut Cursor<'_>, blocks: &mut [RbtBlock]) -> Option<()> {
+        for (entry, &place) in self.place_in_scene.iter().enumerate() {
+            if entry > 0 {
+                cursor.pass(b',')?;
+            }
+            let mut rbt = rbt(cursor)?;
+            if exact::mend_rotation(&mut rbt, 0, "").is_some() {
+                return None;
+            }
+            blocks[place / LANES].set(place % LANES, rbt);
+        }
+        cursor.pass(b']')
+    }
+}
+
+/// A translation and a rotation, in either order.
+#[inline]
+fn rbt(cursor: &mut Cursor<'_>) -> Option<Rbt> {
+    const TRANSLATION: &[u8; 13] = b"\"translation\"";
+    const ROTATION: &[u8; 10] = b"\"rotation\"";
+    cursor.pass(b'{')?;
+    let (translation, rotation);
+    if cursor.passes(TRANSLATION) {
+        cursor.pass(b':')?;
+        translation = cursor.pass_numbers()?;
+        cursor.pass(b',')?;
+        cursor.passes(ROTATION).then_some(())?;
+        cursor.pass(b':')?;
+        rotation = cursor.pass_numbers()?;
+    } else {
+        cursor.passes(ROTATION).then_some(())?;
+        cursor.pass(b':')?;
+        rotation = cursor.pass_numbers()?;
+        cursor.pass(b',')?;
+        cursor.passes(TRANSLATION).then_some(())?;
+        cursor.pass(b':')?;
+        translation = cursor.pass_numbers()?;
+    }
+    cursor.pass(b'}')?;
+    Some(Rbt::new(Vec3::from(translation), Quat::from_array(rotation)))
+}
