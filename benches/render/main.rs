@@ -1,39 +1,23 @@
 //! What a picture costs, against the least that any wgpu program does for one: `cargo bench --bench render`.
 //!
-//! Two ratios: one more frame in a running program, and whole processes from start to exit.
+//! One more frame in a running program; whole processes are goal 5 of `cargo bench --bench ratios`.
 
 mod bare;
 #[path = "../../tests/support/mod.rs"]
 mod support;
 
 use std::hint::black_box;
-use std::process::{Command, ExitCode, Stdio};
+use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
 use glam::Vec3;
-use inbetween::render::{Gpu, Image, Offscreen, Renderer, default_samples};
+use inbetween::render::{Gpu, Offscreen, Renderer, default_samples};
 
-/// With this argument the benchmark is the bare program.
-const BARE: &str = "--be-the-bare-program";
 /// One more frame may take so many times the bare one.
 const MOST_FRAME_RATIO: f64 = 14.0;
-/// A process may take so many times the bare one.
-const MOST_PROCESS_RATIO: f64 = 1.3;
 
 fn main() -> ExitCode {
-    if std::env::args().any(|argument| argument == BARE) {
-        be_bare(&std::env::args().next_back().expect("where the picture goes"));
-        return ExitCode::SUCCESS;
-    }
-    let met = [frames(), processes()];
-    if met == [true; 2] { ExitCode::SUCCESS } else { ExitCode::FAILURE }
-}
-
-/// The bare program: one box, as a PNG, with the same encoder.
-fn be_bare(path: &str) {
-    let rgba = bare::Bare::new().draw();
-    let image = Image { width: bare::WIDTH, height: bare::HEIGHT, rgba };
-    std::fs::write(path, image.to_png().expect("a PNG")).expect("a file");
+    if frames() { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }
 
 /// Whether one more frame costs no more than it may.
@@ -65,30 +49,6 @@ fn frames() -> bool {
     // What nobody has a limit for is printed all the same.
     report("frame, a shape moves", &moving, &bare, f64::INFINITY);
     report("frame, nothing moves", &still, &bare, MOST_FRAME_RATIO)
-}
-
-/// Whether a whole process costs no more than it may.
-fn processes() -> bool {
-    let directory = tempfile::tempdir().expect("a temporary directory");
-    let picture = directory.path().join("picture.png");
-    let mut ours = Command::new(env!("CARGO_BIN_EXE_inbetween"));
-    ours.arg("render").arg("-o").arg(&picture).stdout(Stdio::null()).stderr(Stdio::null());
-    let mut bare = Command::new(std::env::current_exe().expect("the benchmark's own path"));
-    bare.arg(BARE).arg(directory.path().join("bare.png")).stdout(Stdio::null()).stderr(Stdio::null());
-    let mut times = [Vec::new(), Vec::new()];
-    for round in 0..33 {
-        for (which, command) in [&mut bare, &mut ours].into_iter().enumerate() {
-            let start = Instant::now();
-            let status = command.status().expect("the process starts");
-            if round >= 3 {
-                times[which].push(start.elapsed());
-            }
-            assert!(status.success(), "{command:?}: {status}");
-        }
-    }
-    assert!(picture.exists(), "`inbetween render` wrote a picture");
-    let [bare, ours] = times;
-    report("process", &ours, &bare, MOST_PROCESS_RATIO)
 }
 
 /// The fastest tenth's slowest: what a machine that others use too takes when it is left alone.

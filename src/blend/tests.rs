@@ -42,16 +42,9 @@ fn partner(from: Rbt) -> impl Strategy<Value = Rbt> {
     ]
 }
 
-/// `slerp` in f64, of the nearer signs. Half a turn away, where either way is right, the one that the dot product's sign in f32 says.
+/// `slerp` in f64, of the nearer signs.
 fn slerp_f64(from: Quat, to: Quat, alpha: f32) -> DQuat {
-    let (from, to) = (from.as_dquat().normalize(), to.as_dquat().normalize());
-    let to = if from.dot(to) < 0.0 { -to } else { to };
-    let theta = 2.0 * (from - to).length().atan2((from + to).length());
-    if theta == 0.0 {
-        return from;
-    }
-    let alpha = f64::from(alpha);
-    (from * ((1.0 - alpha) * theta).sin() + to * (alpha * theta).sin()) * theta.sin().recip()
+    slerp_of(from.as_dquat().normalize(), to.as_dquat().normalize(), alpha)
 }
 
 /// The angle of the rotation between two, in radians.
@@ -127,6 +120,7 @@ proptest! {
     }
 }
 
+/// The same of unit quaternions in f64.
 fn slerp_of(from: DQuat, to: DQuat, alpha: f32) -> DQuat {
     let to = if from.dot(to) < 0.0 { -to } else { to };
     let theta = 2.0 * (from - to).length().atan2((from + to).length());
