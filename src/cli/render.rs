@@ -4,7 +4,7 @@ mod identities;
 mod manifest;
 mod target;
 
-use std::mem::ManuallyDrop;
+use std::mem;
 use std::path::Path;
 
 use super::arguments::RenderArguments;
@@ -41,37 +41,52 @@ pub fn run(arguments: &RenderArguments, scene: Option<&Path>) -> Result<(), CliE
     if target == Target::Mp4 {
         find_ffmpeg(&arguments.output)?;
     }
-    // The system takes back in no time what a driver takes milliseconds to give back, and the process ends after this.
-    let mut painter = ManuallyDrop::new(Painter::headless(size, arguments.samples)?);
+    let mut painter = Painter::headless(size, arguments.samples)?;
     painter.set_background(arguments.background);
+    let done = draw(arguments, scene, target, &mut painter);
+    if done.is_ok() {
+        // The system takes back in no time what a driver takes milliseconds to give back, and the process ends after this. Where
+        // something went wrong the driver may be at work still, and must be waited for.
+        mem::forget(painter);
+    }
+    done
+}
+
+fn draw(
+    arguments: &RenderArguments,
+    scene: Option<&Path>,
+    target: Target,
+    painter: &mut Painter,
+) -> Result<(), CliError> {
+    let size = painter.size();
+    let is_seen_through = arguments.background == Background::Transparent;
     let scene = scene::load(scene)?;
     let animation =
         arguments.file.as_deref().map(|file| Animation::load(file, &scene, arguments.interpolation)).transpose()?;
     let view = View::named(arguments.camera.as_deref(), &scene)?;
     let source = Source { scene: &scene, animation: animation.as_ref(), file: arguments.file.as_deref() };
     let stage = Stage::new(source, view, arguments.ghosts.unwrap_or(0), painter.size_px());
-    let mut manifest = Manifest::new(&painter);
+    // Hashing costs time.
+    let mut manifest = arguments.manifest.is_some().then(|| Manifest::new(painter));
     let output = &arguments.output;
     match (target, arguments.sheet) {
         (Target::Image, Some(grid)) => {
-            let png = sheet(arguments, grid, source, &stage, &mut painter)?.to_png()?;
-            write(output, &png, &mut manifest)?;
+            let png = sheet(arguments, grid, source, &stage, painter)?.to_png()?;
+            write(output, &png, manifest.as_mut())?;
         }
         (Target::Image, None) => {
             let shown = source.shown(arguments.at, arguments.keyframe)?;
             let frame = stage.frame(&Moment { shown, seconds: arguments.seconds, start_ms: 0.0, turn: 0.0 })?;
-            let png = if arguments.id { identities::png(&painter, &frame)? } else { painter.png(&frame)? };
-            write(output, &png, &mut manifest)?;
+            let png = if arguments.id { identities::png(painter, &frame)? } else { painter.png(&frame)? };
+            write(output, &png, manifest.as_mut())?;
         }
         (Target::Folder, _) => {
             let fps = arguments.fps.unwrap_or(target.usual_frames_per_second());
             let moments = Moments::of_film(arguments.span(), source, view, fps)?;
             let mut watch = watched(&moments);
-            let mut drawing = Drawing { stage: &stage, moments: &moments, painter: &mut painter, watch: &mut watch };
-            // Hashing costs time.
-            let is_listed = arguments.manifest.is_some();
+            let mut drawing = Drawing { stage: &stage, moments: &moments, painter, watch: &mut watch };
             write_folder(output, &mut drawing, &mut |path, png| {
-                if is_listed {
+                if let Some(manifest) = &mut manifest {
                     manifest.add(path, png);
                 }
             })?;
@@ -81,14 +96,17 @@ pub fn run(arguments: &RenderArguments, scene: Option<&Path>) -> Result<(), CliE
             let moments = Moments::of_film(arguments.span(), source, view, fps)?;
             let plan = moments.plan(size, fps, !is_seen_through)?;
             let mut watch = watched(&moments);
-            let mut drawing = Drawing { stage: &stage, moments: &moments, painter: &mut painter, watch: &mut watch };
+            let mut drawing = Drawing { stage: &stage, moments: &moments, painter, watch: &mut watch };
             write_film(output, target, plan, &mut drawing)?;
-            if arguments.manifest.is_some() {
+            if let Some(manifest) = &mut manifest {
                 manifest.add_file(output)?;
             }
         }
     }
-    arguments.manifest.as_deref().map_or(Ok(()), |path| manifest.write(path))
+    match (&arguments.manifest, manifest) {
+        (Some(path), Some(manifest)) => manifest.write(path),
+        _ => Ok(()),
+    }
 }
 
 /// A line that says how far it is, and an ear for Ctrl+C.
@@ -118,8 +136,10 @@ fn sheet(
     Ok(contact_sheet(grid, &cells))
 }
 
-fn write(path: &Path, png: &[u8], manifest: &mut Manifest) -> Result<(), CliError> {
+fn write(path: &Path, png: &[u8], manifest: Option<&mut Manifest>) -> Result<(), CliError> {
     storage::write_unsynced(path, png).map_err(|reason| CliError::unwritten(path, reason))?;
-    manifest.add(path, png);
+    if let Some(manifest) = manifest {
+        manifest.add(path, png);
+    }
     Ok(())
 }

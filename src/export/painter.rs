@@ -94,7 +94,9 @@ impl Painter {
     /// # Errors
     /// [`ExportError`]
     pub fn png(&mut self, frame: &Frame) -> Result<Vec<u8>, ExportError> {
-        Ok(self.image(frame)?.to_png()?)
+        self.is_under_way = false;
+        self.offscreen.submit(&self.gpu, &mut self.renderer, frame);
+        Ok(self.offscreen.read_png(&self.gpu)??)
     }
 
     /// What is behind everything from now on.

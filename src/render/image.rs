@@ -22,6 +22,43 @@ impl Image {
         self.rgba.get(start..start + 4)?.try_into().ok()
     }
 
+    /// The picture as a PNG: [`Rows::to_png`].
+    ///
+    /// # Errors
+    ///
+    /// [`png::EncodingError`] where the sides and the bytes do not agree, or a side is 0.
+    pub fn to_png(&self) -> Result<Vec<u8>, png::EncodingError> {
+        let row_bytes = 4 * self.width as usize;
+        Rows { width: self.width, height: self.height, row_bytes, bytes: &self.rgba }.to_png()
+    }
+}
+
+/// Rows of pixels from the top, each followed by what is no pixel, wherever they are.
+#[derive(Clone, Copy, Debug)]
+pub struct Rows<'a> {
+    /// Width in pixels.
+    pub width: u32,
+    /// Height in pixels.
+    pub height: u32,
+    /// From a row's start to the next one's.
+    pub row_bytes: usize,
+    /// Red, green, blue in sRGB and opacity, 8 bits each.
+    pub bytes: &'a [u8],
+}
+
+impl Rows<'_> {
+    fn rows(&self) -> impl Iterator<Item = &[u8]> {
+        self.bytes.chunks(self.row_bytes.max(1)).map(|row| &row[..row.len().min(4 * self.width as usize)])
+    }
+
+    /// The rows, tightly packed.
+    #[must_use]
+    pub fn to_image(&self) -> Image {
+        let mut rgba = Vec::with_capacity(4 * self.width as usize * self.height as usize);
+        self.rows().for_each(|row| rgba.extend_from_slice(row));
+        Image { width: self.width, height: self.height, rgba }
+    }
+
     /// The picture as a PNG: 8 bits a channel, not interlaced, marked as sRGB; without an alpha channel where all is opaque.
     /// The same picture always gives the same bytes.
     ///
@@ -29,23 +66,33 @@ impl Image {
     ///
     /// [`png::EncodingError`] where the sides and the bytes do not agree, or a side is 0.
     pub fn to_png(&self) -> Result<Vec<u8>, png::EncodingError> {
-        let opaque = self.rgba.chunks_exact(4).all(|pixel| pixel[3] == u8::MAX);
-        let mut bytes = Vec::with_capacity(self.rgba.len() / 8 + 1024);
+        let pixels = self.width as usize * self.height as usize;
+        let mut packed = vec![0; 3 * pixels];
+        let (mut least_opacity, mut read) = (u8::MAX, 0);
+        for row in self.rows() {
+            let pixels = row.as_chunks::<4>().0;
+            let places = packed.as_chunks_mut::<3>().0.iter_mut().skip(read);
+            for (place, &[red, green, blue, opacity]) in places.zip(pixels) {
+                *place = [red, green, blue];
+                least_opacity = least_opacity.min(opacity);
+            }
+            read += pixels.len();
+        }
+        // Where there are too few, the encoder says so.
+        packed.truncate(3 * read);
+        let is_opaque = least_opacity == u8::MAX;
+        if !is_opaque {
+            packed.clear();
+            self.rows().for_each(|row| packed.extend_from_slice(row));
+        }
+        let mut bytes = Vec::with_capacity(pixels / 2 + 1024);
         let mut encoder = png::Encoder::new(&mut bytes, self.width, self.height);
-        encoder.set_color(if opaque { png::ColorType::Rgb } else { png::ColorType::Rgba });
+        encoder.set_color(if is_opaque { png::ColorType::Rgb } else { png::ColorType::Rgba });
         encoder.set_depth(png::BitDepth::Eight);
         encoder.set_compression(png::Compression::Fast);
         encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
         let mut writer = encoder.write_header()?;
-        if opaque {
-            let mut rgb = Vec::with_capacity(self.rgba.len() / 4 * 3);
-            for pixel in self.rgba.chunks_exact(4) {
-                rgb.extend_from_slice(&pixel[..3]);
-            }
-            writer.write_image_data(&rgb)?;
-        } else {
-            writer.write_image_data(&self.rgba)?;
-        }
+        writer.write_image_data(&packed)?;
         writer.finish()?;
         Ok(bytes)
     }

@@ -4,7 +4,7 @@ use std::sync::mpsc;
 
 use crate::frame::Frame;
 use crate::render::gpu::{Gpu, GpuError};
-use crate::render::image::Image;
+use crate::render::image::{Image, Rows};
 use crate::render::renderer::{Renderer, Viewport};
 
 /// A texture to draw into and the buffer that brings it back. Kept for a run of pictures of one size, it allocates nothing more on
@@ -108,22 +108,33 @@ impl Offscreen {
     /// # Errors
     ///
     /// [`GpuError::ReadBack`] where nothing was submitted or the device is lost.
+    #[expect(clippy::redundant_closure_for_method_calls, reason = "the method itself is for one lifetime only")]
     pub fn read(&mut self, gpu: &Gpu) -> Result<Image, GpuError> {
+        self.read_rows(gpu, |rows| rows.to_image())
+    }
+
+    /// As [`Offscreen::read`], as a PNG: [`Rows::to_png`], with no copy of the picture in between.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::ReadBack`] where nothing was submitted or the device is lost; inside it what the encoder says.
+    #[expect(clippy::redundant_closure_for_method_calls, reason = "the method itself is for one lifetime only")]
+    pub fn read_png(&mut self, gpu: &Gpu) -> Result<Result<Vec<u8>, png::EncodingError>, GpuError> {
+        self.read_rows(gpu, |rows| rows.to_png())
+    }
+
+    fn read_rows<T>(&mut self, gpu: &Gpu, take: impl FnOnce(&Rows<'_>) -> T) -> Result<T, GpuError> {
         let failed = |reason: String| GpuError::ReadBack { adapter: gpu.info.name.clone(), reason };
         let Submitted { index, mapped } =
             self.submitted.take().ok_or_else(|| failed("nothing was drawn".to_owned()))?;
         let until = wgpu::PollType::Wait { submission_index: Some(index), timeout: None };
         gpu.device.poll(until).map_err(|error| failed(error.to_string()))?;
         mapped.recv().map_err(|error| failed(error.to_string()))?.map_err(|error| failed(error.to_string()))?;
-        let row = 4 * self.width as usize;
-        let mut rgba = Vec::with_capacity(row * self.height as usize);
-        {
-            let padded = self.buffer.get_mapped_range(..).map_err(|error| failed(error.to_string()))?;
-            for padded_row in padded.chunks_exact(self.row_bytes as usize) {
-                rgba.extend_from_slice(&padded_row[..row]);
-            }
-        }
+        let taken = {
+            let bytes = self.buffer.get_mapped_range(..).map_err(|error| failed(error.to_string()))?;
+            take(&Rows { width: self.width, height: self.height, row_bytes: self.row_bytes as usize, bytes: &bytes })
+        };
         self.buffer.unmap();
-        Ok(Image { width: self.width, height: self.height, rgba })
+        Ok(taken)
     }
 }
