@@ -1,5 +1,6 @@
 // Shared by every shader: what is the same for a whole picture, and the last step of every pixel.
 // Colours are linear light until `finished`. No derivatives anywhere, so that pictures are the same to the byte.
+// The renderer puts a constant before this: ENCODE_SRGB, whether the target stores what it is given, so that the shader must encode.
 
 struct Globals {
     clip_from_world: mat4x4f,
@@ -23,9 +24,6 @@ struct Globals {
 }
 
 @group(0) @binding(0) var<uniform> globals: Globals;
-
-// Whether the target stores what it is given, so that the shader must encode.
-override ENCODE_SRGB: bool = false;
 
 fn finished(colour: vec3f, opacity: f32) -> vec4f {
     if ENCODE_SRGB {

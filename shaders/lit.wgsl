@@ -7,9 +7,6 @@ const BOUNCE: vec3f = vec3f(0.20, 0.185, 0.17);
 @group(1) @binding(0) var sun_map: texture_depth_2d;
 @group(1) @binding(1) var sun_map_sampler: sampler_comparison;
 
-// Taps along each side of the soft shadow's square; where the CPU draws 1, which stands for two across a diagonal.
-override SHADOW_TAPS: i32 = 1;
-
 // Where a point is looked up in the sun's map: texture coordinates and depth. The point is lifted off its surface, more
 // where the sun grazes it, so that the surface does not shade itself.
 fn map_place(in_world: vec3f, normal_in_world: vec3f) -> vec3f {
@@ -17,25 +14,4 @@ fn map_place(in_world: vec3f, normal_in_world: vec3f) -> vec3f {
     let lift = globals.towards_sun_in_world.w * (0.6 + 1.6 * saturate(1.0 - facing));
     let place = globals.map_from_world * vec4f(in_world + normal_in_world * lift, 1.0);
     return vec3f(place.xy * vec2f(0.5, -0.5) + 0.5, place.z);
-}
-
-// How much of the sun arrives, 0 to 1.
-fn sun_arriving(place: vec3f) -> f32 {
-    let depth = min(place.z, 1.0);
-    let texel = 1.0 / vec2f(textureDimensions(sun_map));
-    if SHADOW_TAPS == 1 {
-        // Two across a diagonal: the steps of slanting borders run into each other.
-        let half = 0.55 * texel;
-        return 0.5 * (textureSampleCompareLevel(sun_map, sun_map_sampler, place.xy + half, depth)
-            + textureSampleCompareLevel(sun_map, sun_map_sampler, place.xy - half, depth));
-    }
-    let first = -0.5 * f32(SHADOW_TAPS - 1);
-    var sum = 0.0;
-    for (var y = 0; y < SHADOW_TAPS; y++) {
-        for (var x = 0; x < SHADOW_TAPS; x++) {
-            let offset = (vec2f(f32(x), f32(y)) + first) * texel;
-            sum += textureSampleCompareLevel(sun_map, sun_map_sampler, place.xy + offset, depth);
-        }
-    }
-    return sum / f32(SHADOW_TAPS * SHADOW_TAPS);
 }

@@ -1,8 +1,21 @@
 // Where shapes are, and nothing else of them.
 
 @vertex
-fn shadow_vertex(corner: Corner) -> @builtin(position) vec4f {
-    return globals.map_from_world * vec4f(world_position(corner), 1.0);
+fn shadow_vertex(corner: Corner) -> Pixel {
+    let in_map = globals.map_from_world * vec4f(world_position(corner), 1.0);
+    var out: Pixel;
+    out.in_clip = in_map;
+    out.surface = in_map;
+    out.along_view = in_map.xyz;
+    out.map_place = in_map.xyz;
+    out.colour = in_map;
+    out.shaded = in_map.xyz;
+    return out;
+}
+
+@fragment
+fn shadow_fragment(pixel: Pixel) -> @location(0) vec4f {
+    return pixel.surface + pixel.colour + vec4f(pixel.along_view + pixel.map_place + pixel.shaded, 0.0);
 }
 
 // A hair nearer than `shape_vertex`, so that a shape does not hide itself: depth is reversed.

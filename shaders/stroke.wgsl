@@ -15,9 +15,6 @@ struct StrokePixel {
     @location(2) @interpolate(flat) half_width_px: f32,
 }
 
-// What part of its opacity a stroke keeps: less where it is drawn behind something.
-override KEPT: f32 = 1.0;
-
 fn viewport_px() -> vec2f {
     return vec2f(globals.ray_right_in_world.w, globals.ray_down_in_world.w);
 }
@@ -28,11 +25,23 @@ fn quad_corner(index: u32) -> vec2f {
 
 @vertex
 fn line_vertex(@builtin(vertex_index) index: u32, stroke: Stroke) -> StrokePixel {
+    return line_vertex_of(index, stroke);
+}
+
+// Where something is in front of it a line keeps little of its opacity.
+@vertex
+fn hidden_line_vertex(@builtin(vertex_index) index: u32, stroke: Stroke) -> StrokePixel {
+    var out = line_vertex_of(index, stroke);
+    out.colour.a *= 0.22;
+    return out;
+}
+
+fn line_vertex_of(index: u32, stroke: Stroke) -> StrokePixel {
     let nearest = 0.01;
     var from_clip = globals.clip_from_world * vec4f(stroke.from_in_world, 1.0);
     var to_clip = globals.clip_from_world * vec4f(stroke.to_in_world, 1.0);
     var out: StrokePixel;
-    out.colour = vec4f(stroke.colour.rgb, stroke.colour.a * KEPT * min(stroke.width_px, 1.0));
+    out.colour = vec4f(stroke.colour.rgb, stroke.colour.a * min(stroke.width_px, 1.0));
     out.half_width_px = 0.5 * max(stroke.width_px, 1.0);
     if from_clip.w < nearest && to_clip.w < nearest {
         out.in_clip = vec4f(2.0, 2.0, 0.0, 1.0);

@@ -9,6 +9,7 @@
 
 mod arrange;
 mod bounds;
+mod detail;
 mod gpu;
 mod identity;
 mod image;
@@ -20,14 +21,14 @@ mod offscreen;
 mod pipelines;
 mod read;
 mod renderer;
+mod shaders;
 mod targets;
 mod uniforms;
-mod warm_up;
 
 pub use arrange::Arrangement;
 pub use gpu::{Gpu, GpuError};
 pub use identity::node_picture;
-pub use image::Image;
+pub use image::{Image, Rows};
 pub use offscreen::Offscreen;
 pub use read::ImageReadError;
 pub use renderer::{Background, Renderer, Viewport, default_samples};

@@ -1,5 +1,4 @@
-//! Which items are drawn, in which order and in what detail: those that may be seen, the nearest first, so that what they hide is not
-//! shaded, and rounded edges of boxes only where they are pixels wide.
+//! Which items are drawn, and in which order: those that may be seen, the nearest first, so that what they hide is not shaded.
 //!
 //! Items come in the scene's pre-order, so that those of a subtree follow each other. Runs of them share a bounding box: a run that is
 //! out of sight, or whole in sight, costs one test.
@@ -8,16 +7,11 @@ use glam::Vec3;
 
 use crate::frame::{DrawItem, Frame};
 use crate::render::bounds::{Bounds, Sight, ViewSides};
-use crate::render::mesh::{CHAMFERED_BOX, MESHES, SHARP_BOX};
-use crate::scene::MeshKind;
+use crate::render::detail::Detail;
+use crate::render::mesh::MESHES;
 
 /// Items that share a bounding box.
 const RUN: usize = 32;
-
-/// Edges of a box that are rounded by less than so many pixels are cut off straight.
-const CHAMFERED_BELOW_PX: f32 = 1.2;
-/// Those that are rounded by less than so many are sharp.
-const SHARP_BELOW_PX: f32 = 0.5;
 
 /// How items are drawn. The picture is the same to the byte with and without the cut.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -29,42 +23,6 @@ pub enum Arrangement {
     /// Those that may be seen, the nearest first.
     #[default]
     SortedAndCut,
-}
-
-/// What tells how many pixels something is wide.
-#[derive(Clone, Copy, Debug)]
-struct Detail {
-    eye_in_world: Vec3,
-    /// Of what is at distance 1, for each unit of length.
-    pixels: f32,
-}
-
-impl Detail {
-    fn of(frame: &Frame, height_px: u32) -> Self {
-        let view = &frame.view;
-        let pixels = 0.5 * height_px as f32 / (0.5 * view.vertical_fov).tan();
-        Self { eye_in_world: view.world_from_eye.translation.into(), pixels }
-    }
-
-    /// The mesh that shows an item as well as its pixels can.
-    fn mesh(self, item: &DrawItem) -> usize {
-        if item.mesh != MeshKind::Box {
-            return item.mesh as usize;
-        }
-        let axes = item.world_from_shape.matrix3;
-        let scale = axes.x_axis.length().max(axes.y_axis.length()).max(axes.z_axis.length());
-        // Its nearest corner counts.
-        let distance = Vec3::from(item.world_from_shape.translation).distance(self.eye_in_world);
-        let nearest = (distance - scale * item.half_extents.length()).max(0.0);
-        let rounding_px = self.pixels * scale * item.rounding;
-        if rounding_px < SHARP_BELOW_PX * nearest {
-            SHARP_BOX
-        } else if rounding_px < CHAMFERED_BELOW_PX * nearest {
-            CHAMFERED_BOX
-        } else {
-            item.mesh as usize
-        }
-    }
 }
 
 /// The items of a frame in the order in which they go to the GPU. Kept from frame to frame.
@@ -80,8 +38,8 @@ pub struct Arranged {
 }
 
 impl Arranged {
-    /// Takes in a frame of a picture so many pixels high; says whether an item is another than in the last one.
-    pub fn take(&mut self, frame: &Frame, height_px: u32, arrangement: Arrangement) -> bool {
+    /// Takes in a frame; says whether an item is another than in the last one.
+    pub fn take(&mut self, frame: &Frame, detail: Detail, arrangement: Arrangement) -> bool {
         let has_moved = frame.items != self.items;
         if has_moved {
             self.items.clone_from(&frame.items);
@@ -92,7 +50,6 @@ impl Arranged {
         }
         self.seen.as_flattened_mut().iter_mut().for_each(Vec::clear);
         let sides = ViewSides::of(&frame.view);
-        let detail = (arrangement != Arrangement::AsGiven).then(|| Detail::of(frame, height_px));
         for ((run, items), places) in self.runs.iter().zip(frame.items.chunks(RUN)).zip((0_u32..).step_by(RUN)) {
             let of_run = match arrangement {
                 Arrangement::SortedAndCut => sides.sight(run),
@@ -105,8 +62,7 @@ impl Arranged {
                     Sight::Partial => sides.may_see(&self.bounds[place as usize], Vec3::ZERO),
                 };
                 if may_be_seen {
-                    let mesh = detail.map_or(item.mesh as usize, |detail| detail.mesh(item));
-                    self.seen[mesh][usize::from(item.outlined)].push(place);
+                    self.seen[detail.mesh(item)][usize::from(item.outlined)].push(place);
                 }
             }
         }

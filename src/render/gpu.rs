@@ -1,6 +1,10 @@
 //! The adapter and its device, for a window or for none.
 
+use std::thread;
+
 use thiserror::Error;
+
+use crate::render::{mesh, shaders};
 
 /// Why nothing can be drawn: each sentence says what is missing and how to get it.
 #[derive(Debug, Error)]
@@ -48,6 +52,15 @@ pub enum GpuError {
     },
 }
 
+/// Starts on what a renderer will need and returns: a driver takes long enough to open for that to be done by then.
+fn prepare_ahead() {
+    // Where no thread can be had, it is done when it is needed.
+    let _ = thread::Builder::new().name("prepare".to_owned()).spawn(|| {
+        shaders::parse_usual();
+        mesh::geometry();
+    });
+}
+
 /// An adapter with its open device and queue.
 #[derive(Debug)]
 pub struct Gpu {
@@ -73,6 +86,7 @@ impl Gpu {
     ///
     /// [`GpuError::NoAdapter`] and [`GpuError::NoDevice`].
     pub fn headless() -> Result<Self, GpuError> {
+        prepare_ahead();
         let open = |backends| {
             let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
             descriptor.backends = backends;
@@ -93,6 +107,7 @@ impl Gpu {
         D: wgpu::wgt::WgpuHasDisplayHandle + Clone,
         W: Into<wgpu::SurfaceTarget<'static>> + Clone,
     {
+        prepare_ahead();
         let open = |backends| {
             let mut descriptor = wgpu::InstanceDescriptor::new_with_display_handle(Box::new(display.clone()));
             descriptor.backends = backends;

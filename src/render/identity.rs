@@ -8,13 +8,14 @@ use wgpu::util::{BufferInitDescriptor, DeviceExt};
 
 use crate::frame::Frame;
 use crate::render::arrange::{Arranged, Arrangement};
+use crate::render::detail::Detail;
 use crate::render::gpu::{Gpu, GpuError};
 use crate::render::instances::{INSTANCES_START, Instance, Packed};
-use crate::render::mesh::{Mesh, Vertex};
+use crate::render::mesh::{Vertex, geometry};
 use crate::render::pipelines::DEPTH_FORMAT;
 use crate::render::renderer::Viewport;
+use crate::render::shaders::{self, Source, Variant};
 use crate::render::uniforms::Globals;
-use crate::scene::MeshKind;
 
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R32Uint;
 
@@ -30,11 +31,17 @@ pub fn node_picture(gpu: &Gpu, frame: &Frame, width: u32, height: u32) -> Result
     let device = &gpu.device;
     let mut packed = Packed::default();
     let mut arranged = Arranged::default();
-    arranged.take(frame, height, Arrangement::AsGiven);
-    packed.pack(frame, &arranged, &Globals::new(frame, None, Viewport::whole(width, height)), false);
+    let detail = Detail::of_picture(&frame.view, height, 1.0);
+    arranged.take(frame, detail, Arrangement::SortedAndCut);
+    packed.pack(frame, &arranged, &Globals::new(frame, None, Viewport::whole(width, height)), detail, None);
     let usage = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::VERTEX;
     // The globals' binding ends where instances begin, also where there are none.
-    let frame_buffer = device.create_buffer_init(&BufferInitDescriptor { label: None, contents: &packed.bytes, usage });
+    let buffer =
+        |contents: &[u8], usage| device.create_buffer_init(&BufferInitDescriptor { label: None, contents, usage });
+    let frame_buffer = buffer(&packed.bytes, usage);
+    let geometry = geometry();
+    let vertices = buffer(cast_slice(&geometry.vertices), wgpu::BufferUsages::VERTEX);
+    let indices = buffer(cast_slice(&geometry.indices), wgpu::BufferUsages::INDEX);
     let pipeline = pipeline(device);
     let globals = device.create_bind_group(&wgpu::BindGroupDescriptor {
         label: Some("identity globals"),
@@ -86,21 +93,11 @@ pub fn node_picture(gpu: &Gpu, frame: &Frame, width: u32, height: u32) -> Result
         });
         pass.set_pipeline(&pipeline);
         pass.set_bind_group(0, &globals, &[]);
-        for (kind, instances) in MeshKind::ALL.into_iter().zip(&packed.seen) {
-            if instances.is_empty() {
-                continue;
-            }
-            let mesh = Mesh::unit(kind);
-            let buffer = |contents: &[u8], usage| {
-                device.create_buffer_init(&BufferInitDescriptor { label: None, contents, usage })
-            };
-            let vertices = buffer(cast_slice(&mesh.vertices), wgpu::BufferUsages::VERTEX);
-            let wide: Vec<u32> = mesh.indices.iter().map(|&index| u32::from(index)).collect();
-            let indices = buffer(cast_slice(&wide), wgpu::BufferUsages::INDEX);
-            pass.set_vertex_buffer(0, vertices.slice(..));
-            pass.set_vertex_buffer(1, frame_buffer.slice(INSTANCES_START as u64..));
-            pass.set_index_buffer(indices.slice(..), wgpu::IndexFormat::Uint32);
-            pass.draw_indexed(0..wide.len() as u32, 0, instances.clone());
+        pass.set_vertex_buffer(0, vertices.slice(..));
+        pass.set_vertex_buffer(1, frame_buffer.slice(INSTANCES_START as u64..));
+        pass.set_index_buffer(indices.slice(..), wgpu::IndexFormat::Uint16);
+        for (mesh, instances) in geometry.places.iter().zip(&packed.seen).filter(|(_, seen)| !seen.is_empty()) {
+            pass.draw_indexed(mesh.indices.clone(), mesh.first_vertex, instances.clone());
         }
     }
     read_back(gpu, encoder, &target)
@@ -132,15 +129,9 @@ fn read_back(gpu: &Gpu, mut encoder: wgpu::CommandEncoder, target: &wgpu::Textur
 }
 
 fn pipeline(device: &wgpu::Device) -> wgpu::RenderPipeline {
-    let text = concat!(
-        include_str!("../../shaders/common.wgsl"),
-        include_str!("../../shaders/corner.wgsl"),
-        include_str!("../../shaders/identity.wgsl")
-    );
-    let module = &device.create_shader_module(wgpu::ShaderModuleDescriptor {
-        label: Some("identity"),
-        source: wgpu::ShaderSource::Wgsl(text.into()),
-    });
+    // Whole numbers need no encoding, and there is one sample a pixel.
+    let variant = Variant { encodes_srgb: false, is_software: false, is_multisampled: false };
+    let module = &shaders::module(device, Source::Identity, variant);
     let corner = wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3];
     let instance = wgpu::vertex_attr_array![
         2 => Float32x4, 3 => Float32x4, 4 => Float32x4, 5 => Float32x4, 6 => Float32x3, 7 => Uint32, 8 => Float32

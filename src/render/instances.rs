@@ -8,8 +8,9 @@ use glam::{Affine3A, Vec3};
 
 use crate::frame::{ArcballMark, DrawItem, Frame, View};
 use crate::render::arrange::Arranged;
+use crate::render::detail::Detail;
 use crate::render::look;
-use crate::render::mesh::{MESHES, SHARP_BOX};
+use crate::render::mesh::{LEVELS, MESHES};
 use crate::render::uniforms::Globals;
 use crate::scene::MeshKind;
 
@@ -75,10 +76,10 @@ pub struct Packed {
     pub seen: [Range<u32>; MESHES],
     /// The outlined ones of each mesh.
     pub outlined: [Range<u32>; MESHES],
-    /// All instances of each kind, for the sun's map; none where it is not drawn.
-    pub casters: [Range<u32>; 6],
-    /// Ghosts' instances of each kind.
-    pub ghosts: [Range<u32>; 6],
+    /// Instances of each mesh for the sun's map: of all items but planes, or of none where it is not drawn.
+    pub casters: [Range<u32>; MESHES],
+    /// Ghosts' instances of each mesh.
+    pub ghosts: [Range<u32>; MESHES],
     /// Where strokes begin in the bytes.
     pub strokes_start: usize,
     /// Strokes that are lines.
@@ -87,46 +88,49 @@ pub struct Packed {
     pub arcball: Range<u32>,
     /// Strokes that are dots.
     pub dots: Range<u32>,
+    /// Casters' places in the frame, then ghosts', by mesh.
+    by_mesh: [Vec<u32>; MESHES],
 }
 
 /// Where instances begin in the bytes: after the globals, where any adapter lets a buffer binding end.
 pub const INSTANCES_START: usize = 512;
 
 impl Packed {
-    /// Replaces what was packed by a frame, its items as they are arranged, and again for the sun's map where that is to be drawn.
-    pub fn pack(&mut self, frame: &Frame, arranged: &Arranged, globals: &Globals, has_casters: bool) {
+    /// Replaces what was packed by a frame, its items as they are arranged, and again for the sun's map where that is to be drawn, in
+    /// the detail that it shows; ghosts in the picture's detail.
+    pub fn pack(
+        &mut self,
+        frame: &Frame,
+        arranged: &Arranged,
+        globals: &Globals,
+        of_picture: Detail,
+        of_sun_map: Option<Detail>,
+    ) {
         self.bytes.clear();
         self.bytes.extend_from_slice(bytes_of(globals));
         self.bytes.resize(INSTANCES_START, 0);
-        let mut count = 0;
+        let mut instances = Instances { bytes: &mut self.bytes, count: 0 };
         for (mesh, [plain, outlined]) in arranged.seen.iter().enumerate() {
-            let start = count;
-            for &place in plain.iter().chain(outlined) {
-                let mut instance = Instance::new(&frame.items[place as usize], 1.0);
-                if mesh == SHARP_BOX {
-                    instance.rounding = 0.0;
-                }
-                self.bytes.extend_from_slice(bytes_of(&instance));
-                count += 1;
-            }
-            self.outlined[mesh] = start + plain.len() as u32..count;
-            self.seen[mesh] = start..count;
+            let plain = instances.push(mesh, opaque(frame, plain));
+            self.outlined[mesh] = instances.push(mesh, opaque(frame, outlined));
+            self.seen[mesh] = plain.start..self.outlined[mesh].end;
         }
-        for (kind, casters) in MeshKind::ALL.into_iter().zip(&mut self.casters) {
-            let start = count;
-            for item in frame.items.iter().filter(|item| has_casters && item.mesh == kind) {
-                self.bytes.extend_from_slice(bytes_of(&Instance::new(item, 1.0)));
-                count += 1;
+        self.by_mesh.iter_mut().for_each(Vec::clear);
+        if let Some(detail) = of_sun_map {
+            for (item, place) in frame.items.iter().zip(0..).filter(|(item, _)| item.mesh != MeshKind::Plane) {
+                self.by_mesh[detail.mesh(item)].push(place);
             }
-            *casters = start..count;
         }
-        for (slot, kind) in MeshKind::ALL.into_iter().enumerate() {
-            let start = count;
-            for ghost in frame.ghosts.iter().filter(|ghost| ghost.item.mesh == kind) {
-                self.bytes.extend_from_slice(bytes_of(&Instance::new(&ghost.item, ghost.opacity)));
-                count += 1;
-            }
-            self.ghosts[slot] = start..count;
+        for (mesh, places) in self.by_mesh.iter().enumerate() {
+            self.casters[mesh] = instances.push(mesh, opaque(frame, places));
+        }
+        self.by_mesh.iter_mut().for_each(Vec::clear);
+        for (ghost, place) in frame.ghosts.iter().zip(0..) {
+            self.by_mesh[of_picture.mesh(&ghost.item)].push(place);
+        }
+        for (mesh, places) in self.by_mesh.iter().enumerate() {
+            let ghosts = places.iter().map(|&place| &frame.ghosts[place as usize]);
+            self.ghosts[mesh] = instances.push(mesh, ghosts.map(|ghost| (&ghost.item, ghost.opacity)));
         }
         self.strokes_start = self.bytes.len();
         let mut strokes = 0;
@@ -150,6 +154,33 @@ impl Packed {
             end = push(Stroke { from_in_world, to_in_world, colour: dot.colour.to_array(), width_px: dot.diameter_px });
         }
         self.dots = self.arcball.end..end;
+    }
+}
+
+/// A frame's items at some places.
+fn opaque<'a>(frame: &'a Frame, places: &'a [u32]) -> impl Iterator<Item = (&'a DrawItem, f32)> {
+    places.iter().map(|&place| (&frame.items[place as usize], 1.0))
+}
+
+/// Instances at the end of some bytes.
+struct Instances<'a> {
+    bytes: &'a mut Vec<u8>,
+    count: u32,
+}
+
+impl Instances<'_> {
+    /// Adds items with their opacities, all to be drawn as one mesh; says which they are.
+    fn push<'a>(&mut self, mesh: usize, items: impl Iterator<Item = (&'a DrawItem, f32)>) -> Range<u32> {
+        let start = self.count;
+        for (item, opacity) in items {
+            let mut instance = Instance::new(item, opacity);
+            if LEVELS[mesh].is_sharp() {
+                instance.rounding = 0.0;
+            }
+            self.bytes.extend_from_slice(bytes_of(&instance));
+            self.count += 1;
+        }
+        start..self.count
     }
 }
 

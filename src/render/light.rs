@@ -11,8 +11,12 @@ use crate::render::bounds::{Bounds, ViewSides};
 use crate::render::look;
 use crate::scene::MeshKind;
 
-/// Side of the shadow map in texels.
-pub const MAP_TEXELS: u32 = 1024;
+/// Texels along a side of the shadow map for each row of the picture: its texels are then about as large as pixels.
+const TEXELS_PER_ROW: f32 = 1.4;
+/// The map's side is a multiple of so many texels, so that it is not another one for each picture.
+const TEXEL_STEP: u32 = 64;
+/// The longest side of the map in texels.
+const MOST_TEXELS: u32 = 2048;
 /// Beyond this distance from the eye nothing casts a shadow, in scene units.
 const FARTHEST_CASTER: f32 = 120.0;
 /// The longest way from a caster to its shadow, in scene units.
@@ -38,9 +42,15 @@ pub fn towards_sun_in_world() -> Vec3 {
     look::TOWARDS_SUN_IN_WORLD.normalize()
 }
 
+/// Texels along each side of the map for a picture so many pixels high.
+pub fn map_texels(height_px: u32) -> u32 {
+    ((height_px as f32 * TEXELS_PER_ROW) as u32).next_multiple_of(TEXEL_STEP).clamp(4 * TEXEL_STEP, MOST_TEXELS)
+}
+
 impl SunBox {
-    /// The box around all that casts a shadow into the frame's view, the items' own boxes being `bounds`; `None` where nothing does.
-    pub fn fit(frame: &Frame, bounds: &[Bounds]) -> Option<Self> {
+    /// The box around all that casts a shadow into the frame's view, the items' own boxes being `bounds`, for a map of so many texels
+    /// along each side; `None` where nothing does.
+    pub fn fit(frame: &Frame, bounds: &[Bounds], texels: u32) -> Option<Self> {
         let sides = ViewSides::of(&frame.view);
         let z = towards_sun_in_world();
         let x = Vec3::Y.cross(z).normalize();
@@ -78,6 +88,6 @@ impl SunBox {
             Vec3::new(x.z * across, y.z * across, -z.z * deep).extend(0.0),
             Vec3::new(-centre[0] * across, -centre[1] * across, nearest * deep).extend(1.0),
         );
-        Some(Self { map_from_world, texel: side / MAP_TEXELS as f32 })
+        Some(Self { map_from_world, texel: side / texels as f32 })
     }
 }

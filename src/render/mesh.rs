@@ -1,29 +1,95 @@
-//! The six unit meshes, each vertex a core point and a normal.
+//! The unit meshes, in levels of detail, each vertex a core point and a normal.
 //!
 //! A vertex lies at `core * (half_extents − rounding) + normal * rounding` in shape space, so that a bevel keeps its radius and
 //! a capsule its caps whatever the size. Triangles run anticlockwise seen from outside.
 
 use std::f32::consts::{FRAC_PI_2, TAU};
+use std::ops::Range;
+use std::sync::LazyLock;
 
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
 
 use crate::scene::MeshKind;
 
-/// Steps around a cylinder and a cone.
-const ROUND_STEPS: u16 = 32;
-/// Steps around a capsule.
-const CAPSULE_STEPS: u16 = 18;
-/// Steps from a capsule's equator to its pole.
-const CAPSULE_RINGS: u16 = 3;
-/// Steps along each rounded edge of a box.
-const BEVEL_STEPS: u16 = 3;
-/// Meshes in all: one of each kind, in the order of kinds, then boxes in less detail.
-pub const MESHES: usize = MeshKind::ALL.len() + 2;
-/// The box whose edges are cut off straight.
-pub const CHAMFERED_BOX: usize = MeshKind::ALL.len();
-/// The box of six faces. It is drawn with no rounding.
-pub const SHARP_BOX: usize = CHAMFERED_BOX + 1;
+/// How round parts are cut into flat ones.
+#[derive(Clone, Copy, Debug)]
+enum Cut {
+    /// A box's rounded edges, in so many steps; in none they are sharp, and the box is drawn with no rounding.
+    Bevel(u16),
+    /// Each edge of the icosahedron that a sphere is made from, in so many.
+    Faces(u16),
+    /// A cylinder or cone, in so many steps around.
+    Around(u16),
+    /// A capsule, in so many steps around, and so many from its equator to each pole.
+    Capsule(u16, u16),
+    /// Nothing is round.
+    Flat,
+}
+
+/// One mesh of a kind.
+#[derive(Clone, Copy, Debug)]
+pub struct Level {
+    /// What it is a mesh of.
+    pub kind: MeshKind,
+    cut: Cut,
+    /// How far an edge's middle lies below the true surface, at most, as a part of the radius: how far its silhouette is wrong. A
+    /// box's few edges inside its rounded corners do not count.
+    pub flattening: f32,
+}
+
+impl Level {
+    const fn new(kind: MeshKind, cut: Cut, flattening: f32) -> Self {
+        Self { kind, cut, flattening }
+    }
+
+    /// Whether an instance of it must have no rounding.
+    pub fn is_sharp(self) -> bool {
+        matches!(self.cut, Cut::Bevel(0))
+    }
+
+    fn mesh(self) -> Mesh {
+        match self.cut {
+            Cut::Bevel(0) => {
+                let mut mesh = rounded_box(1);
+                // The faces come first.
+                mesh.indices.truncate(6 * 6);
+                mesh
+            }
+            Cut::Bevel(steps) => rounded_box(steps),
+            Cut::Faces(cuts) => sphere(cuts),
+            Cut::Around(steps) if self.kind == MeshKind::Cone => cone(steps),
+            Cut::Around(steps) => cylinder(steps),
+            Cut::Capsule(steps, rings) => capsule(steps, rings),
+            Cut::Flat => plane(),
+        }
+    }
+}
+
+/// Meshes in all.
+pub const MESHES: usize = 17;
+/// All of them: kinds in their order, of each the finest first.
+pub const LEVELS: [Level; MESHES] = [
+    Level::new(MeshKind::Box, Cut::Bevel(3), 0.034_1),
+    Level::new(MeshKind::Box, Cut::Bevel(2), 0.076_2),
+    Level::new(MeshKind::Box, Cut::Bevel(1), 0.293),
+    Level::new(MeshKind::Box, Cut::Bevel(0), 0.732_1),
+    Level::new(MeshKind::Sphere, Cut::Faces(4), 0.013_3),
+    Level::new(MeshKind::Sphere, Cut::Faces(3), 0.021_6),
+    Level::new(MeshKind::Sphere, Cut::Faces(2), 0.049),
+    Level::new(MeshKind::Cylinder, Cut::Around(32), 0.004_9),
+    Level::new(MeshKind::Cylinder, Cut::Around(20), 0.012_4),
+    Level::new(MeshKind::Cylinder, Cut::Around(12), 0.034_1),
+    Level::new(MeshKind::Cone, Cut::Around(32), 0.004_9),
+    Level::new(MeshKind::Cone, Cut::Around(20), 0.012_4),
+    Level::new(MeshKind::Cone, Cut::Around(12), 0.034_1),
+    Level::new(MeshKind::Capsule, Cut::Capsule(18, 3), 0.047_8),
+    Level::new(MeshKind::Capsule, Cut::Capsule(12, 3), 0.064_7),
+    Level::new(MeshKind::Capsule, Cut::Capsule(10, 2), 0.113_5),
+    Level::new(MeshKind::Plane, Cut::Flat, 0.0),
+];
+/// The plane's place in [`LEVELS`].
+pub const PLANE: usize = MESHES - 1;
 /// Cells along each side of a plane: large triangles interpolate badly.
 const PLANE_CELLS: u16 = 8;
 
@@ -46,27 +112,46 @@ pub struct Mesh {
     pub indices: Vec<u16>,
 }
 
-impl Mesh {
-    /// The unit mesh of a kind.
-    pub fn unit(kind: MeshKind) -> Self {
-        match kind {
-            MeshKind::Box => rounded_box(BEVEL_STEPS),
-            MeshKind::Sphere => sphere(),
-            MeshKind::Cylinder => cylinder(),
-            MeshKind::Cone => cone(),
-            MeshKind::Capsule => capsule(),
-            MeshKind::Plane => plane(),
-        }
-    }
+/// Where a mesh lies in [`Geometry`].
+#[derive(Clone, Debug, Default)]
+pub struct Place {
+    /// Its triangles' corners among all indices.
+    pub indices: Range<u32>,
+    /// The vertex that its index 0 means.
+    pub first_vertex: i32,
+}
 
-    /// All [`MESHES`], in their order.
-    pub fn all() -> [Self; MESHES] {
-        let [a, b, c, d, e, f] = MeshKind::ALL.map(Self::unit);
-        let chamfered = rounded_box(1);
-        let mut sharp = chamfered.clone();
-        // The faces come first.
-        sharp.indices.truncate(6 * 6);
-        [a, b, c, d, e, f, chamfered, sharp]
+/// All meshes, one after the other.
+#[derive(Debug, Default)]
+pub struct Geometry {
+    /// Corners.
+    pub vertices: Vec<Vertex>,
+    /// Triangles' corners, three indices each, each counted from its mesh's first vertex.
+    pub indices: Vec<u16>,
+    /// Where each of [`LEVELS`] lies.
+    pub places: [Place; MESHES],
+}
+
+/// All meshes, made once in a process for all renderers.
+pub fn geometry() -> &'static Geometry {
+    static GEOMETRY: LazyLock<Geometry> = LazyLock::new(|| {
+        let mut geometry = Geometry::default();
+        for (place, mesh) in geometry.places.iter_mut().zip(Mesh::all()) {
+            let start = geometry.indices.len() as u32;
+            let first_vertex = geometry.vertices.len() as i32;
+            geometry.vertices.extend(mesh.vertices);
+            geometry.indices.extend(mesh.indices);
+            *place = Place { indices: start..geometry.indices.len() as u32, first_vertex };
+        }
+        geometry
+    });
+    &GEOMETRY
+}
+
+impl Mesh {
+    /// All [`MESHES`], in the order of [`LEVELS`].
+    fn all() -> [Self; MESHES] {
+        LEVELS.map(Level::mesh)
     }
 
     fn vertex(&mut self, core: Vec3, normal: Vec3) -> u16 {
@@ -177,9 +262,8 @@ fn sign(corner: u16, axis: u16) -> f32 {
     if corner >> axis & 1 == 1 { 1.0 } else { -1.0 }
 }
 
-/// An icosahedron whose faces are cut in sixteen, on the ball.
-fn sphere() -> Mesh {
-    const CUTS: u16 = 4;
+/// An icosahedron whose edges are each cut in so many, on the ball.
+fn sphere(cuts: u16) -> Mesh {
     let golden = f32::midpoint(1.0, 5.0_f32.sqrt());
     let mut corners = Vec::new();
     for (a, b) in [(-1.0, -golden), (1.0, -golden), (-1.0, golden), (1.0, golden)] {
@@ -192,7 +276,7 @@ fn sphere() -> Mesh {
                 let is_face = [a - b, b - c, c - a].iter().all(|edge| (edge.length() - 2.0).abs() < 0.01);
                 if is_face {
                     let (b, c) = if (b - a).cross(c - a).dot(a) > 0.0 { (b, c) } else { (c, b) };
-                    cut_face(&mut mesh, [a, b, c], CUTS);
+                    cut_face(&mut mesh, [a, b, c], cuts);
                 }
             }
         }
@@ -227,9 +311,8 @@ fn around(step: u16, steps: u16) -> Vec3 {
     Vec3::new(sin, 0.0, cos)
 }
 
-fn disc(mesh: &mut Mesh, y: f32) {
-    let rim: Vec<u16> =
-        (0..ROUND_STEPS).map(|s| mesh.vertex(around(s, ROUND_STEPS) + Vec3::Y * y, Vec3::Y * y)).collect();
+fn disc(mesh: &mut Mesh, y: f32, steps: u16) {
+    let rim: Vec<u16> = (0..steps).map(|s| mesh.vertex(around(s, steps) + Vec3::Y * y, Vec3::Y * y)).collect();
     for pair in rim[1..].windows(2) {
         if y > 0.0 {
             mesh.triangle(rim[0], pair[0], pair[1]);
@@ -239,56 +322,53 @@ fn disc(mesh: &mut Mesh, y: f32) {
     }
 }
 
-fn cylinder() -> Mesh {
+fn cylinder(steps: u16) -> Mesh {
     let mut mesh = Mesh::default();
     let ring = |mesh: &mut Mesh, y: f32| -> Vec<u16> {
-        (0..ROUND_STEPS).map(|s| mesh.vertex(around(s, ROUND_STEPS) + Vec3::Y * y, around(s, ROUND_STEPS))).collect()
+        (0..steps).map(|s| mesh.vertex(around(s, steps) + Vec3::Y * y, around(s, steps))).collect()
     };
     let (low, high) = (ring(&mut mesh, -1.0), ring(&mut mesh, 1.0));
-    for s in 0..usize::from(ROUND_STEPS) {
-        let next = (s + 1) % usize::from(ROUND_STEPS);
+    for s in 0..usize::from(steps) {
+        let next = (s + 1) % usize::from(steps);
         mesh.quad(low[s], low[next], high[next], high[s]);
     }
-    disc(&mut mesh, 1.0);
-    disc(&mut mesh, -1.0);
+    disc(&mut mesh, 1.0, steps);
+    disc(&mut mesh, -1.0, steps);
     mesh
 }
 
 /// Normals of the unit cone, of radius 1 and height 2; an instance's affine carries them to its own slope.
-fn cone() -> Mesh {
+fn cone(steps: u16) -> Mesh {
     let mut mesh = Mesh::default();
     let slope = |direction: Vec3| (direction * 2.0 + Vec3::Y).normalize();
-    let rim: Vec<u16> = (0..ROUND_STEPS)
-        .map(|s| mesh.vertex(around(s, ROUND_STEPS) - Vec3::Y, slope(around(s, ROUND_STEPS))))
-        .collect();
-    for s in 0..ROUND_STEPS {
-        let between = around(2 * s + 1, 2 * ROUND_STEPS);
+    let rim: Vec<u16> = (0..steps).map(|s| mesh.vertex(around(s, steps) - Vec3::Y, slope(around(s, steps)))).collect();
+    for s in 0..steps {
+        let between = around(2 * s + 1, 2 * steps);
         let apex = mesh.vertex(Vec3::Y, slope(between));
-        mesh.triangle(rim[usize::from(s)], rim[usize::from((s + 1) % ROUND_STEPS)], apex);
+        mesh.triangle(rim[usize::from(s)], rim[usize::from((s + 1) % steps)], apex);
     }
-    disc(&mut mesh, -1.0);
+    disc(&mut mesh, -1.0, steps);
     mesh
 }
 
-fn capsule() -> Mesh {
+fn capsule(steps: u16, latitudes: u16) -> Mesh {
     let mut mesh = Mesh::default();
     let mut rings: Vec<Vec<u16>> = Vec::new();
     for half in [-1.0, 1.0] {
-        for ring in 0..CAPSULE_RINGS {
+        for ring in 0..latitudes {
             // From just off the lower pole to the lower equator, then from the upper equator to just off the upper pole.
-            let from_equator = if half < 0.0 { CAPSULE_RINGS - 1 - ring } else { ring };
-            let latitude = FRAC_PI_2 * f32::from(from_equator) / f32::from(CAPSULE_RINGS);
-            let points = (0..CAPSULE_STEPS).map(|s| {
-                let normal = around(s, CAPSULE_STEPS) * latitude.cos() + Vec3::Y * half * latitude.sin();
+            let from_equator = if half < 0.0 { latitudes - 1 - ring } else { ring };
+            let latitude = FRAC_PI_2 * f32::from(from_equator) / f32::from(latitudes);
+            let points = (0..steps).map(|s| {
+                let normal = around(s, steps) * latitude.cos() + Vec3::Y * half * latitude.sin();
                 mesh.vertex(Vec3::Y * half, normal)
             });
             rings.push(points.collect());
         }
     }
     let poles = [-1.0, 1.0].map(|half| mesh.vertex(Vec3::Y * half, Vec3::Y * half));
-    let steps = usize::from(CAPSULE_STEPS);
-    for s in 0..steps {
-        let next = (s + 1) % steps;
+    for s in 0..usize::from(steps) {
+        let next = (s + 1) % usize::from(steps);
         for (low, high) in rings.iter().zip(rings.iter().skip(1)) {
             mesh.quad(low[s], low[next], high[next], high[s]);
         }

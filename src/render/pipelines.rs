@@ -1,6 +1,5 @@
 //! Pipelines, each made when it is first needed: making one costs a plain picture milliseconds.
 
-use std::borrow::Cow;
 use std::mem::size_of;
 use std::sync::OnceLock;
 
@@ -8,6 +7,7 @@ use wgpu::{CompareFunction, ShaderStages, VertexFormat};
 
 use crate::render::instances::{Instance, Stroke};
 use crate::render::mesh::Vertex;
+use crate::render::shaders::{self, SOURCES, Source, Variant};
 
 /// Depth of pictures and of the sun's map.
 pub const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
@@ -47,18 +47,6 @@ pub enum Kind {
 
 const COUNT: usize = Kind::Outline as usize + 1;
 
-#[derive(Clone, Copy, Debug)]
-enum Source {
-    Shape,
-    Plane,
-    Sky,
-    Silhouette,
-    Stroke,
-    Outline,
-}
-
-const SOURCES: usize = Source::Outline as usize + 1;
-
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Input {
     Instances,
@@ -75,7 +63,6 @@ struct Recipe {
     /// How depth is compared, and whether it is written; `None` where there is no depth.
     depth: Option<(CompareFunction, bool)>,
     blend: bool,
-    kept: f64,
 }
 
 impl Kind {
@@ -88,16 +75,14 @@ impl Kind {
             input: Input::Instances,
             depth: Some(depth),
             blend,
-            kept: 1.0,
         };
-        let stroke = |vertex, fragment, compare, kept| Recipe {
+        let stroke = |vertex, fragment, compare| Recipe {
             source: Source::Stroke,
             vertex,
             fragment: Some(fragment),
             input: Input::Strokes,
             depth: Some((compare, false)),
             blend: true,
-            kept,
         };
         let screen = |source, vertex, fragment, depth, blend| Recipe {
             source,
@@ -106,19 +91,24 @@ impl Kind {
             input: Input::Nothing,
             depth,
             blend,
-            kept: 1.0,
         };
         match self {
             Self::Shape => shape(Source::Shape, "shape_vertex", Some("shape_fragment"), (GreaterEqual, true), false),
             Self::Plane => shape(Source::Plane, "plane_vertex", Some("plane_fragment"), (GreaterEqual, true), false),
             Self::Sky => screen(Source::Sky, "sky_vertex", "sky_fragment", Some((GreaterEqual, false)), false),
-            Self::Shadow => shape(Source::Silhouette, "shadow_vertex", None, (CompareFunction::LessEqual, true), false),
+            Self::Shadow => shape(
+                Source::Silhouette,
+                "shadow_vertex",
+                Some("shadow_fragment"),
+                (CompareFunction::LessEqual, true),
+                false,
+            ),
             Self::GhostDepth => shape(Source::Shape, "ghost_vertex", None, (GreaterEqual, true), false),
             Self::Ghost => shape(Source::Shape, "ghost_vertex", Some("ghost_fragment"), (Equal, false), true),
-            Self::Line => stroke("line_vertex", "line_fragment", GreaterEqual, 1.0),
-            Self::LineHidden => stroke("line_vertex", "line_fragment", Less, 0.22),
-            Self::LineOnTop => stroke("line_vertex", "line_fragment", Always, 1.0),
-            Self::Dot => stroke("dot_vertex", "dot_fragment", Always, 1.0),
+            Self::Line => stroke("line_vertex", "line_fragment", GreaterEqual),
+            Self::LineHidden => stroke("hidden_line_vertex", "line_fragment", Less),
+            Self::LineOnTop => stroke("line_vertex", "line_fragment", Always),
+            Self::Dot => stroke("dot_vertex", "dot_fragment", Always),
             Self::MaskAll => shape(Source::Silhouette, "place_vertex", Some("mask_fragment"), (Always, false), false),
             Self::MaskVisible => {
                 shape(Source::Silhouette, "place_vertex", Some("mask_fragment"), (GreaterEqual, false), false)
@@ -139,14 +129,14 @@ pub struct Pipelines {
     pub mask_layout: wgpu::BindGroupLayout,
     target_format: wgpu::TextureFormat,
     samples: u32,
-    shadow_taps: f64,
+    variant: Variant,
     modules: [OnceLock<wgpu::ShaderModule>; SOURCES],
     made: [OnceLock<wgpu::RenderPipeline>; COUNT],
 }
 
 impl Pipelines {
     /// None made yet.
-    pub fn new(device: &wgpu::Device, target_format: wgpu::TextureFormat, samples: u32, shadow_taps: u8) -> Self {
+    pub fn new(device: &wgpu::Device, target_format: wgpu::TextureFormat, samples: u32, is_software: bool) -> Self {
         let layout = |label, entries: &[wgpu::BindGroupLayoutEntry]| {
             device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(label), entries })
         };
@@ -180,7 +170,7 @@ impl Pipelines {
             ),
             target_format,
             samples,
-            shadow_taps: f64::from(shadow_taps),
+            variant: Variant { encodes_srgb: !target_format.is_srgb(), is_software, is_multisampled: samples > 1 },
             modules: [const { OnceLock::new() }; SOURCES],
             made: [const { OnceLock::new() }; COUNT],
         }
@@ -190,13 +180,12 @@ impl Pipelines {
     pub fn get(&self, device: &wgpu::Device, kind: Kind) -> &wgpu::RenderPipeline {
         self.made[kind as usize].get_or_init(|| {
             let recipe = kind.recipe();
-            let module =
-                self.modules[recipe.source as usize].get_or_init(|| shader(device, recipe.source, self.samples));
+            let module = self.modules[recipe.source as usize]
+                .get_or_init(|| shaders::module(device, recipe.source, self.variant));
             self.make(device, kind, &recipe, module)
         })
     }
 
-    #[expect(clippy::too_many_lines, reason = "it is one description")]
     fn make(
         &self,
         device: &wgpu::Device,
@@ -215,14 +204,6 @@ impl Pipelines {
             bind_group_layouts: &groups[..if second.is_some() { 2 } else { 1 }],
             immediate_size: 0,
         });
-        let encode = ("ENCODE_SRGB", if self.target_format.is_srgb() { 0.0 } else { 1.0 });
-        let constants: &[(&str, f64)] = match recipe.source {
-            Source::Shape | Source::Plane => &[encode, ("SHADOW_TAPS", self.shadow_taps)],
-            Source::Silhouette => &[],
-            Source::Stroke => &[encode, ("KEPT", recipe.kept)],
-            Source::Sky | Source::Outline => &[encode],
-        };
-        let compilation_options = wgpu::PipelineCompilationOptions { constants, ..Default::default() };
         let is_mask = matches!(kind, Kind::MaskAll | Kind::MaskVisible);
         let target = wgpu::ColorTargetState {
             format: if is_mask { MASK_FORMAT } else { self.target_format },
@@ -272,7 +253,7 @@ impl Pipelines {
             vertex: wgpu::VertexState {
                 module,
                 entry_point: Some(recipe.vertex),
-                compilation_options: compilation_options.clone(),
+                compilation_options: wgpu::PipelineCompilationOptions::default(),
                 buffers,
             },
             primitive: wgpu::PrimitiveState {
@@ -303,33 +284,11 @@ impl Pipelines {
             fragment: fragment.map(|entry_point| wgpu::FragmentState {
                 module,
                 entry_point: Some(entry_point),
-                compilation_options,
-                targets: &targets,
+                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                targets: if kind == Kind::Shadow { &[] } else { &targets },
             }),
             multiview_mask: None,
             cache: None,
         })
     }
-}
-
-fn shader(device: &wgpu::Device, source: Source, samples: u32) -> wgpu::ShaderModule {
-    macro_rules! joined {
-        ($($file:literal),*) => {
-            concat!(include_str!("../../shaders/common.wgsl"), $(include_str!(concat!("../../shaders/", $file))),*)
-        };
-    }
-    let text = match source {
-        Source::Shape => joined!("corner.wgsl", "pixel.wgsl", "lit.wgsl", "shape.wgsl"),
-        Source::Plane => joined!("corner.wgsl", "pixel.wgsl", "lit.wgsl", "plane.wgsl"),
-        Source::Sky => joined!("pixel.wgsl", "sky.wgsl"),
-        Source::Silhouette => joined!("corner.wgsl", "silhouette.wgsl"),
-        Source::Stroke => joined!("stroke.wgsl"),
-        Source::Outline => joined!("outline.wgsl"),
-    };
-    // `textureLoad` reads alike from both: its last argument is then the sample.
-    let text = match source {
-        Source::Outline if samples > 1 => Cow::Owned(text.replace("texture_2d<f32>", "texture_multisampled_2d<f32>")),
-        _ => Cow::Borrowed(text),
-    };
-    device.create_shader_module(wgpu::ShaderModuleDescriptor { label: None, source: wgpu::ShaderSource::Wgsl(text) })
 }

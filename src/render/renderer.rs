@@ -2,7 +2,6 @@
 
 use std::mem;
 use std::ops::Range;
-use std::thread;
 
 use bytemuck::cast_slice;
 use glam::Vec3;
@@ -10,16 +9,15 @@ use glam::Vec3;
 use crate::frame::Frame;
 use crate::render::arrange::{Arranged, Arrangement};
 use crate::render::bounds::{Bounds, rectangle_px};
+use crate::render::detail::Detail;
 use crate::render::gpu::Gpu;
 use crate::render::instances::{INSTANCES_START, Packed};
-use crate::render::light::{MAP_TEXELS, SunBox};
+use crate::render::light::{SunBox, map_texels};
 use crate::render::look;
-use crate::render::mesh::{MESHES, Mesh};
+use crate::render::mesh::{PLANE, Place, geometry};
 use crate::render::pipelines::{Kind, Pipelines};
-use crate::render::targets::{Targets, sun_map};
+use crate::render::targets::{SunMap, Targets};
 use crate::render::uniforms::Globals;
-use crate::render::warm_up::WarmUp;
-use crate::scene::MeshKind;
 
 /// Samples a pixel where nothing else is asked for: 4 on a GPU, 1 where the CPU draws and each costs a whole picture.
 #[must_use]
@@ -69,13 +67,6 @@ impl Viewport {
     }
 }
 
-/// Where each unit mesh lies in the shared buffers.
-#[derive(Clone, Debug, Default)]
-struct MeshPlace {
-    indices: Range<u32>,
-    first_vertex: i32,
-}
-
 /// Draws frames into views of one format. It keeps its buffers, textures and pipelines from frame to frame.
 #[derive(Debug)]
 pub struct Renderer {
@@ -83,13 +74,11 @@ pub struct Renderer {
     samples: u32,
     background: Background,
     pipelines: Pipelines,
-    meshes: [MeshPlace; MESHES],
     vertices: wgpu::Buffer,
     indices: wgpu::Buffer,
     frame_buffer: wgpu::Buffer,
     globals: wgpu::BindGroup,
-    sun_map: wgpu::TextureView,
-    sun_map_group: wgpu::BindGroup,
+    sun_map: Option<SunMap>,
     targets: Option<Targets>,
     arrangement: Arrangement,
     arranged: Arranged,
@@ -99,7 +88,7 @@ pub struct Renderer {
     /// The box that the sun's map was drawn for.
     sun_map_box: Option<SunBox>,
     sun_map_draws: u64,
-    /// Whether a plain picture's pipelines are still to be made, where making them ahead saves time.
+    /// Whether nothing was drawn yet by a driver that compiles at a pipeline's first draw, on a thread of its own.
     is_cold: bool,
 }
 
@@ -109,31 +98,21 @@ impl Renderer {
     pub fn new(gpu: &Gpu, target_format: wgpu::TextureFormat, samples: u32) -> Self {
         let device = &gpu.device;
         let samples = if samples > 1 { 4 } else { 1 };
-        let pipelines = Pipelines::new(device, target_format, samples, if gpu.is_software { 1 } else { 4 });
-        let (mut corners, mut triangles) = (Vec::new(), Vec::new());
-        let meshes = Mesh::all().map(|mesh| {
-            let start = triangles.len() as u32;
-            let first_vertex = corners.len() as i32;
-            corners.extend(mesh.vertices);
-            triangles.extend(mesh.indices);
-            MeshPlace { indices: start..triangles.len() as u32, first_vertex }
-        });
-        let vertices = filled_buffer(device, cast_slice(&corners), wgpu::BufferUsages::VERTEX);
-        let indices = filled_buffer(device, cast_slice(&triangles), wgpu::BufferUsages::INDEX);
+        let pipelines = Pipelines::new(device, target_format, samples, gpu.is_software);
         let (frame_buffer, globals) = frame_buffer(device, &pipelines, 16 * 1024);
-        let (sun_map, sun_map_group) = sun_map(device, &pipelines);
+        let geometry = geometry();
+        let vertices = filled_buffer(device, cast_slice(&geometry.vertices), wgpu::BufferUsages::VERTEX);
+        let indices = filled_buffer(device, cast_slice(&geometry.indices), wgpu::BufferUsages::INDEX);
         Self {
             format: target_format,
             samples,
             background: Background::Sky,
             pipelines,
-            meshes,
             vertices,
             indices,
             frame_buffer,
             globals,
-            sun_map,
-            sun_map_group,
+            sun_map: None,
             targets: None,
             arrangement: Arrangement::default(),
             arranged: Arranged::default(),
@@ -188,17 +167,32 @@ impl Renderer {
         if self.targets.as_ref().is_none_or(|targets| targets.size_px != viewport.target_px) {
             self.targets = Some(Targets::new(&gpu.device, self.format, self.samples, viewport.target_px));
         }
-        let items_moved = self.arranged.take(frame, viewport.height, self.arrangement);
-        let sun = SunBox::fit(frame, &self.arranged.bounds);
+        let detail = match self.arrangement {
+            Arrangement::AsGiven => Detail::FINEST,
+            _ => Detail::of_picture(&frame.view, viewport.height, (self.samples as f32).sqrt()),
+        };
+        let items_moved = self.arranged.take(frame, detail, self.arrangement);
+        let texels = map_texels(viewport.height);
+        if self.sun_map.as_ref().is_none_or(|map| map.texels != texels) {
+            self.sun_map = Some(SunMap::new(&gpu.device, &self.pipelines, texels));
+            self.sun_map_box = None;
+        }
+        let sun = SunBox::fit(frame, &self.arranged.bounds, texels);
         let globals = Globals::new(frame, sun.as_ref(), viewport);
         let is_map_due = sun.is_some() && (items_moved || sun != self.sun_map_box);
-        self.packed.pack(frame, &self.arranged, &globals, is_map_due);
+        let of_sun_map = sun.as_ref().filter(|_| is_map_due).map(Detail::of_sun_map);
+        self.packed.pack(frame, &self.arranged, &globals, detail, of_sun_map);
         self.upload(gpu);
-        if self.is_cold {
-            self.warm_up(gpu, is_map_due);
-        } else if is_map_due {
-            self.draw_sun_map(&gpu.device, encoder);
+        if is_map_due {
             self.sun_map_draws += 1;
+            if mem::take(&mut self.is_cold) {
+                // Sent at once, it has the driver compile what all pipelines share while those of the picture are being made.
+                let mut first = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+                self.draw_sun_map(&gpu.device, &mut first);
+                gpu.queue.submit([first.finish()]);
+            } else {
+                self.draw_sun_map(&gpu.device, encoder);
+            }
         }
         // With no box the map is left as it was, for shapes that are now others.
         self.sun_map_box = sun;
@@ -209,56 +203,6 @@ impl Renderer {
         {
             self.draw_outline(gpu, encoder, target, viewport, rectangle);
         }
-    }
-
-    /// Makes the pipelines of a plain picture on two threads, each drawn with at once, and draws the sun's map where it is due.
-    fn warm_up(&mut self, gpu: &Gpu, is_map_due: bool) {
-        self.is_cold = false;
-        let target = WarmUp::new(&gpu.device, self.format, self.samples);
-        let this = &*self;
-        thread::scope(|scope| {
-            scope.spawn(|| {
-                this.first_draw(gpu, &target, Kind::Shape);
-                this.first_draw(gpu, &target, Kind::Sky);
-            });
-            if is_map_due {
-                let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-                this.draw_sun_map(&gpu.device, &mut encoder);
-                gpu.queue.submit([encoder.finish()]);
-            }
-            this.first_draw(gpu, &target, Kind::Plane);
-        });
-        self.sun_map_draws += u64::from(is_map_due);
-    }
-
-    /// Makes a pipeline of what a picture consists of, if this one needs it, and draws a triangle with it.
-    fn first_draw(&self, gpu: &Gpu, target: &WarmUp, kind: Kind) {
-        let device = &gpu.device;
-        let plane = MeshKind::Plane as usize;
-        let drawn = (0..MESHES).find(|&mesh| {
-            let is_of_kind = match kind {
-                Kind::Shape => mesh != plane,
-                Kind::Plane => mesh == plane,
-                _ => false,
-            };
-            is_of_kind && !self.uploaded.seen[mesh].is_empty()
-        });
-        if drawn.is_none() && (kind != Kind::Sky || self.background != Background::Sky) {
-            return;
-        }
-        let pipeline = self.pipelines.get(device, kind);
-        target.submit(device, &gpu.queue, |pass| {
-            pass.set_pipeline(pipeline);
-            self.bind_instances(pass);
-            if let Some(slot) = drawn {
-                let (mesh, first) = (&self.meshes[slot], self.uploaded.seen[slot].start);
-                let triangle = mesh.indices.start..mesh.indices.start + 3;
-                pass.set_bind_group(1, &self.sun_map_group, &[]);
-                pass.draw_indexed(triangle, mesh.first_vertex, first..first + 1);
-            } else {
-                pass.draw(0..3, 0..1);
-            }
-        });
     }
 
     /// Sends what was packed, unless the GPU has it already.
@@ -279,20 +223,17 @@ impl Renderer {
     }
 
     fn draw_sun_map(&self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder) {
+        let Some(SunMap { texels, view, .. }) = &self.sun_map else { return };
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("sun map"),
-            depth_stencil_attachment: Some(depth_attachment(
-                &self.sun_map,
-                wgpu::LoadOp::Clear(1.0),
-                wgpu::StoreOp::Store,
-            )),
+            depth_stencil_attachment: Some(depth_attachment(view, wgpu::LoadOp::Clear(1.0), wgpu::StoreOp::Store)),
             ..Default::default()
         });
         // The border stays as far away as can be: what is looked up outside is lit.
-        pass.set_scissor_rect(1, 1, MAP_TEXELS - 2, MAP_TEXELS - 2);
+        pass.set_scissor_rect(1, 1, texels - 2, texels - 2);
         pass.set_pipeline(self.pipelines.get(device, Kind::Shadow));
         self.bind_instances(&mut pass);
-        for (mesh, instances) in self.meshes.iter().zip(&self.uploaded.casters).take(MeshKind::Plane as usize) {
+        for (mesh, instances) in geometry().places.iter().zip(&self.uploaded.casters) {
             draw_mesh(&mut pass, mesh, instances);
         }
     }
@@ -305,7 +246,7 @@ impl Renderer {
         target: &wgpu::TextureView,
         viewport: Viewport,
     ) {
-        let Some(targets) = &self.targets else { return };
+        let (Some(targets), Some(sun_map)) = (&self.targets, &self.sun_map) else { return };
         let has_outline = frame.items.iter().any(|item| item.outlined);
         let (view, resolve_target) = match &targets.samples {
             Some(samples) => (samples, Some(target)),
@@ -332,20 +273,18 @@ impl Renderer {
         });
         set_viewport(&mut pass, viewport);
         self.bind_instances(&mut pass);
-        pass.set_bind_group(1, &self.sun_map_group, &[]);
+        pass.set_bind_group(1, &sun_map.bind_group, &[]);
         let device = &gpu.device;
-        let plane = MeshKind::Plane as usize;
-        let items = &self.uploaded.seen;
-        let shapes = || self.meshes.iter().zip(items).enumerate().filter(|(mesh, _)| *mesh != plane);
-        if shapes().any(|(_, (_, instances))| !instances.is_empty()) {
+        let (meshes, items) = (&geometry().places, &self.uploaded.seen);
+        if items[..PLANE].iter().any(|instances| !instances.is_empty()) {
             pass.set_pipeline(self.pipelines.get(device, Kind::Shape));
-            for (_, (mesh, instances)) in shapes() {
+            for (mesh, instances) in meshes[..PLANE].iter().zip(items) {
                 draw_mesh(&mut pass, mesh, instances);
             }
         }
-        if !items[plane].is_empty() {
+        if !items[PLANE].is_empty() {
             pass.set_pipeline(self.pipelines.get(device, Kind::Plane));
-            draw_mesh(&mut pass, &self.meshes[plane], &items[plane]);
+            draw_mesh(&mut pass, &meshes[PLANE], &items[PLANE]);
         }
         if self.background == Background::Sky {
             pass.set_pipeline(self.pipelines.get(device, Kind::Sky));
@@ -360,7 +299,7 @@ impl Renderer {
             self.bind_instances(&mut pass);
             for kind in [Kind::GhostDepth, Kind::Ghost] {
                 pass.set_pipeline(self.pipelines.get(device, kind));
-                for (mesh, instances) in self.meshes.iter().zip(&ghosts) {
+                for (mesh, instances) in geometry().places.iter().zip(&ghosts) {
                     draw_mesh(&mut pass, mesh, instances);
                 }
             }
@@ -400,7 +339,7 @@ impl Renderer {
         self.bind_instances(&mut pass);
         for kind in [Kind::MaskAll, Kind::MaskVisible] {
             pass.set_pipeline(self.pipelines.get(device, kind));
-            for (mesh, instances) in self.meshes.iter().zip(&self.uploaded.outlined) {
+            for (mesh, instances) in geometry().places.iter().zip(&self.uploaded.outlined) {
                 draw_mesh(&mut pass, mesh, instances);
             }
         }
@@ -451,7 +390,7 @@ fn changed<'a>(before: &'a [u8], after: &'a [u8]) -> impl Iterator<Item = Range<
     })
 }
 
-fn draw_mesh(pass: &mut wgpu::RenderPass<'_>, mesh: &MeshPlace, instances: &Range<u32>) {
+fn draw_mesh(pass: &mut wgpu::RenderPass<'_>, mesh: &Place, instances: &Range<u32>) {
     if !instances.is_empty() {
         pass.draw_indexed(mesh.indices.clone(), mesh.first_vertex, instances.clone());
     }

@@ -1,6 +1,5 @@
 //! The textures a picture needs beside its target, kept while its size stays the same.
 
-use crate::render::light::MAP_TEXELS;
 use crate::render::pipelines::{DEPTH_FORMAT, MASK_FORMAT, Pipelines};
 
 /// Depth, the samples before they are resolved, and the outline's mask.
@@ -56,26 +55,39 @@ impl Targets {
     }
 }
 
-/// The sun's map and how shapes look things up in it.
-pub fn sun_map(device: &wgpu::Device, pipelines: &Pipelines) -> (wgpu::TextureView, wgpu::BindGroup) {
-    let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING;
-    let map = texture_view(device, "sun map", DEPTH_FORMAT, 1, [MAP_TEXELS; 2], usage);
-    let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
-        label: Some("sun map"),
-        mag_filter: wgpu::FilterMode::Linear,
-        min_filter: wgpu::FilterMode::Linear,
-        compare: Some(wgpu::CompareFunction::LessEqual),
-        ..Default::default()
-    });
-    let bind_group = device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label: Some("sun map"),
-        layout: &pipelines.sun_map_layout,
-        entries: &[
-            wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(&map) },
-            wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::Sampler(&sampler) },
-        ],
-    });
-    (map, bind_group)
+/// The sun's map.
+#[derive(Debug)]
+pub struct SunMap {
+    /// Texels along each side.
+    pub texels: u32,
+    /// What it is drawn into.
+    pub view: wgpu::TextureView,
+    /// It and how shapes look things up in it.
+    pub bind_group: wgpu::BindGroup,
+}
+
+impl SunMap {
+    /// A map of so many texels along each side, with nothing in it.
+    pub fn new(device: &wgpu::Device, pipelines: &Pipelines, texels: u32) -> Self {
+        let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING;
+        let view = texture_view(device, "sun map", DEPTH_FORMAT, 1, [texels; 2], usage);
+        let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
+            label: Some("sun map"),
+            mag_filter: wgpu::FilterMode::Linear,
+            min_filter: wgpu::FilterMode::Linear,
+            compare: Some(wgpu::CompareFunction::LessEqual),
+            ..Default::default()
+        });
+        let bind_group = device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("sun map"),
+            layout: &pipelines.sun_map_layout,
+            entries: &[
+                wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(&view) },
+                wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::Sampler(&sampler) },
+            ],
+        });
+        Self { texels, view, bind_group }
+    }
 }
 
 /// A texture, as a view of all of it.

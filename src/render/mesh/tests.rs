@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use glam::Vec3;
 
-use super::Mesh;
+use super::{Cut, LEVELS, Level, Mesh, PLANE, Vertex};
 use crate::scene::{MeshKind, Shape};
 
 /// A shape of each kind, in [`MeshKind::ALL`]'s order.
@@ -19,14 +19,21 @@ fn samples() -> [Shape; 6] {
     ]
 }
 
-fn corners(shape: &Shape) -> (Mesh, Vec<Vec3>) {
-    let mesh = Mesh::unit(shape.mesh());
-    let place = |v: &super::Vertex| {
-        Vec3::from_array(v.core) * (shape.half_extents() - shape.rounding())
-            + Vec3::from_array(v.normal) * shape.rounding()
+/// A level's shape, its mesh and where the mesh's corners are.
+fn corners(level: Level) -> (Shape, Mesh, Vec<Vec3>) {
+    let shape = samples().into_iter().find(|shape| shape.mesh() == level.kind).expect("there is one of each kind");
+    let rounding = if level.is_sharp() { 0.0 } else { shape.rounding() };
+    let mesh = level.mesh();
+    let place = |v: &Vertex| {
+        Vec3::from_array(v.core) * (shape.half_extents() - rounding) + Vec3::from_array(v.normal) * rounding
     };
     let places = mesh.vertices.iter().map(place).collect();
-    (mesh, places)
+    (shape, mesh, places)
+}
+
+/// The three edges of each triangle.
+fn edges(mesh: &Mesh) -> impl Iterator<Item = [usize; 2]> {
+    mesh.indices.chunks_exact(3).flat_map(|t| [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]]).map(|e| e.map(usize::from))
 }
 
 #[test]
@@ -36,38 +43,40 @@ fn samples_cover_every_kind() {
 
 #[test]
 fn every_edge_of_a_solid_is_shared_by_two_triangles_that_run_opposite_ways() {
-    for shape in &samples()[..5] {
-        let (mesh, places) = corners(shape);
-        let key = |index: u16| places[usize::from(index)].to_array().map(|c| (c * 1e4).round() as i32);
-        let mut edges: HashMap<_, i32> = HashMap::new();
-        for t in mesh.indices.chunks_exact(3) {
-            for (a, b) in [(t[0], t[1]), (t[1], t[2]), (t[2], t[0])] {
-                assert_ne!(key(a), key(b), "{shape:?}: an edge of no length");
-                *edges.entry((key(a), key(b))).or_default() += 1;
-            }
+    for level in &LEVELS[..PLANE] {
+        let (_, mesh, places) = corners(*level);
+        let key = |index: usize| places[index].to_array().map(|c| (c * 1e4).round() as i32);
+        let mut counts: HashMap<_, i32> = HashMap::new();
+        for [a, b] in edges(&mesh) {
+            assert_ne!(key(a), key(b), "{level:?}: an edge of no length");
+            *counts.entry((key(a), key(b))).or_default() += 1;
         }
-        for (&(a, b), &count) in &edges {
-            assert_eq!(count, 1, "{shape:?}: edge {a:?} {b:?}");
-            assert!(edges.contains_key(&(b, a)), "{shape:?}: edge {a:?} {b:?} is open");
+        for (&(a, b), &count) in &counts {
+            assert_eq!(count, 1, "{level:?}: edge {a:?} {b:?}");
+            assert!(counts.contains_key(&(b, a)), "{level:?}: edge {a:?} {b:?} is open");
         }
     }
 }
 
 #[test]
 fn triangles_face_outwards_and_agree_with_their_normals() {
-    for shape in samples() {
-        let (mesh, places) = corners(&shape);
+    for level in LEVELS {
+        let (shape, mesh, places) = corners(level);
         for t in mesh.indices.chunks_exact(3) {
             let [a, b, c] = [t[0], t[1], t[2]].map(|i| places[usize::from(i)]);
             let face = (b - a).cross(c - a);
-            assert!(shape.mesh() == MeshKind::Plane || face.dot(a + b + c) > 0.0, "{shape:?}: faces inwards");
+            assert!(shape.mesh() == MeshKind::Plane || face.dot(a + b + c) > 0.0, "{level:?}: faces inwards");
             if shape.mesh() == MeshKind::Cone {
                 continue; // Its normals are those of the unit cone.
             }
             for &i in t {
                 let normal = Vec3::from_array(mesh.vertices[usize::from(i)].normal);
                 assert!((normal.length() - 1.0).abs() < 1e-5);
-                assert!(face.normalize().dot(normal) > 0.8, "{shape:?}: {face} against {normal}");
+                // The coarser, the farther; on a sharp box normals are the faces' own.
+                assert!(
+                    face.normalize().dot(normal) > 0.8 - 3.0 * level.flattening,
+                    "{level:?}: {face} against {normal}"
+                );
             }
         }
     }
@@ -75,11 +84,62 @@ fn triangles_face_outwards_and_agree_with_their_normals() {
 
 #[test]
 fn meshes_fill_their_extents_exactly_and_stay_small() {
-    for shape in samples() {
-        let (mesh, places) = corners(&shape);
+    for level in LEVELS {
+        let (shape, mesh, places) = corners(level);
         let most = places.iter().fold(Vec3::ZERO, |most, place| most.max(place.abs()));
         let slack = shape.half_extents() - most;
-        assert!(slack.min_element() > -1e-5 && slack.max_element() < 0.06, "{shape:?}: {most}");
-        assert!(mesh.indices.len() / 3 <= 330, "{shape:?}: {} triangles", mesh.indices.len() / 3);
+        assert!(slack.min_element() > -1e-5 && slack.max_element() < 0.06, "{level:?}: {most}");
+        assert!(mesh.indices.len() / 3 <= 330, "{level:?}: {} triangles", mesh.indices.len() / 3);
+    }
+}
+
+#[test]
+fn levels_flatten_what_is_round_by_as_much_as_they_say() {
+    for level in LEVELS {
+        let (shape, mesh, _) = corners(level);
+        let measured = match level.cut {
+            Cut::Flat => 0.0,
+            // A corner of the box sticks out of the rounded one.
+            Cut::Bevel(0) => 3.0_f32.sqrt() - 1.0,
+            _ => edges(&mesh)
+                .map(|[a, b]| [a, b].map(|i| &mesh.vertices[i]))
+                .filter(|[a, b]| is_round(&shape, a, b))
+                .map(|[a, b]| {
+                    let [a, b] = [a, b].map(|v| around(&shape, v));
+                    1.0 - ((a + b) / 2.0).length()
+                })
+                .fold(0.0, f32::max),
+        };
+        let apart = (measured - level.flattening).abs();
+        assert!(apart < 2e-4, "{level:?}: measured {measured}");
+    }
+}
+
+/// Whether an edge runs along what is round: not across a disc, to an apex, between two of a box's cores or inside its corners.
+fn is_round(shape: &Shape, a: &Vertex, b: &Vertex) -> bool {
+    match shape.mesh() {
+        MeshKind::Box => {
+            a.core == b.core && (0..3).any(|axis| a.normal[axis].abs() < 1e-6 && b.normal[axis].abs() < 1e-6)
+        }
+        MeshKind::Cylinder | MeshKind::Cone => {
+            [a, b].iter().all(|v| v.normal[1].abs() < 0.9 && around(shape, v).length() > 0.9)
+        }
+        _ => true,
+    }
+}
+
+/// A corner on the unit circle or ball that its shape is rounded by.
+fn around(shape: &Shape, vertex: &Vertex) -> Vec3 {
+    match shape.mesh() {
+        MeshKind::Cylinder | MeshKind::Cone => Vec3::from_array(vertex.core) * Vec3::new(1.0, 0.0, 1.0),
+        _ => Vec3::from_array(vertex.normal),
+    }
+}
+
+#[test]
+fn levels_of_a_kind_go_from_fine_to_coarse() {
+    for pair in LEVELS.windows(2).filter(|pair| pair[0].kind == pair[1].kind) {
+        assert!(pair[0].flattening < pair[1].flattening, "{pair:?}");
+        assert!(pair[0].mesh().indices.len() > pair[1].mesh().indices.len(), "{pair:?}");
     }
 }

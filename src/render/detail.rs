@@ -1,0 +1,149 @@
+//! How finely things are drawn: of each kind's meshes the coarsest whose silhouette is not visibly wrong where it is seen.
+
+use glam::Vec3;
+
+use crate::frame::{DrawItem, View};
+use crate::render::light::SunBox;
+use crate::render::mesh::{LEVELS, MESHES};
+use crate::scene::MeshKind;
+
+/// A silhouette may be wrong by so much of the distance between samples.
+const WRONG_SAMPLES: f32 = 0.5;
+/// A shadow's border may be wrong by so many texels of the sun's map, less than it is blurred by.
+const WRONG_TEXELS: f32 = 1.4;
+
+/// Where something is seen from, and how large.
+#[derive(Clone, Copy, Debug)]
+enum Seen {
+    /// In full detail, from wherever.
+    Finest,
+    /// By the eye there; what is at distance 1 is so many times a silhouette's error large, for each scene unit.
+    ByEye { in_world: Vec3, per_unit: f32 },
+    /// By the sun, so many times a border's error large, for each scene unit.
+    BySun { per_unit: f32 },
+}
+
+/// What chooses meshes.
+#[derive(Clone, Copy, Debug)]
+pub struct Detail(Seen);
+
+impl Detail {
+    /// Everything as finely as there are meshes for.
+    pub const FINEST: Self = Self(Seen::Finest);
+
+    /// What a picture so many pixels high shows, with so many samples along a pixel's side.
+    pub fn of_picture(view: &View, height_px: u32, samples_across: f32) -> Self {
+        let pixels = 0.5 * height_px as f32 / (0.5 * view.vertical_fov).tan();
+        Self(Seen::ByEye {
+            in_world: view.world_from_eye.translation.into(),
+            per_unit: pixels * samples_across / WRONG_SAMPLES,
+        })
+    }
+
+    /// What the sun's map shows.
+    pub fn of_sun_map(sun: &SunBox) -> Self {
+        Self(Seen::BySun { per_unit: 1.0 / (sun.texel * WRONG_TEXELS) })
+    }
+
+    /// The place in [`LEVELS`] of the mesh that shows an item.
+    pub fn mesh(self, item: &DrawItem) -> usize {
+        let places = PLACES[item.mesh as usize];
+        let axes = item.world_from_shape.matrix3;
+        let scale = || axes.x_axis.length().max(axes.y_axis.length()).max(axes.z_axis.length());
+        let (per_unit, scale, distance) = match self.0 {
+            Seen::Finest => return places.0,
+            Seen::BySun { per_unit } => (per_unit, scale(), 1.0),
+            Seen::ByEye { in_world, per_unit } => {
+                // Its nearest corner counts.
+                let scale = scale();
+                let distance = Vec3::from(item.world_from_shape.translation).distance(in_world);
+                (per_unit, scale, (distance - scale * item.half_extents.length()).max(0.0))
+            }
+        };
+        let radius = match item.mesh {
+            MeshKind::Cylinder | MeshKind::Cone => item.half_extents.x.max(item.half_extents.z),
+            _ => item.rounding,
+        };
+        let wrong = scale * radius * per_unit;
+        (places.0..=places.1).rev().find(|&place| LEVELS[place].flattening * wrong <= distance).unwrap_or(places.0)
+    }
+}
+
+/// Where each kind's meshes are: the first and the last.
+const PLACES: [(usize, usize); MeshKind::ALL.len()] = {
+    let mut places = [(MESHES, 0); MeshKind::ALL.len()];
+    let mut place = 0;
+    while place < MESHES {
+        let of_kind = &mut places[LEVELS[place].kind as usize];
+        if of_kind.0 == MESHES {
+            of_kind.0 = place;
+        }
+        of_kind.1 = place;
+        place += 1;
+    }
+    places
+};
+
+#[cfg(test)]
+mod tests {
+    use glam::{Affine3A, Mat4};
+
+    use super::*;
+
+    fn ball(radius: f32, away: f32) -> DrawItem {
+        DrawItem {
+            mesh: MeshKind::Sphere,
+            world_from_shape: Affine3A::from_translation(Vec3::NEG_Z * away),
+            half_extents: Vec3::splat(radius),
+            rounding: radius,
+            colour: Vec3::ONE,
+            outlined: false,
+            node: 0,
+        }
+    }
+
+    #[test]
+    fn the_nearer_the_finer_and_never_visibly_wrong() {
+        let view = View {
+            eye_from_world: Affine3A::IDENTITY,
+            world_from_eye: Affine3A::IDENTITY,
+            clip_from_eye: Mat4::IDENTITY,
+            vertical_fov: 1.0,
+            aspect: 1.0,
+        };
+        for samples_across in [1.0, 2.0] {
+            let detail = Detail::of_picture(&view, 480, samples_across);
+            let mut before = usize::MAX;
+            for step in (1..200).rev() {
+                let away = 0.5 * step as f32;
+                let item = ball(0.2, away);
+                let place = detail.mesh(&item);
+                assert!(place <= before, "coarser when nearer, at {away}");
+                before = place;
+                let level = LEVELS[place];
+                assert_eq!(level.kind, MeshKind::Sphere);
+                let radius_px = 240.0 / 0.5_f32.tan() * 0.2 / away;
+                let is_finest = place == Detail::FINEST.mesh(&item);
+                assert!(is_finest || level.flattening * radius_px * samples_across <= WRONG_SAMPLES, "at {away}");
+            }
+            assert_eq!(detail.mesh(&ball(0.2, 0.1)), Detail::FINEST.mesh(&ball(0.2, 0.1)), "around the eye");
+            assert_ne!(before, detail.mesh(&ball(0.2, 100.0)), "far off");
+        }
+    }
+
+    #[test]
+    fn the_suns_map_does_not_depend_on_where_the_eye_is() {
+        let sun = SunBox { map_from_world: Mat4::IDENTITY, texel: 0.01 };
+        let detail = Detail::of_sun_map(&sun);
+        assert_eq!(detail.mesh(&ball(0.2, 1.0)), detail.mesh(&ball(0.2, 50.0)));
+        assert!(detail.mesh(&ball(2.0, 1.0)) < detail.mesh(&ball(0.02, 1.0)));
+    }
+
+    #[test]
+    fn each_kind_has_its_levels() {
+        for kind in MeshKind::ALL {
+            let (first, last) = PLACES[kind as usize];
+            assert!((first..=last).all(|place| LEVELS[place].kind == kind), "{kind:?}");
+        }
+    }
+}

@@ -1,0 +1,89 @@
+//! The shaders as parsed modules, parsed once in a process for all renderers.
+
+use std::borrow::Cow;
+use std::sync::OnceLock;
+
+use wgpu::naga::Module;
+use wgpu::naga::front::wgsl;
+
+/// What is drawn by one module.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Source {
+    /// Shapes but planes, and ghosts.
+    Shape,
+    /// Planes.
+    Plane,
+    /// The sky.
+    Sky,
+    /// The sun's map and the outline's mask.
+    Silhouette,
+    /// Lines and dots.
+    Stroke,
+    /// The outline.
+    Outline,
+    /// Which node each pixel shows.
+    Identity,
+}
+
+/// How many there are.
+pub const SOURCES: usize = Source::Identity as usize + 1;
+const VARIANTS: usize = 8;
+
+/// What a module is made for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Variant {
+    /// The target keeps numbers as they are, so that shaders encode them as sRGB.
+    pub encodes_srgb: bool,
+    /// The CPU draws: shadows are looked up in fewer places.
+    pub is_software: bool,
+    /// Targets have several samples a pixel.
+    pub is_multisampled: bool,
+}
+
+static PARSED: [[OnceLock<Module>; VARIANTS]; SOURCES] = [const { [const { OnceLock::new() }; VARIANTS] }; SOURCES];
+
+/// Parses what a plain picture needs where the CPU draws it.
+pub fn parse_usual() {
+    let variant = Variant { encodes_srgb: false, is_software: true, is_multisampled: false };
+    for source in [Source::Silhouette, Source::Shape, Source::Plane, Source::Sky] {
+        parsed(source, variant);
+    }
+}
+
+/// A module of the device's, of a source.
+pub fn module(device: &wgpu::Device, source: Source, variant: Variant) -> wgpu::ShaderModule {
+    let source = wgpu::ShaderSource::Naga(Cow::Borrowed(parsed(source, variant)));
+    device.create_shader_module(wgpu::ShaderModuleDescriptor { label: None, source })
+}
+
+fn parsed(source: Source, variant: Variant) -> &'static Module {
+    let Variant { encodes_srgb, is_software, is_multisampled } = variant;
+    let place = usize::from(encodes_srgb) | usize::from(is_software) << 1 | usize::from(is_multisampled) << 2;
+    PARSED[source as usize][place]
+        .get_or_init(|| wgsl::parse_str(&text(source, variant)).expect("the program's own shaders have no errors"))
+}
+
+fn text(source: Source, variant: Variant) -> String {
+    macro_rules! joined {
+        ($($file:literal),*) => {
+            concat!(include_str!("../../shaders/common.wgsl"), $(include_str!(concat!("../../shaders/", $file))),*)
+        };
+    }
+    let text = match (source, variant.is_software) {
+        (Source::Shape, true) => joined!("corner.wgsl", "pixel.wgsl", "lit.wgsl", "shadow_two.wgsl", "shape.wgsl"),
+        (Source::Shape, false) => joined!("corner.wgsl", "pixel.wgsl", "lit.wgsl", "shadow_square.wgsl", "shape.wgsl"),
+        (Source::Plane, true) => joined!("corner.wgsl", "pixel.wgsl", "lit.wgsl", "shadow_two.wgsl", "plane.wgsl"),
+        (Source::Plane, false) => joined!("corner.wgsl", "pixel.wgsl", "lit.wgsl", "shadow_square.wgsl", "plane.wgsl"),
+        (Source::Sky, _) => joined!("pixel.wgsl", "sky.wgsl"),
+        (Source::Silhouette, _) => joined!("corner.wgsl", "pixel.wgsl", "silhouette.wgsl"),
+        (Source::Stroke, _) => joined!("stroke.wgsl"),
+        (Source::Outline, _) => joined!("outline.wgsl"),
+        (Source::Identity, _) => joined!("corner.wgsl", "identity.wgsl"),
+    };
+    let mut text = format!("const ENCODE_SRGB = {};\n{text}", variant.encodes_srgb);
+    // `textureLoad` reads alike from both: its last argument is then the sample.
+    if source == Source::Outline && variant.is_multisampled {
+        text = text.replace("texture_2d<f32>", "texture_multisampled_2d<f32>");
+    }
+    text
+}
