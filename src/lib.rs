@@ -62,8 +62,10 @@
 //! * [`interpolation`] says what a blend of two transforms is; whole poses are made by [`blend`], sixteen nodes at a time, and a
 //!   [`pose::Pose`] lies in memory as that wants it. Tests hold the two together.
 //! * A scene is part of the document, since its control nodes and keys can be edited: a change shares all that stayed as it was.
-//! * The renderer draws what may be seen, the nearest first, and rounded edges in the detail that their pixels show; it uploads what
-//!   changed.
+//! * The renderer draws what may be seen, the nearest first, and round parts in the detail that their pixels show, in the sun's map
+//!   in the detail that its texels show; it uploads what changed.
+//! * What takes a software driver long is begun before it is needed: shaders are parsed while the driver opens, and the sun's map is
+//!   sent off while the picture's pipelines are made. `main` has the Vulkan loader leave out drivers that have nothing to drive.
 //! * Playback's position is an exact fraction, since the pace can change while it plays and the end must come at the right tick.
 //! * A writing effect says whether the file is known to the editor: a window keeps a copy of what it would overwrite unseen.
 

@@ -1,5 +1,6 @@
 //! The adapter and its device, for a window or for none.
 
+use std::hint::black_box;
 use std::thread;
 
 use thiserror::Error;
@@ -52,8 +53,15 @@ pub enum GpuError {
     },
 }
 
+/// A block so large that freeing one has glibc keep what is freed from then on, up to twice as much.
+const KEPT_BYTES: usize = 16 << 20;
+
 /// Starts on what a renderer will need and returns: a driver takes long enough to open for that to be done by then.
 fn prepare_ahead() {
+    // A software driver takes and frees megabytes for each picture. Where the allocator hands them back to the system each time,
+    // getting them again costs a fault for every page: a fifth of a film. It goes by the largest block that was freed so far (mallopt(3),
+    // M_MMAP_THRESHOLD), which need not have been written to.
+    drop(black_box(Vec::<u8>::with_capacity(KEPT_BYTES)));
     // Where no thread can be had, it is done when it is needed.
     let _ = thread::Builder::new().name("prepare".to_owned()).spawn(|| {
         shaders::parse_usual();
