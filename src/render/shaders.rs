@@ -70,9 +70,9 @@ fn text(source: Source, variant: Variant) -> String {
         };
     }
     let text = match (source, variant.is_software) {
-        (Source::Shape, true) => joined!("corner.wgsl", "pixel.wgsl", "lit.wgsl", "shadow_two.wgsl", "shape.wgsl"),
+        (Source::Shape, true) => joined!("corner.wgsl", "pixel.wgsl", "lit.wgsl", "shadow_one.wgsl", "shape.wgsl"),
         (Source::Shape, false) => joined!("corner.wgsl", "pixel.wgsl", "lit.wgsl", "shadow_square.wgsl", "shape.wgsl"),
-        (Source::Plane, true) => joined!("corner.wgsl", "pixel.wgsl", "lit.wgsl", "shadow_two.wgsl", "plane.wgsl"),
+        (Source::Plane, true) => joined!("corner.wgsl", "pixel.wgsl", "lit.wgsl", "shadow_one.wgsl", "plane.wgsl"),
         (Source::Plane, false) => joined!("corner.wgsl", "pixel.wgsl", "lit.wgsl", "shadow_square.wgsl", "plane.wgsl"),
         (Source::Sky, _) => joined!("pixel.wgsl", "sky.wgsl"),
         (Source::Silhouette, _) => joined!("corner.wgsl", "pixel.wgsl", "silhouette.wgsl"),
