@@ -1,5 +1,5 @@
-// What corners hand to pixels. Shapes, planes and the sky read the same components of it, and so share what a software driver
-// compiles between corners and pixels: it does so anew in every process.
+// What corners hand to pixels. Shapes, planes, the sky and the sun's map read the same components of it, and so share what a
+// software driver compiles between corners and pixels: it does so anew in every process.
 struct Pixel {
     @invariant @builtin(position) in_clip: vec4f,
     // Shapes: the normal in world space, and how much of the ambient light the ground lets through.

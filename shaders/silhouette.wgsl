@@ -1,5 +1,7 @@
 // Where shapes are, and nothing else of them.
 
+// The sun's map is depth alone. Its pixels read all that a picture's pixels do, so that a software driver compiles what is between
+// corners and pixels once for both (`pixel.wgsl`); nothing takes what the fragment gives, and drivers leave its work out.
 @vertex
 fn shadow_vertex(corner: Corner) -> Pixel {
     let in_map = globals.map_from_world * vec4f(world_position(corner), 1.0);

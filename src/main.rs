@@ -22,7 +22,8 @@ mod drivers {
     const SOFTWARE: &str = "lvp_icd";
     /// The loader's list of descriptions to read, and what else decides on them.
     const SELECTED: &str = "VK_LOADER_DRIVERS_SELECT";
-    const DECIDING: [&str; 4] = [SELECTED, "VK_DRIVER_FILES", "VK_ICD_FILENAMES", "VK_ADD_DRIVER_FILES"];
+    const DECIDING: [&str; 5] =
+        [SELECTED, "VK_LOADER_DRIVERS_DISABLE", "VK_DRIVER_FILES", "VK_ICD_FILENAMES", "VK_ADD_DRIVER_FILES"];
     /// Mesa's way to leave out its layer that puts GPUs into order, which asks the display for them.
     const NO_CHOICE: &str = "NODEVICE_SELECT";
 

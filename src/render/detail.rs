@@ -9,7 +9,7 @@ use crate::scene::MeshKind;
 
 /// A silhouette may be wrong by so much of the distance between samples.
 const WRONG_SAMPLES: f32 = 0.5;
-/// A shadow's border may be wrong by so many texels of the sun's map, less than it is blurred by.
+/// A shadow's border may be wrong by so many texels of the sun's map, hardly more than looking up between texels blurs it by.
 const WRONG_TEXELS: f32 = 1.4;
 
 /// Where something is seen from, and how large.

@@ -78,8 +78,8 @@ impl Rows<'_> {
             }
             read += pixels.len();
         }
-        // Where there are too few, the encoder says so.
-        packed.truncate(3 * read);
+        // Where there are too few or too many, the encoder says so.
+        packed.resize(3 * read, 0);
         let is_opaque = least_opacity == u8::MAX;
         if !is_opaque {
             packed.clear();

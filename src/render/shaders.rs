@@ -87,3 +87,27 @@ fn text(source: Source, variant: Variant) -> String {
     }
     text
 }
+
+#[cfg(test)]
+mod tests {
+    use wgpu::naga::valid::{Capabilities, ValidationFlags, Validator};
+
+    use super::*;
+
+    /// Also those that only a GPU would be given.
+    #[test]
+    fn every_variant_of_every_source_is_valid() {
+        use Source::{Identity, Outline, Plane, Shape, Silhouette, Sky, Stroke};
+        let sources = [Shape, Plane, Sky, Silhouette, Stroke, Outline, Identity];
+        assert_eq!(sources.len(), SOURCES);
+        for source in sources {
+            for bits in 0..VARIANTS {
+                let has = |bit: usize| bits >> bit & 1 == 1;
+                let variant = Variant { encodes_srgb: has(0), is_software: has(1), is_multisampled: has(2) };
+                let validated =
+                    Validator::new(ValidationFlags::all(), Capabilities::empty()).validate(parsed(source, variant));
+                assert!(validated.is_ok(), "{source:?} {variant:?}: {validated:?}");
+            }
+        }
+    }
+}
