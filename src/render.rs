@@ -29,6 +29,6 @@ pub use arrange::Arrangement;
 pub use gpu::{Gpu, GpuError};
 pub use identity::node_picture;
 pub use image::{Image, Rows};
-pub use offscreen::Offscreen;
+pub use offscreen::{Drawn, Offscreen};
 pub use read::ImageReadError;
 pub use renderer::{Background, Renderer, Viewport, default_samples};

@@ -380,6 +380,31 @@ fn a_picture_of_no_size_is_an_error_that_says_so() {
 }
 
 #[test]
+fn pictures_that_are_kept_stay_what_they_are_while_others_are_drawn() {
+    let frames: Vec<Frame> =
+        [-1.0, 0.0, 1.0, 2.0].map(|x| frame(vec![ground(), cube("#c8553d", Vec3::new(x, 0.0, 0.0), 1.0)])).into();
+    let mut studio = Studio::new(1);
+    let alone: Vec<Image> = frames.iter().map(|frame| studio.draw(frame)).collect();
+    assert!(alone.windows(2).all(|pair| pair[0] != pair[1]));
+    let Studio { gpu, renderer, offscreen } = &mut studio;
+    for frame in &frames {
+        offscreen.submit(gpu, renderer, frame);
+    }
+    assert_eq!(offscreen.under_way(), 4);
+    let kept: Vec<_> = frames.iter().map(|_| offscreen.read(gpu).expect("a picture")).collect();
+    // More are drawn while those are kept; one of them is never read.
+    offscreen.submit(gpu, renderer, &frames[3]);
+    let again = offscreen.draw(gpu, renderer, &frames[0]).expect("a picture");
+    assert_eq!(offscreen.under_way(), 0);
+    assert!(again.rows().to_image() == alone[0]);
+    for (place, (kept, alone)) in kept.iter().zip(&alone).enumerate() {
+        assert!(kept.rows().to_image() == *alone, "picture {place}");
+    }
+    let error = offscreen.read(gpu).expect_err("nothing is under way");
+    assert!(error.to_string().ends_with("nothing was drawn"), "{error}");
+}
+
+#[test]
 fn what_is_cut_away_changes_no_byte_of_the_picture() {
     let mut items = vec![ground()];
     for place in 0..900_u16 {

@@ -129,8 +129,8 @@ fn sheet(
     let moments = Moments::of_sheet(arguments.span(), source, grid)?;
     let mut cells = Vec::new();
     let mut watch = watched(&moments);
-    Drawing { stage, moments: &moments, painter, watch: &mut watch }.draw(|place, picture| {
-        cells.push(Cell { picture, caption: moments.all[place].caption() });
+    Drawing { stage, moments: &moments, painter, watch: &mut watch }.draw(|place, drawn| {
+        cells.push(Cell { picture: drawn.rows().to_image(), caption: moments.all[place].caption() });
         Ok(())
     })?;
     Ok(contact_sheet(grid, &cells))

@@ -1,12 +1,10 @@
 //! Frames to pictures, with no window.
 
-use std::mem;
-
 use glam::Vec2;
 
 use super::ExportError;
 use crate::frame::Frame;
-use crate::render::{Background, Gpu, GpuError, Image, Offscreen, Renderer, default_samples};
+use crate::render::{Background, Drawn, Gpu, GpuError, Image, Offscreen, Renderer, default_samples};
 
 /// Width and height of a picture in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,10 +28,6 @@ pub struct Painter {
     gpu: Gpu,
     renderer: Renderer,
     offscreen: Offscreen,
-    /// The other target, once pictures overlap.
-    spare: Option<Offscreen>,
-    /// Whether a picture is being drawn on the first target.
-    is_under_way: bool,
 }
 
 impl Painter {
@@ -45,7 +39,7 @@ impl Painter {
         let offscreen = Offscreen::new(&gpu, size.width, size.height)?;
         let samples = samples.unwrap_or_else(|| default_samples(gpu.is_software));
         let renderer = Renderer::new(&gpu, Offscreen::FORMAT, samples);
-        Ok(Self { size, samples, renderer, offscreen, spare: None, is_under_way: false, gpu })
+        Ok(Self { size, samples, gpu, renderer, offscreen })
     }
 
     /// The pictures' width and height in pixels.
@@ -60,7 +54,6 @@ impl Painter {
     /// # Errors
     /// [`GpuError`]
     pub fn image(&mut self, frame: &Frame) -> Result<Image, GpuError> {
-        self.is_under_way = false;
         self.offscreen.render(&self.gpu, &mut self.renderer, frame)
     }
 
@@ -69,24 +62,12 @@ impl Painter {
     ///
     /// # Errors
     /// [`GpuError`]
-    pub fn next_image(&mut self, frame: Option<&Frame>) -> Result<Option<Image>, GpuError> {
-        let was_under_way = mem::replace(&mut self.is_under_way, frame.is_some());
-        let Some(frame) = frame else {
-            return if was_under_way { self.offscreen.read(&self.gpu).map(Some) } else { Ok(None) };
-        };
-        if !was_under_way {
+    pub fn next(&mut self, frame: Option<&Frame>) -> Result<Option<Drawn>, GpuError> {
+        let was_under_way = self.offscreen.under_way() > 0;
+        if let Some(frame) = frame {
             self.offscreen.submit(&self.gpu, &mut self.renderer, frame);
-            return Ok(None);
         }
-        let mut before = match self.spare.take() {
-            Some(spare) => spare,
-            None => Offscreen::new(&self.gpu, self.size.width, self.size.height)?,
-        };
-        mem::swap(&mut self.offscreen, &mut before);
-        self.offscreen.submit(&self.gpu, &mut self.renderer, frame);
-        let image = before.read(&self.gpu);
-        self.spare = Some(before);
-        image.map(Some)
+        was_under_way.then(|| self.offscreen.read(&self.gpu)).transpose()
     }
 
     /// Draws a frame and encodes it: 8 bits a channel, not interlaced.
@@ -94,9 +75,7 @@ impl Painter {
     /// # Errors
     /// [`ExportError`]
     pub fn png(&mut self, frame: &Frame) -> Result<Vec<u8>, ExportError> {
-        self.is_under_way = false;
-        self.offscreen.submit(&self.gpu, &mut self.renderer, frame);
-        Ok(self.offscreen.read_png(&self.gpu)??)
+        Ok(self.offscreen.draw(&self.gpu, &mut self.renderer, frame)?.rows().to_png()?)
     }
 
     /// What is behind everything from now on.

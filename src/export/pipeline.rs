@@ -4,7 +4,7 @@ use std::sync::mpsc;
 use std::thread;
 
 use super::{ExportError, Moments, Painter, Stage};
-use crate::render::Image;
+use crate::render::Drawn;
 
 /// Pictures that wait at most: enough for one thread not to stop for a slow picture of the other.
 const WAITING: usize = 4;
@@ -31,26 +31,31 @@ impl Drawing<'_> {
     /// [`ExportError`] of the drawing, of `take`, or [`ExportError::Cancelled`].
     pub fn draw(
         &mut self,
-        mut take: impl FnMut(usize, Image) -> Result<(), ExportError> + Send,
+        mut take: impl FnMut(usize, Drawn) -> Result<(), ExportError> + Send,
     ) -> Result<(), ExportError> {
         let Self { stage, moments, painter, watch } = self;
         let count = moments.all.len();
         let mut goes_on = |done: usize| if watch(done, count) { Ok(()) } else { Err(ExportError::Cancelled) };
+        let gives_way = painter.gpu().is_software;
         thread::scope(|scope| {
-            let (sender, receiver) = mpsc::sync_channel::<Image>(WAITING);
-            let taker =
-                scope.spawn(move || receiver.into_iter().enumerate().try_for_each(|(place, image)| take(place, image)));
+            let (sender, receiver) = mpsc::sync_channel::<Drawn>(WAITING);
+            let taker = scope.spawn(move || {
+                if gives_way {
+                    give_way();
+                }
+                receiver.into_iter().enumerate().try_for_each(|(place, drawn)| take(place, drawn))
+            });
             let drawn = moments.all.iter().enumerate().try_for_each(|(place, moment)| -> Result<(), Stop> {
                 goes_on(place)?;
-                match painter.next_image(Some(&stage.frame(moment)?))? {
+                match painter.next(Some(&stage.frame(moment)?))? {
                     // Where the other side is gone it has an error to tell.
-                    Some(image) => sender.send(image).map_err(|_| Stop(None)),
+                    Some(picture) => sender.send(picture).map_err(|_| Stop(None)),
                     None => Ok(()),
                 }
             });
             // What was begun is finished, also where no more is wanted.
-            let drawn = match painter.next_image(None) {
-                Ok(Some(image)) => drawn.and(sender.send(image).map_err(|_| Stop(None))),
+            let drawn = match painter.next(None) {
+                Ok(Some(picture)) => drawn.and(sender.send(picture).map_err(|_| Stop(None))),
                 Ok(None) => drawn,
                 Err(error) => drawn.and(Err(error.into())),
             };
@@ -65,6 +70,18 @@ impl Drawing<'_> {
         goes_on(count)
     }
 }
+
+/// Lets the threads of a software driver go first from now on: they wait for each other within a picture, so that one of them that
+/// has to wait for a core holds up all. This thread has the time they leave over, and while it is behind they wait for it.
+#[cfg(target_os = "linux")]
+fn give_way() {
+    // With process 0 Linux means the calling thread (setpriority(2)). Where it refuses, pictures only come later.
+    let _ = rustix::process::nice(15);
+}
+
+/// Only on Linux can a thread go behind the others of its program without unsafe code.
+#[cfg(not(target_os = "linux"))]
+const fn give_way() {}
 
 /// Why drawing stopped: an error of its own, or one that the other side tells.
 struct Stop(Option<ExportError>);

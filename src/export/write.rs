@@ -22,9 +22,10 @@ pub fn write_folder(
     note: &mut (dyn FnMut(&Path, &[u8]) + Send),
 ) -> Result<(), ExportError> {
     storage::create_folder(folder).map_err(|reason| ExportError::unwritten(folder, reason))?;
-    drawing.draw(|place, image| {
+    drawing.draw(|place, drawn| {
         let path = folder.join(format!("frame-{place:05}.png"));
-        let png = image.to_png()?;
+        let png = drawn.rows().to_png()?;
+        drop(drawn);
         storage::write_unsynced(&path, &png).map_err(|reason| ExportError::unwritten(&path, reason))?;
         note(&path, &png);
         Ok(())
@@ -66,8 +67,10 @@ fn encode(
     let palette = if format == Format::Gif { palette(drawing)? } else { Palette::of(&[]) };
     let mut film = Film::new(format, plan, palette, output).map_err(failed)?;
     let moments = drawing.moments;
-    drawing
-        .draw(|place, image| film.push(&image, moments.all[place].start_ms, moments.end_ms(place)).map_err(failed))?;
+    drawing.draw(|place, drawn| {
+        let image = drawn.rows().to_image();
+        film.push(&image, moments.all[place].start_ms, moments.end_ms(place)).map_err(failed)
+    })?;
     film.finish().map_err(failed)
 }
 

@@ -1,5 +1,6 @@
 //! A target that is no window's, and the way back to the CPU.
 
+use std::collections::VecDeque;
 use std::sync::mpsc;
 
 use crate::frame::Frame;
@@ -7,24 +8,57 @@ use crate::render::gpu::{Gpu, GpuError};
 use crate::render::image::{Image, Rows};
 use crate::render::renderer::{Renderer, Viewport};
 
-/// A texture to draw into and the buffer that brings it back. Kept for a run of pictures of one size, it allocates nothing more on
-/// the GPU.
+/// A texture to draw into and the buffers that bring pictures back. Kept for a run of pictures of one size, it allocates nothing more
+/// on the GPU than a buffer for each picture that is on its way or being read.
 #[derive(Debug)]
 pub struct Offscreen {
     width: u32,
     height: u32,
     texture: wgpu::Texture,
     view: wgpu::TextureView,
-    buffer: wgpu::Buffer,
     row_bytes: u32,
-    submitted: Option<Submitted>,
+    under_way: VecDeque<Submitted>,
+    /// Buffers come back from pictures that were read, on whatever thread.
+    give_back: mpsc::Sender<wgpu::Buffer>,
+    free: mpsc::Receiver<wgpu::Buffer>,
 }
 
 /// A picture that is being drawn.
 #[derive(Debug)]
 struct Submitted {
     index: wgpu::SubmissionIndex,
+    buffer: wgpu::Buffer,
     mapped: mpsc::Receiver<Result<(), wgpu::BufferAsyncError>>,
+}
+
+/// A picture that is drawn, where the GPU put it.
+#[derive(Debug)]
+pub struct Drawn {
+    width: u32,
+    height: u32,
+    row_bytes: u32,
+    /// Until it is dropped.
+    bytes: Option<wgpu::BufferView>,
+    buffer: wgpu::Buffer,
+    give_back: mpsc::Sender<wgpu::Buffer>,
+}
+
+impl Drawn {
+    /// Its pixels.
+    #[must_use]
+    pub fn rows(&self) -> Rows<'_> {
+        let bytes = self.bytes.as_deref().unwrap_or_default();
+        Rows { width: self.width, height: self.height, row_bytes: self.row_bytes as usize, bytes }
+    }
+}
+
+impl Drop for Drawn {
+    fn drop(&mut self) {
+        self.bytes = None;
+        self.buffer.unmap();
+        // Nobody waits for it where the target is gone.
+        let _ = self.give_back.send(self.buffer.clone());
+    }
 }
 
 impl Offscreen {
@@ -55,37 +89,47 @@ impl Offscreen {
             view_formats: &[],
         });
         let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
-        let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("read back"),
-            size,
-            usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
-            mapped_at_creation: false,
-        });
-        Ok(Self { width, height, texture, view, buffer, row_bytes: row_bytes as u32, submitted: None })
+        let (give_back, free) = mpsc::channel();
+        let row_bytes = row_bytes as u32;
+        Ok(Self { width, height, texture, view, row_bytes, under_way: VecDeque::new(), give_back, free })
     }
 
-    /// Draws a frame and waits for its picture.
+    /// Draws a frame and waits for its picture. Pictures that were submitted and not read are dropped.
     ///
     /// # Errors
     ///
     /// [`GpuError::ReadBack`] where the device is lost.
     pub fn render(&mut self, gpu: &Gpu, renderer: &mut Renderer, frame: &Frame) -> Result<Image, GpuError> {
+        self.draw(gpu, renderer, frame).map(|drawn| drawn.rows().to_image())
+    }
+
+    /// As [`Offscreen::render`], with no copy of the picture.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::ReadBack`] where the device is lost.
+    pub fn draw(&mut self, gpu: &Gpu, renderer: &mut Renderer, frame: &Frame) -> Result<Drawn, GpuError> {
+        self.under_way.clear();
         self.submit(gpu, renderer, frame);
         self.read(gpu)
     }
 
-    /// Starts drawing a frame; [`Offscreen::read`] waits for it. With two of these one can be read while the other is drawn.
-    /// A picture that was not read is dropped.
+    /// Starts drawing a frame; [`Offscreen::read`] waits for it. One can be read while the next are drawn.
     pub fn submit(&mut self, gpu: &Gpu, renderer: &mut Renderer, frame: &Frame) {
-        if self.submitted.take().is_some() {
-            self.buffer.unmap();
-        }
+        let buffer = self.free.try_recv().unwrap_or_else(|_| {
+            gpu.device.create_buffer(&wgpu::BufferDescriptor {
+                label: Some("read back"),
+                size: u64::from(self.row_bytes) * u64::from(self.height),
+                usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+                mapped_at_creation: false,
+            })
+        });
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         renderer.encode(gpu, &mut encoder, frame, &self.view, Viewport::whole(self.width, self.height));
         encoder.copy_texture_to_buffer(
             self.texture.as_image_copy(),
             wgpu::TexelCopyBufferInfo {
-                buffer: &self.buffer,
+                buffer: &buffer,
                 layout: wgpu::TexelCopyBufferLayout {
                     offset: 0,
                     bytes_per_row: Some(self.row_bytes),
@@ -96,45 +140,33 @@ impl Offscreen {
         );
         let index = gpu.queue.submit([encoder.finish()]);
         let (sender, mapped) = mpsc::channel();
-        self.buffer.map_async(wgpu::MapMode::Read, .., move |result| {
+        buffer.map_async(wgpu::MapMode::Read, .., move |result| {
             // Nobody listens where the picture was dropped.
             let _ = sender.send(result);
         });
-        self.submitted = Some(Submitted { index, mapped });
+        self.under_way.push_back(Submitted { index, buffer, mapped });
     }
 
-    /// Waits for the picture that was last submitted, and for nothing that was submitted after it.
+    /// Pictures that were submitted and not read.
+    #[must_use]
+    pub fn under_way(&self) -> usize {
+        self.under_way.len()
+    }
+
+    /// Waits for the picture that was submitted first of those that were not read, and for nothing that was submitted after it.
     ///
     /// # Errors
     ///
     /// [`GpuError::ReadBack`] where nothing was submitted or the device is lost.
-    #[expect(clippy::redundant_closure_for_method_calls, reason = "the method itself is for one lifetime only")]
-    pub fn read(&mut self, gpu: &Gpu) -> Result<Image, GpuError> {
-        self.read_rows(gpu, |rows| rows.to_image())
-    }
-
-    /// As [`Offscreen::read`], as a PNG: [`Rows::to_png`], with no copy of the picture in between.
-    ///
-    /// # Errors
-    ///
-    /// [`GpuError::ReadBack`] where nothing was submitted or the device is lost; inside it what the encoder says.
-    #[expect(clippy::redundant_closure_for_method_calls, reason = "the method itself is for one lifetime only")]
-    pub fn read_png(&mut self, gpu: &Gpu) -> Result<Result<Vec<u8>, png::EncodingError>, GpuError> {
-        self.read_rows(gpu, |rows| rows.to_png())
-    }
-
-    fn read_rows<T>(&mut self, gpu: &Gpu, take: impl FnOnce(&Rows<'_>) -> T) -> Result<T, GpuError> {
+    pub fn read(&mut self, gpu: &Gpu) -> Result<Drawn, GpuError> {
         let failed = |reason: String| GpuError::ReadBack { adapter: gpu.info.name.clone(), reason };
-        let Submitted { index, mapped } =
-            self.submitted.take().ok_or_else(|| failed("nothing was drawn".to_owned()))?;
+        let Submitted { index, buffer, mapped } =
+            self.under_way.pop_front().ok_or_else(|| failed("nothing was drawn".to_owned()))?;
         let until = wgpu::PollType::Wait { submission_index: Some(index), timeout: None };
         gpu.device.poll(until).map_err(|error| failed(error.to_string()))?;
         mapped.recv().map_err(|error| failed(error.to_string()))?.map_err(|error| failed(error.to_string()))?;
-        let taken = {
-            let bytes = self.buffer.get_mapped_range(..).map_err(|error| failed(error.to_string()))?;
-            take(&Rows { width: self.width, height: self.height, row_bytes: self.row_bytes as usize, bytes: &bytes })
-        };
-        self.buffer.unmap();
-        Ok(taken)
+        let bytes = Some(buffer.get_mapped_range(..).map_err(|error| failed(error.to_string()))?);
+        let Self { width, height, row_bytes, .. } = *self;
+        Ok(Drawn { width, height, row_bytes, bytes, buffer, give_back: self.give_back.clone() })
     }
 }
