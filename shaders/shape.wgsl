@@ -38,14 +38,16 @@ fn shape_fragment(pixel: Pixel) -> @location(0) vec4f {
     let to_eye = normalize(pixel.along_view);
     let to_sun = globals.towards_sun_in_world.xyz;
     let arriving = sun_arriving(pixel.map_place);
-    let sun = max(dot(normal, to_sun), 0.0) * arriving;
+    let facing_sun = dot(normal, to_sun);
+    let facing_eye = dot(normal, to_eye);
+    let sun = max(facing_sun, 0.0) * arriving;
     let ambient = pixel.surface.w * (pixel.shaded + pixel.colour.rgb * ((SKY_FILL - BOUNCE) * (0.5 + 0.5 * normal.y)));
     // A gentle highlight, and the sky at grazing angles.
-    let half_way = normalize(to_sun + to_eye);
-    let h2 = pow2(max(dot(normal, half_way), 0.0));
+    // The square of the normal's cosine with what is half-way between sun and eye, both of them one long.
+    let h2 = pow2(max(facing_sun + facing_eye, 0.0)) / max(2.0 + 2.0 * dot(to_sun, to_eye), 0.001);
     let h8 = pow2(pow2(h2));
     let highlight = pow2(h8) * h8 * sun;
-    let rim = pow2(pow2(1.0 - max(dot(normal, to_eye), 0.0)));
+    let rim = pow2(pow2(1.0 - max(facing_eye, 0.0)));
     let lit = ambient + pixel.colour.rgb * (SUN * sun) + SUN * (0.16 * highlight) + SKY_FILL * (rim * (0.22 + 0.2 * normal.y));
     return finished(toned(lit * EXPOSURE), pixel.colour.w);
 }

@@ -11,6 +11,9 @@ use crate::render::shaders::{self, SOURCES, Source, Variant};
 
 /// Depth of pictures and of the sun's map.
 pub const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
+/// The sun's map. Its 65,536 steps are spread evenly over the depth of the box that it covers, and so are far smaller than its texels,
+/// by which what is looked up is lifted off its surface.
+pub const SUN_MAP_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth16Unorm;
 /// The outline's mask.
 pub const MASK_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
@@ -271,7 +274,7 @@ impl Pipelines {
                 ..Default::default()
             },
             depth_stencil: recipe.depth.map(|(compare, write)| wgpu::DepthStencilState {
-                format: DEPTH_FORMAT,
+                format: if kind == Kind::Shadow { SUN_MAP_FORMAT } else { DEPTH_FORMAT },
                 depth_write_enabled: Some(write),
                 depth_compare: Some(compare),
                 stencil: wgpu::StencilState::default(),

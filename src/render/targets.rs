@@ -1,6 +1,6 @@
 //! The textures a picture needs beside its target, kept while its size stays the same.
 
-use crate::render::pipelines::{DEPTH_FORMAT, MASK_FORMAT, Pipelines};
+use crate::render::pipelines::{DEPTH_FORMAT, MASK_FORMAT, Pipelines, SUN_MAP_FORMAT};
 
 /// Depth, the samples before they are resolved, and the outline's mask.
 #[derive(Debug)]
@@ -70,7 +70,7 @@ impl SunMap {
     /// A map of so many texels along each side, with nothing in it.
     pub fn new(device: &wgpu::Device, pipelines: &Pipelines, texels: u32) -> Self {
         let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING;
-        let view = texture_view(device, "sun map", DEPTH_FORMAT, 1, [texels; 2], usage);
+        let view = texture_view(device, "sun map", SUN_MAP_FORMAT, 1, [texels; 2], usage);
         let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
             label: Some("sun map"),
             mag_filter: wgpu::FilterMode::Linear,
