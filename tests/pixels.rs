@@ -105,6 +105,28 @@ fn a_box_darkens_the_ground_away_from_the_sun_and_nowhere_else() {
 }
 
 #[test]
+fn shadows_are_the_same_in_pictures_of_other_sizes() {
+    let items = vec![ground(), cube("#808080", Vec3::new(0.0, -1.0, -1.0), 0.5)];
+    let scene = frame(items);
+    let mut studio = Studio::new(1);
+    let small = studio.draw(&scene);
+    // The larger ones have a map of another kind of depth; the last shows that the first kind is made anew.
+    for (times, width) in [(2, 2 * WIDTH), (3, 3 * WIDTH), (1, WIDTH)] {
+        let Studio { gpu, renderer, .. } = &mut studio;
+        let mut offscreen = Offscreen::new(gpu, width, times * HEIGHT).expect("a target");
+        let large = offscreen.render(gpu, renderer, &scene).expect("a picture");
+        let middle = |place: u32| times * place + times / 2;
+        let mut others = 0;
+        for (x, y) in (0..HEIGHT).step_by(3).flat_map(|y| (0..WIDTH).step_by(3).map(move |x| (x, y))) {
+            let [found, expected] = [pixel(&large, middle(x), middle(y)), pixel(&small, x, y)];
+            others += usize::from(found.iter().zip(expected).any(|(a, b)| (a - b).abs() > 12));
+        }
+        // Only at borders, of the shadow and of the box.
+        assert!(others < 40, "{others} of {} pixels differ at {times} times the size", WIDTH * HEIGHT / 9);
+    }
+}
+
+#[test]
 fn the_same_frame_gives_the_same_bytes_and_the_same_png() {
     let frame = frame(sample_items().into_iter().map(|(_, item)| item).collect());
     let mut studio = Studio::new(1);

@@ -9,11 +9,11 @@ use crate::render::instances::{Instance, Stroke};
 use crate::render::mesh::Vertex;
 use crate::render::shaders::{self, SOURCES, Source, Variant};
 
-/// Depth of pictures and of the sun's map.
+/// Depth of pictures, and of the sun's map where it is small.
 pub const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
-/// The sun's map. Its 65,536 steps are spread evenly over the depth of the box that it covers, and so are far smaller than its texels,
-/// by which what is looked up is lifted off its surface.
-pub const SUN_MAP_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth16Unorm;
+/// Depth of the sun's map where it is large: memory is what it costs then. Its 65,536 steps are spread evenly over the depth of the box
+/// that it covers, and so are far smaller than its texels, by which what is looked up is lifted off its surface.
+pub const LARGE_MAP_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth16Unorm;
 /// The outline's mask.
 pub const MASK_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
@@ -26,8 +26,10 @@ pub enum Kind {
     Plane,
     /// The sky behind everything.
     Sky,
-    /// The sun's map.
+    /// The sun's map, where it is small. It has the picture's own kind of depth, for which a software driver need not compile anew.
     Shadow,
+    /// The sun's map, where it is large.
+    LargeShadow,
     /// Ghosts' depth, so that only what is nearest of them is blended.
     GhostDepth,
     /// Ghosts' colour.
@@ -69,6 +71,10 @@ struct Recipe {
 }
 
 impl Kind {
+    const fn is_shadow(self) -> bool {
+        matches!(self, Self::Shadow | Self::LargeShadow)
+    }
+
     fn recipe(self) -> Recipe {
         use CompareFunction::{Always, Equal, GreaterEqual, Less};
         let shape = |source, vertex, fragment, depth, blend| Recipe {
@@ -99,7 +105,7 @@ impl Kind {
             Self::Shape => shape(Source::Shape, "shape_vertex", Some("shape_fragment"), (GreaterEqual, true), false),
             Self::Plane => shape(Source::Plane, "plane_vertex", Some("plane_fragment"), (GreaterEqual, true), false),
             Self::Sky => screen(Source::Sky, "sky_vertex", "sky_fragment", Some((GreaterEqual, false)), false),
-            Self::Shadow => shape(
+            Self::Shadow | Self::LargeShadow => shape(
                 Source::Silhouette,
                 "shadow_vertex",
                 Some("shadow_fragment"),
@@ -249,7 +255,7 @@ impl Pipelines {
             Input::Strokes => &stroke_buffers,
             Input::Nothing => &[],
         };
-        let is_single = matches!(kind, Kind::Shadow | Kind::Outline);
+        let is_single = kind.is_shadow() || kind == Kind::Outline;
         device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
             label: None,
             layout: Some(&layout),
@@ -265,16 +271,16 @@ impl Pipelines {
                 } else {
                     wgpu::PrimitiveTopology::TriangleList
                 },
-                cull_mode: match (kind, recipe.input) {
+                cull_mode: match recipe.input {
                     // What a shape's lit side is compared with is its far side, which it cannot be mistaken for.
-                    (Kind::Shadow, _) => Some(wgpu::Face::Front),
-                    (_, Input::Instances) => Some(wgpu::Face::Back),
+                    Input::Instances if kind.is_shadow() => Some(wgpu::Face::Front),
+                    Input::Instances => Some(wgpu::Face::Back),
                     _ => None,
                 },
                 ..Default::default()
             },
             depth_stencil: recipe.depth.map(|(compare, write)| wgpu::DepthStencilState {
-                format: if kind == Kind::Shadow { SUN_MAP_FORMAT } else { DEPTH_FORMAT },
+                format: if kind == Kind::LargeShadow { LARGE_MAP_FORMAT } else { DEPTH_FORMAT },
                 depth_write_enabled: Some(write),
                 depth_compare: Some(compare),
                 stencil: wgpu::StencilState::default(),
@@ -288,7 +294,7 @@ impl Pipelines {
                 module,
                 entry_point: Some(entry_point),
                 compilation_options: wgpu::PipelineCompilationOptions::default(),
-                targets: if kind == Kind::Shadow { &[] } else { &targets },
+                targets: if kind.is_shadow() { &[] } else { &targets },
             }),
             multiview_mask: None,
             cache: None,

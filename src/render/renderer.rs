@@ -223,7 +223,7 @@ impl Renderer {
     }
 
     fn draw_sun_map(&self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder) {
-        let Some(SunMap { texels, view, .. }) = &self.sun_map else { return };
+        let Some(SunMap { texels, kind, view, .. }) = &self.sun_map else { return };
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("sun map"),
             depth_stencil_attachment: Some(depth_attachment(view, wgpu::LoadOp::Clear(1.0), wgpu::StoreOp::Store)),
@@ -231,7 +231,7 @@ impl Renderer {
         });
         // The border stays as far away as can be: what is looked up outside is lit.
         pass.set_scissor_rect(1, 1, texels - 2, texels - 2);
-        pass.set_pipeline(self.pipelines.get(device, Kind::Shadow));
+        pass.set_pipeline(self.pipelines.get(device, *kind));
         self.bind_instances(&mut pass);
         for (mesh, instances) in geometry().places.iter().zip(&self.uploaded.casters) {
             draw_mesh(&mut pass, mesh, instances);

@@ -1,6 +1,6 @@
 //! The textures a picture needs beside its target, kept while its size stays the same.
 
-use crate::render::pipelines::{DEPTH_FORMAT, MASK_FORMAT, Pipelines, SUN_MAP_FORMAT};
+use crate::render::pipelines::{DEPTH_FORMAT, Kind, LARGE_MAP_FORMAT, MASK_FORMAT, Pipelines};
 
 /// Depth, the samples before they are resolved, and the outline's mask.
 #[derive(Debug)]
@@ -55,11 +55,16 @@ impl Targets {
     }
 }
 
+/// From so many texels along each side on the sun's map is a large one.
+const LARGE_TEXELS: u32 = 768;
+
 /// The sun's map.
 #[derive(Debug)]
 pub struct SunMap {
     /// Texels along each side.
     pub texels: u32,
+    /// The pipeline that draws it.
+    pub kind: Kind,
     /// What it is drawn into.
     pub view: wgpu::TextureView,
     /// It and how shapes look things up in it.
@@ -70,7 +75,11 @@ impl SunMap {
     /// A map of so many texels along each side, with nothing in it.
     pub fn new(device: &wgpu::Device, pipelines: &Pipelines, texels: u32) -> Self {
         let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING;
-        let view = texture_view(device, "sun map", SUN_MAP_FORMAT, 1, [texels; 2], usage);
+        let (kind, format) = match texels {
+            LARGE_TEXELS.. => (Kind::LargeShadow, LARGE_MAP_FORMAT),
+            _ => (Kind::Shadow, DEPTH_FORMAT),
+        };
+        let view = texture_view(device, "sun map", format, 1, [texels; 2], usage);
         let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
             label: Some("sun map"),
             mag_filter: wgpu::FilterMode::Linear,
@@ -86,7 +95,7 @@ impl SunMap {
                 wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::Sampler(&sampler) },
             ],
         });
-        Self { texels, view, bind_group }
+        Self { texels, kind, view, bind_group }
     }
 }
 
