@@ -28,7 +28,7 @@ mod uniforms;
 pub use arrange::Arrangement;
 pub use gpu::{Gpu, GpuError};
 pub use identity::node_picture;
-pub use image::{Image, Rows};
+pub use image::{Image, Rows, set_up_png};
 pub use offscreen::{Drawn, Offscreen};
 pub use read::ImageReadError;
 pub use renderer::{Background, Renderer, Viewport, default_samples};

@@ -109,7 +109,7 @@ fn shadows_are_the_same_in_pictures_of_other_sizes() {
     let near = Vec3::new(0.0, -1.0, -1.0);
     // One that is far off towards the sun makes the map's box deep.
     let towards_sun = Vec3::new(-0.5, 0.78, 0.5).normalize();
-    let scene = frame(vec![ground(), cube("#808080", near, 0.5), cube("#808080", near + 110.0 * towards_sun, 0.1)]);
+    let scene = frame(vec![ground(), cube("#808080", near, 0.5), cube("#808080", near + 70.0 * towards_sun, 0.1)]);
     let mut studio = Studio::new(1);
     let small = studio.draw(&scene);
     // The larger ones have a map of another kind of depth; the last shows that the first kind is made anew.

@@ -62,7 +62,7 @@ impl Painter {
     ///
     /// # Errors
     /// [`GpuError`]
-    pub fn next(&mut self, frame: Option<&Frame>) -> Result<Option<Drawn>, GpuError> {
+    pub fn next_drawn(&mut self, frame: Option<&Frame>) -> Result<Option<Drawn>, GpuError> {
         let was_under_way = self.offscreen.under_way() > 0;
         if let Some(frame) = frame {
             self.offscreen.submit(&self.gpu, &mut self.renderer, frame);

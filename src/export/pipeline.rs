@@ -47,14 +47,14 @@ impl Drawing<'_> {
             });
             let drawn = moments.all.iter().enumerate().try_for_each(|(place, moment)| -> Result<(), Stop> {
                 goes_on(place)?;
-                match painter.next(Some(&stage.frame(moment)?))? {
+                match painter.next_drawn(Some(&stage.frame(moment)?))? {
                     // Where the other side is gone it has an error to tell.
                     Some(picture) => sender.send(picture).map_err(|_| Stop(None)),
                     None => Ok(()),
                 }
             });
             // What was begun is finished, also where no more is wanted.
-            let drawn = match painter.next(None) {
+            let drawn = match painter.next_drawn(None) {
                 Ok(Some(picture)) => drawn.and(sender.send(picture).map_err(|_| Stop(None))),
                 Ok(None) => drawn,
                 Err(error) => drawn.and(Err(error.into())),
@@ -71,12 +71,16 @@ impl Drawing<'_> {
     }
 }
 
+/// How much nicer than the others the thread that takes pictures is: 15 steps leave it a thirtieth of a core that another thread wants.
+#[cfg(target_os = "linux")]
+const NICER: i32 = 15;
+
 /// Lets the threads of a software driver go first from now on: they wait for each other within a picture, so that one of them that
 /// has to wait for a core holds up all. This thread has the time they leave over, and while it is behind they wait for it.
 #[cfg(target_os = "linux")]
 fn give_way() {
     // With process 0 Linux means the calling thread (setpriority(2)). Where it refuses, pictures only come later.
-    let _ = rustix::process::nice(15);
+    let _ = rustix::process::nice(NICER);
 }
 
 /// Only on Linux can a thread go behind the others of its program without unsafe code.

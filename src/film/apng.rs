@@ -2,10 +2,10 @@
 
 use std::io::Write;
 
-use png::{BitDepth, BlendOp, ColorType, Compression, DisposeOp, Encoder, SrgbRenderingIntent, Writer};
+use png::{BlendOp, DisposeOp, Encoder, Writer};
 
 use super::{FilmError, Plan};
-use crate::render::Image;
+use crate::render::{Image, set_up_png};
 
 /// An animated PNG that is being written.
 pub struct ApngFilm<W: Write> {
@@ -17,10 +17,7 @@ pub struct ApngFilm<W: Write> {
 impl<W: Write> ApngFilm<W> {
     pub(super) fn new(plan: Plan, output: W) -> Result<Self, FilmError> {
         let mut encoder = Encoder::new(output, plan.width, plan.height);
-        encoder.set_color(if plan.is_opaque { ColorType::Rgb } else { ColorType::Rgba });
-        encoder.set_depth(BitDepth::Eight);
-        encoder.set_compression(Compression::Fast);
-        encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
+        set_up_png(&mut encoder, plan.is_opaque);
         encoder.set_animated(plan.frames, 0)?;
         encoder.set_blend_op(BlendOp::Source)?;
         encoder.set_dispose_op(DisposeOp::None)?;

@@ -1,5 +1,7 @@
 //! A finished picture on the CPU, and its PNG.
 
+use std::io::Write;
+
 /// Rows of pixels from the top, tightly packed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Image {
@@ -87,15 +89,21 @@ impl Rows<'_> {
         }
         let mut bytes = Vec::with_capacity(pixels / 2 + 1024);
         let mut encoder = png::Encoder::new(&mut bytes, self.width, self.height);
-        encoder.set_color(if is_opaque { png::ColorType::Rgb } else { png::ColorType::Rgba });
-        encoder.set_depth(png::BitDepth::Eight);
-        encoder.set_compression(png::Compression::Fast);
-        // Choosing a filter for each row takes longer, for files that are no smaller; so does Paeth's.
-        encoder.set_filter(png::Filter::Sub);
-        encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+        set_up_png(&mut encoder, is_opaque);
         let mut writer = encoder.write_header()?;
         writer.write_image_data(&packed)?;
         writer.finish()?;
         Ok(bytes)
     }
+}
+
+/// How pictures are written as PNGs, single ones and those of films: 8 bits a channel, marked as sRGB; without an alpha channel where all
+/// is opaque.
+pub fn set_up_png<W: Write>(encoder: &mut png::Encoder<'_, W>, is_opaque: bool) {
+    encoder.set_color(if is_opaque { png::ColorType::Rgb } else { png::ColorType::Rgba });
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_compression(png::Compression::Fast);
+    // Choosing a filter for each row takes longer, for files that are no smaller; so does Paeth's.
+    encoder.set_filter(png::Filter::Sub);
+    encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
 }

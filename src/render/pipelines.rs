@@ -12,8 +12,9 @@ use crate::render::shaders::{self, SOURCES, Source, Variant};
 /// Depth of pictures, and of the sun's map where it is small.
 pub const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 /// Depth of the sun's map where it is large: memory is what it costs then. Its 65,536 steps are spread evenly over the depth of the box
-/// that it covers, and so are far smaller than its texels, by which what is looked up is lifted off its surface.
-pub const LARGE_MAP_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth16Unorm;
+/// that it covers, a step 0.004 scene units or less unless a shape is itself longer than what casts shadows may be far; and what is
+/// looked up is compared with a shape's far side, which such a step does not matter to.
+const LARGE_MAP_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth16Unorm;
 /// The outline's mask.
 pub const MASK_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
@@ -73,6 +74,14 @@ struct Recipe {
 impl Kind {
     const fn is_shadow(self) -> bool {
         matches!(self, Self::Shadow | Self::LargeShadow)
+    }
+
+    /// What depth is kept in where it draws.
+    pub const fn depth_format(self) -> wgpu::TextureFormat {
+        match self {
+            Self::LargeShadow => LARGE_MAP_FORMAT,
+            _ => DEPTH_FORMAT,
+        }
     }
 
     fn recipe(self) -> Recipe {
@@ -280,7 +289,7 @@ impl Pipelines {
                 ..Default::default()
             },
             depth_stencil: recipe.depth.map(|(compare, write)| wgpu::DepthStencilState {
-                format: if kind == Kind::LargeShadow { LARGE_MAP_FORMAT } else { DEPTH_FORMAT },
+                format: kind.depth_format(),
                 depth_write_enabled: Some(write),
                 depth_compare: Some(compare),
                 stencil: wgpu::StencilState::default(),

@@ -1,6 +1,6 @@
 //! The textures a picture needs beside its target, kept while its size stays the same.
 
-use crate::render::pipelines::{DEPTH_FORMAT, Kind, LARGE_MAP_FORMAT, MASK_FORMAT, Pipelines};
+use crate::render::pipelines::{DEPTH_FORMAT, Kind, MASK_FORMAT, Pipelines};
 
 /// Depth, the samples before they are resolved, and the outline's mask.
 #[derive(Debug)]
@@ -75,11 +75,8 @@ impl SunMap {
     /// A map of so many texels along each side, with nothing in it.
     pub fn new(device: &wgpu::Device, pipelines: &Pipelines, texels: u32) -> Self {
         let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING;
-        let (kind, format) = match texels {
-            LARGE_TEXELS.. => (Kind::LargeShadow, LARGE_MAP_FORMAT),
-            _ => (Kind::Shadow, DEPTH_FORMAT),
-        };
-        let view = texture_view(device, "sun map", format, 1, [texels; 2], usage);
+        let kind = if texels < LARGE_TEXELS { Kind::Shadow } else { Kind::LargeShadow };
+        let view = texture_view(device, "sun map", kind.depth_format(), 1, [texels; 2], usage);
         let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
             label: Some("sun map"),
             mag_filter: wgpu::FilterMode::Linear,
