@@ -10,16 +10,16 @@
 
 #![expect(clippy::inline_always, reason = "what is not inlined is compiled for the oldest processor")]
 
+mod place;
 mod weights;
 
 use fearless_simd::prelude::*;
 use fearless_simd::{dispatch, f32x16};
 
-use glam::{Affine3A, Mat3A, Vec3A};
-
-use crate::pose::{LANES, RbtBlock};
+use crate::pose::RbtBlock;
 
 pub use fearless_simd::Level;
+pub use place::{AlignedAffine, MatrixBlock, matrices, place_below};
 pub use weights::Weights;
 
 /// The widest instructions that this processor has.
@@ -51,47 +51,6 @@ pub fn bezier(level: Level, weights: &Weights, curves: Curves<'_>, into: &mut [R
     dispatch!(level, simd => bezier_with(simd, weights, curves, into));
 }
 
-/// The matrices of sixteen rigid body transforms, each element in a row of its own.
-#[derive(Clone, Copy, Debug)]
-#[repr(align(64))]
-pub struct MatrixBlock {
-    /// The three columns of the rotation, then the translation, each x, y and z.
-    pub columns: [[[f32; LANES]; 3]; 4],
-}
-
-impl Default for MatrixBlock {
-    fn default() -> Self {
-        Self { columns: [[[0.0; LANES]; 3]; 4] }
-    }
-}
-
-impl MatrixBlock {
-    /// One transform's matrix; `lane` is below [`LANES`].
-    #[must_use]
-    pub fn get(&self, lane: usize) -> Affine3A {
-        let column = |column: usize| Vec3A::from_array(self.columns[column].each_ref().map(|row| row[lane]));
-        Affine3A { matrix3: Mat3A::from_cols(column(0), column(1), column(2)), translation: column(3) }
-    }
-}
-
-/// The matrices of transforms. Both slices are of one length, or the rest stays as it is.
-pub fn matrices(level: Level, transforms: &[RbtBlock], into: &mut [MatrixBlock]) {
-    dispatch!(level, simd => matrices_with(simd, transforms, into));
-}
-
-/// Puts nodes that follow each other, the first at `place`, below their parents: `world_from_parent · parent_from_node`, the second
-/// from the transform `first` of the matrices on. A parent that is in no place is the world.
-pub fn place_below(
-    level: Level,
-    matrices: &[MatrixBlock],
-    first: usize,
-    parents: &[u32],
-    world_from_node: &mut [Affine3A],
-    place: usize,
-) {
-    dispatch!(level, simd => place_below_with(simd, matrices, first, parents, world_from_node, place));
-}
-
 // What follows is compiled once for each set of instructions. Every function must be inlined into one that `dispatch` makes, and
 // closures are not: what they hold would be compiled for the oldest processor.
 
@@ -118,62 +77,6 @@ fn bezier_with<S: Simd>(simd: S, weights: &Weights, curves: Curves<'_>, into: &m
         let inner_end = before_end.blended(simd, &by, Transforms::load(simd, end));
         let early = start_inner.blended(simd, &by, middle);
         early.blended(simd, &by, middle.blended(simd, &by, inner_end)).store(into);
-    }
-}
-
-#[inline(always)]
-fn matrices_with<S: Simd>(simd: S, transforms: &[RbtBlock], into: &mut [MatrixBlock]) {
-    let one = Lanes::splat(simd, 1.0);
-    for (block, into) in transforms.iter().zip(into) {
-        let [x, y, z, w] = Transforms::load(simd, block).rotation;
-        let (x2, y2, z2) = (x + x, y + y, z + z);
-        let (xx, xy, xz) = (x * x2, x * y2, x * z2);
-        let (yy, yz, zz) = (y * y2, y * z2, z * z2);
-        let (wx, wy, wz) = (w * x2, w * y2, w * z2);
-        let [[xx_row, xy_row, xz_row], [yx_row, yy_row, yz_row], [zx_row, zy_row, zz_row], translation] =
-            &mut into.columns;
-        (one - (yy + zz)).store_slice(xx_row);
-        (xy + wz).store_slice(xy_row);
-        (xz - wy).store_slice(xz_row);
-        (xy - wz).store_slice(yx_row);
-        (one - (xx + zz)).store_slice(yy_row);
-        (yz + wx).store_slice(yz_row);
-        (xz + wy).store_slice(zx_row);
-        (yz - wx).store_slice(zy_row);
-        (one - (xx + yy)).store_slice(zz_row);
-        *translation = block.translation;
-    }
-}
-
-#[inline(always)]
-fn place_below_with<S: Simd>(
-    _simd: S,
-    matrices: &[MatrixBlock],
-    first: usize,
-    parents: &[u32],
-    world_from_node: &mut [Affine3A],
-    place: usize,
-) {
-    for (offset, &parent) in parents.iter().enumerate() {
-        let (block, lane) = (&matrices[(first + offset) / LANES], (first + offset) % LANES);
-        let [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz], [tx, ty, tz]] = &block.columns;
-        let placed = if let Some(above) = world_from_node.get(parent as usize) {
-            let (x, y, z) = (above.matrix3.x_axis, above.matrix3.y_axis, above.matrix3.z_axis);
-            Affine3A {
-                matrix3: Mat3A::from_cols(
-                    x * Vec3A::splat(xx[lane]) + y * Vec3A::splat(xy[lane]) + z * Vec3A::splat(xz[lane]),
-                    x * Vec3A::splat(yx[lane]) + y * Vec3A::splat(yy[lane]) + z * Vec3A::splat(yz[lane]),
-                    x * Vec3A::splat(zx[lane]) + y * Vec3A::splat(zy[lane]) + z * Vec3A::splat(zz[lane]),
-                ),
-                translation: x * Vec3A::splat(tx[lane])
-                    + y * Vec3A::splat(ty[lane])
-                    + z * Vec3A::splat(tz[lane])
-                    + above.translation,
-            }
-        } else {
-            block.get(lane)
-        };
-        world_from_node[place + offset] = placed;
     }
 }
 

@@ -180,3 +180,33 @@ fn processors_with_fused_operations_agree_to_the_bit() {
         assert_eq!(blend_linear(widest(), 0.37, &from, &to), blend_linear(Level::Avx2(avx2), 0.37, &from, &to));
     }
 }
+
+#[test]
+fn nodes_are_placed_below_their_parents_to_the_bit_as_by_the_simple_product() {
+    for (level, count) in levels().into_iter().flat_map(|level| COUNTS.map(|count| (level, count))) {
+        let pose = spread(count, 0.5);
+        let mut parent_from_nodes = vec![MatrixBlock::default(); pose.blocks().len()];
+        matrices(level, pose.blocks(), &mut parent_from_nodes);
+        // Below no parent: the matrices themselves.
+        let mut alone = vec![AlignedAffine::IDENTITY; count];
+        place_below(level, &parent_from_nodes, 0, &vec![u32::MAX; count], &mut alone, 0);
+        for (rbt, alone) in pose.iter().zip(&alone) {
+            assert!(alone.get().abs_diff_eq(rbt.to_affine(), 1e-6), "{level:?}: {alone:?} is not {rbt:?}");
+        }
+        // Below an earlier node, now near and now far; some of them first and the others after that.
+        let parents: Vec<u32> =
+            (0..count as u32).map(|place| if place % 7 == 0 { u32::MAX } else { place / 3 }).collect();
+        let mut placed = vec![AlignedAffine::IDENTITY; count];
+        let (early, late) = parents.split_at(count / 3);
+        place_below(level, &parent_from_nodes, 0, early, &mut placed, 0);
+        place_below(level, &parent_from_nodes, early.len(), late, &mut placed, early.len());
+        for (place, parent) in parents.iter().enumerate() {
+            let simple = match placed.get(*parent as usize) {
+                Some(above) => above.get() * alone[place].get(),
+                None => alone[place].get(),
+            };
+            assert_eq!(placed[place].get(), simple, "{level:?}: node {place} of {count}");
+            assert_eq!(AlignedAffine::from(simple), placed[place]);
+        }
+    }
+}

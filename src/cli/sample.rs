@@ -3,11 +3,12 @@
 use std::fmt::Write as _;
 use std::io;
 
-use glam::{Affine3A, Mat4};
+use glam::Mat4;
 
 use super::arguments::{SampleArguments, SampleFormat, Space};
 use super::output;
 use super::{CliError, misuse};
+use crate::blend::AlignedAffine;
 use crate::export::Animation;
 use crate::export::{FrameTime, frame_times};
 use crate::keyframe::SampleError;
@@ -98,11 +99,11 @@ fn print_json(
 }
 
 /// Appends matrices of sixteen numbers in column order.
-fn push_matrices(text: &mut String, matrices: &[Affine3A]) {
+fn push_matrices(text: &mut String, matrices: &[AlignedAffine]) {
     text.push('[');
     for (place, matrix) in matrices.iter().enumerate() {
         text.push_str(if place == 0 { "" } else { ", " });
-        crate::json::push_f32s(text, &Mat4::from(*matrix).to_cols_array());
+        crate::json::push_f32s(text, &Mat4::from(matrix.get()).to_cols_array());
     }
     text.push(']');
 }

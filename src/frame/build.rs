@@ -32,7 +32,7 @@ impl Frame {
             .filter_map(|(id, node)| {
                 let NodeKind::Shape(placed) = &node.kind else { return None };
                 let outlined = chosen.is_some() && scene.carrying_rbt(id) == chosen;
-                Some(draw_item(placed, world_from_node[id.get()], seconds, id.get(), outlined))
+                Some(draw_item(placed, world_from_node[id.get()].get(), seconds, id.get(), outlined))
             })
             .collect();
         Self { view: View::new(camera), items, ghosts: Vec::new(), lines: Vec::new(), dots: Vec::new(), arcball: None }

@@ -115,7 +115,7 @@ pub(super) fn add_ghosts(frame: &mut Frame, editor: &Editor) {
                 if world_from_node[id.get()] == shown[id.get()] {
                     continue;
                 }
-                let mut item = draw_item(placed, world_from_node[id.get()], editor.seconds(), id.get(), false);
+                let mut item = draw_item(placed, world_from_node[id.get()].get(), editor.seconds(), id.get(), false);
                 item.colour = linear(tint);
                 #[expect(clippy::cast_precision_loss, reason = "there are at most 3")]
                 let opacity = GHOST_OPACITY / away as f32;

@@ -8,6 +8,7 @@ use glam::Affine3A;
 
 use super::shape::PlacedShape;
 use super::walk::Walk;
+use crate::blend::AlignedAffine;
 use crate::pose::{Pose, RbtIndex};
 use crate::rbt::Rbt;
 use crate::timed::{Keyframes, TransformKeyframes};
@@ -236,14 +237,14 @@ impl SceneGraph {
 
     /// `world_from_node` of every node under `pose`, `seconds` into the keys at their own times, in arena order.
     #[must_use]
-    pub fn world_from_nodes(&self, pose: &Pose, seconds: f64) -> Vec<Affine3A> {
+    pub fn world_from_nodes(&self, pose: &Pose, seconds: f64) -> Vec<AlignedAffine> {
         let mut world_from_node = Vec::new();
         self.world_from_nodes_into(pose, seconds, &mut world_from_node);
         world_from_node
     }
 
     /// As [`SceneGraph::world_from_nodes`], in the storage of a list that is there already.
-    pub fn world_from_nodes_into(&self, pose: &Pose, seconds: f64, into: &mut Vec<Affine3A>) {
+    pub fn world_from_nodes_into(&self, pose: &Pose, seconds: f64, into: &mut Vec<AlignedAffine>) {
         debug_assert_eq!(pose.len(), self.rbt_count(), "a pose of another scene");
         let keys_of = |place: usize| match &self.nodes[place].kind {
             NodeKind::Control(keys) => keys.value_at(seconds),

@@ -36,7 +36,7 @@ impl SceneGraph {
         let mut nearest: Option<Pick> = None;
         for (id, node) in self.nodes_with_ids() {
             let NodeKind::Shape(placed) = &node.kind else { continue };
-            let shape_from_world = world_from_node[id.get()].inverse();
+            let shape_from_world = world_from_node[id.get()].get().inverse();
             let origin = shape_from_world.transform_point3(ray.origin_in_world);
             let direction = shape_from_world.transform_vector3(ray.direction_in_world);
             let Some(distance) = intersect(&placed.shape, origin, direction) else { continue };

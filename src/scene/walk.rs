@@ -3,7 +3,7 @@
 use glam::Affine3A;
 
 use super::graph::{Node, NodeKind};
-use crate::blend::{self, MatrixBlock};
+use crate::blend::{self, AlignedAffine, MatrixBlock};
 use crate::pose::{LANES, Pose};
 
 /// Blocks of RBT nodes whose matrices are made before they are used: few enough to stay in the nearest cache, and enough for what was
@@ -56,14 +56,14 @@ impl Walk {
     }
 
     /// Makes `into` the `world_from_node` of every node; `keys_of` says what a control node's keys hold, by its place.
-    pub fn world_from_nodes(&self, pose: &Pose, keys_of: impl Fn(usize) -> Affine3A, into: &mut Vec<Affine3A>) {
+    pub fn world_from_nodes(&self, pose: &Pose, keys_of: impl Fn(usize) -> Affine3A, into: &mut Vec<AlignedAffine>) {
         let level = blend::widest();
         let mut batches = pose.blocks().chunks(BATCH);
         let mut matrices = [MatrixBlock::default(); BATCH];
         // Places in the batch of matrices: none is left before the first.
         let (mut next, mut end) = (0, 0);
         let mut fixed = self.fixed.iter();
-        into.resize(self.parents.len(), Affine3A::IDENTITY);
+        into.resize(self.parents.len(), AlignedAffine::IDENTITY);
         let mut place = 0;
         for run in &self.runs {
             match *run {
@@ -84,20 +84,20 @@ impl Walk {
                 }
                 Run::Shapes(count) => {
                     for parent_from_shape in fixed.by_ref().take(count) {
-                        into[place] = self.world_from_parent(place, into) * *parent_from_shape;
+                        into[place] = (self.world_from_parent(place, into) * *parent_from_shape).into();
                         place += 1;
                     }
                 }
                 Run::Keys => {
-                    into[place] = self.world_from_parent(place, into) * keys_of(place);
+                    into[place] = (self.world_from_parent(place, into) * keys_of(place)).into();
                     place += 1;
                 }
             }
         }
     }
 
-    fn world_from_parent(&self, place: usize, world_from_node: &[Affine3A]) -> Affine3A {
-        world_from_node.get(self.parents[place] as usize).copied().unwrap_or(Affine3A::IDENTITY)
+    fn world_from_parent(&self, place: usize, world_from_node: &[AlignedAffine]) -> Affine3A {
+        world_from_node.get(self.parents[place] as usize).map_or(Affine3A::IDENTITY, AlignedAffine::get)
     }
 }
 
@@ -105,6 +105,7 @@ impl Walk {
 mod tests {
     use glam::{Quat, Vec3};
 
+    use super::AlignedAffine;
     use crate::pose::Pose;
     use crate::rbt::Rbt;
     use crate::scene::{SceneBuilder, SceneGraph, built_in_scene};
@@ -141,7 +142,7 @@ mod tests {
                 let simple = scene.world_from_nodes_with(seconds, |rbt| pose.get(rbt).to_affine());
                 let walked = scene.world_from_nodes(&pose, seconds);
                 assert_eq!(walked.len(), simple.len());
-                for (walked, simple) in walked.iter().zip(&simple) {
+                for (walked, simple) in walked.iter().map(AlignedAffine::get).zip(&simple) {
                     assert!(walked.abs_diff_eq(*simple, 4e-5), "{walked} is not {simple}");
                 }
             }

@@ -1,0 +1,130 @@
+//! From transforms to matrices, and from those below their parents to those in the world.
+
+use fearless_simd::prelude::*;
+use fearless_simd::{dispatch, f32x4, f32x16, u8x64};
+use glam::{Affine3A, Mat3A, Vec3A};
+
+use super::{Lanes, Level, Transforms};
+use crate::pose::{LANES, RbtBlock};
+
+/// Four numbers of a matrix, which the processor takes at once.
+type Quad = [f32; 4];
+
+/// An affine matrix in one line of the cache.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C, align(64))]
+pub struct AlignedAffine {
+    /// The three columns of the linear part, then the translation, each x, y, z and 0.
+    columns: [Quad; 4],
+}
+
+impl AlignedAffine {
+    /// Changes nothing.
+    pub const IDENTITY: Self =
+        Self { columns: [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0; 4]] };
+
+    /// The matrix as others take it.
+    #[must_use]
+    #[inline]
+    pub fn get(&self) -> Affine3A {
+        let [x, y, z, translation] = self.columns.map(|[x, y, z, _]| Vec3A::new(x, y, z));
+        Affine3A { matrix3: Mat3A::from_cols(x, y, z), translation }
+    }
+}
+
+impl From<Affine3A> for AlignedAffine {
+    #[inline]
+    fn from(affine: Affine3A) -> Self {
+        let Mat3A { x_axis, y_axis, z_axis } = affine.matrix3;
+        let column = |column: Vec3A| column.extend(0.0).to_array();
+        Self { columns: [x_axis, y_axis, z_axis, affine.translation].map(column) }
+    }
+}
+
+/// The matrices of sixteen rigid body transforms.
+#[derive(Clone, Copy, Debug, Default)]
+#[repr(C, align(64))]
+pub struct MatrixBlock {
+    /// The three rows, each of all sixteen: one element of each column, the translation's last.
+    rows: [[Quad; LANES]; 3],
+}
+
+/// The matrices of transforms. Both slices are of one length, or the rest stays as it is.
+pub fn matrices(level: Level, transforms: &[RbtBlock], into: &mut [MatrixBlock]) {
+    dispatch!(level, simd => matrices_with(simd, transforms, into));
+}
+
+/// Puts nodes that follow each other, the first at `place`, below their parents: `world_from_parent · parent_from_node`, the second
+/// from the transform `first` of the matrices on. A parent that is in no place is the world. To the bit what glam's product is.
+pub fn place_below(
+    level: Level,
+    matrices: &[MatrixBlock],
+    first: usize,
+    parents: &[u32],
+    world_from_node: &mut [AlignedAffine],
+    place: usize,
+) {
+    dispatch!(level, simd => place_below_with(simd, matrices, first, parents, world_from_node, place));
+}
+
+#[inline(always)]
+fn matrices_with<S: Simd>(simd: S, transforms: &[RbtBlock], into: &mut [MatrixBlock]) {
+    let one = Lanes::splat(simd, 1.0);
+    for (block, into) in transforms.iter().zip(into) {
+        let Transforms { translation: [tx, ty, tz], rotation: [x, y, z, w] } = Transforms::load(simd, block);
+        let (x2, y2, z2) = (x + x, y + y, z + z);
+        let (xx, xy, xz) = (x * x2, x * y2, x * z2);
+        let (yy, yz, zz) = (y * y2, y * z2, z * z2);
+        let (wx, wy, wz) = (w * x2, w * y2, w * z2);
+        let [x_row, y_row, z_row] = &mut into.rows;
+        store_quads([one - (yy + zz), xy - wz, xz + wy, tx], x_row);
+        store_quads([xy + wz, one - (xx + zz), yz - wx, ty], y_row);
+        store_quads([xz - wy, yz + wx, one - (xx + yy), tz], z_row);
+    }
+}
+
+/// Stores four numbers of each lane beside each other.
+#[inline(always)]
+fn store_quads<S: Simd>([a, b, c, d]: [Lanes<S>; 4], into: &mut [Quad; LANES]) {
+    let (ac_low, ac_high) = a.interleave(c);
+    let (bd_low, bd_high) = b.interleave(d);
+    let (first, second) = ac_low.interleave(bd_low);
+    let (third, fourth) = ac_high.interleave(bd_high);
+    let into = into.as_flattened_mut();
+    first.store_slice(&mut into[..16]);
+    second.store_slice(&mut into[16..32]);
+    third.store_slice(&mut into[32..48]);
+    fourth.store_slice(&mut into[48..]);
+}
+
+#[inline(always)]
+fn place_below_with<S: Simd>(
+    simd: S,
+    matrices: &[MatrixBlock],
+    first: usize,
+    parents: &[u32],
+    world_from_node: &mut [AlignedAffine],
+    place: usize,
+) {
+    // Of four numbers that are there four times: the first four times, then the second, the third and the last.
+    let each_four_times = u8x64::from_fn(simd, |byte| (byte / 16 * 4 + byte % 4) as u8);
+    let of_translation = f32x16::from_fn(simd, |element| if element < 12 { 0.0 } else { 1.0 });
+    for (offset, &parent) in parents.iter().enumerate() {
+        let (block, lane) = (&matrices[(first + offset) / LANES], (first + offset) % LANES);
+        let above = world_from_node.get(parent as usize).unwrap_or(&AlignedAffine::IDENTITY);
+        macro_rules! term {
+            ($axis:literal) => {
+                four_times(simd, &above.columns[$axis])
+                    * four_times(simd, &block.rows[$axis][lane]).swizzle_dyn_within_blocks(each_four_times)
+            };
+        }
+        let linear = term!(0) + term!(1) + term!(2);
+        let placed = of_translation.mul_add(four_times(simd, &above.columns[3]), linear);
+        placed.store_slice(world_from_node[place + offset].columns.as_flattened_mut());
+    }
+}
+
+#[inline(always)]
+fn four_times<S: Simd>(simd: S, quad: &Quad) -> f32x16<S> {
+    f32x16::block_splat(f32x4::from_slice(simd, quad))
+}
