@@ -147,17 +147,20 @@ fn dot<S: Simd>(a: [Lanes<S>; 4], b: [Lanes<S>; 4]) -> Lanes<S> {
 fn slerp<S: Simd>(simd: S, by: &Fitted<'_, S>, from: [Lanes<S>; 4], to: [Lanes<S>; 4]) -> [Lanes<S>; 4] {
     let cosine = dot(from, to);
     let versine = Lanes::splat(simd, 1.0) - cosine.abs();
-    // Horner's scheme for both, written out: a loop would be one over memory.
+    // Horner's scheme for the even and the odd powers of both, written out: a loop would be one over memory.
     let (f, t) = (&by.weights.from, &by.weights.to);
-    let mut from_weight = Lanes::splat(simd, f[9]);
-    let mut to_weight = Lanes::splat(simd, t[9]);
-    macro_rules! terms {
-        ($($power:literal)*) => { $(
-            from_weight = from_weight.mul_add(versine, Lanes::splat(simd, f[$power]));
-            to_weight = to_weight.mul_add(versine, Lanes::splat(simd, t[$power]));
-        )* };
+    let square = versine * versine;
+    macro_rules! horner {
+        ($weights:ident $first:literal $($power:literal)*) => {{
+            let mut sum = Lanes::splat(simd, $weights[$first]);
+            $( sum = sum.mul_add(square, Lanes::splat(simd, $weights[$power])); )*
+            sum
+        }};
     }
-    terms!(8 7 6 5 4 3 2 1 0);
+    let (from_odd, from_even) = (horner!(f 9 7 5 3 1), horner!(f 8 6 4 2 0));
+    let (to_odd, to_even) = (horner!(t 9 7 5 3 1), horner!(t 8 6 4 2 0));
+    let from_weight = from_odd.mul_add(versine, from_even);
+    let to_weight = to_odd.mul_add(versine, to_even);
     // `to` or its negative, whichever is nearer.
     let to_weight = to_weight.copysign(to_weight * cosine);
     let blended = [
