@@ -11,7 +11,7 @@
 //!                       Editor::displayed_pose() ─► Pose ─► Frame::of_editor
 //!                                                                 ▼
 //!                                       Renderer::encode(&Frame, &TextureView)
-//!                                           ▲ the window's surface      ▲ an offscreen texture
+//!                                           ▲ the window's next picture ▲ an offscreen texture
 //!                                           window                      cli, tests
 //! ```
 //!
@@ -66,6 +66,8 @@
 //!   in the detail that its texels show; it uploads what changed.
 //! * What takes a software driver long is begun before it is needed: shaders are parsed while the driver opens, and the sun's map is
 //!   sent off while the picture's pipelines are made. `main` has the Vulkan loader leave out drivers that have nothing to drive.
+//! * Where the CPU draws for an X server, the window's pictures go through memory that both share, not through the driver's surface,
+//!   which may send them through a socket.
 //! * Playback's position is an exact fraction, since the pace can change while it plays and the end must come at the right tick.
 //! * A writing effect says whether the file is known to the editor: a window keeps a copy of what it would overwrite unseen.
 

@@ -16,6 +16,8 @@ mod meter;
 mod panels;
 pub mod path;
 pub mod pointer;
+mod screen;
+mod shared;
 mod shell;
 mod stage;
 

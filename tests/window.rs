@@ -2,8 +2,10 @@
 //!
 //! It needs `Xvfb` and `xdotool`; without them it fails and says so.
 
+use std::collections::HashSet;
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
+use std::sync::atomic::{AtomicU32, Ordering};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
@@ -25,15 +27,19 @@ fn start(what: &str, command: &mut Command) -> Running {
     Running(child.unwrap_or_else(|error| panic!("{what} does not start ({error}): run .ci/setup, which installs it")))
 }
 
-/// A virtual display that was free, and its name.
-fn display() -> (Running, String) {
-    for number in 90 + std::process::id() % 1000..2000 {
+/// A virtual display that was free, and its name. `more` is what Xvfb is told beside that.
+fn display(more: &[&str]) -> (Running, String) {
+    // Tests run side by side: none tries a number that another has tried.
+    static TRIED: AtomicU32 = AtomicU32::new(0);
+    let first = 90 + std::process::id() % 1000;
+    for number in std::iter::repeat_with(|| first + TRIED.fetch_add(1, Ordering::Relaxed)).take(1000) {
         let name = format!(":{number}");
         let socket = format!("/tmp/.X11-unix/X{number}");
         if Path::new(&socket).exists() || Path::new(&format!("/tmp/.X{number}-lock")).exists() {
             continue;
         }
-        let mut server = start("Xvfb", Command::new("Xvfb").args([&name, "-screen", "0", "1280x800x24", "-noreset"]));
+        let mut xvfb = Command::new("Xvfb");
+        let mut server = start("Xvfb", xvfb.args([&name, "-screen", "0", "1280x800x24", "-noreset"]).args(more));
         let is_up = wait_for(|| server.0.try_wait().is_ok_and(|end| end.is_some()) || Path::new(&socket).exists());
         assert!(is_up, "Xvfb does not open the display {name}");
         if server.0.try_wait().is_ok_and(|end| end.is_none()) {
@@ -61,21 +67,24 @@ fn xdotool(display: &str, arguments: &[&str]) -> Option<String> {
     output.status.success().then(|| String::from_utf8_lossy(&output.stdout).trim().to_owned())
 }
 
+/// The program on a display, with settings of its own in a folder.
+fn inbetween(display: &str, folder: &Path) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_inbetween"));
+    command
+        .env("DISPLAY", display)
+        .env("XDG_CONFIG_HOME", folder)
+        .env("LC_ALL", "C.UTF-8")
+        .env_remove("WAYLAND_DISPLAY")
+        .env_remove("WAYLAND_SOCKET");
+    command
+}
+
 #[test]
 fn hotkeys_typed_into_the_window_end_up_in_the_file() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("typed.json");
-    let (_server, display) = display();
-    let mut inbetween = start(
-        "inbetween",
-        Command::new(env!("CARGO_BIN_EXE_inbetween"))
-            .arg(&file)
-            .env("DISPLAY", &display)
-            .env("XDG_CONFIG_HOME", folder.path())
-            .env("LC_ALL", "C.UTF-8")
-            .env_remove("WAYLAND_DISPLAY")
-            .env_remove("WAYLAND_SOCKET"),
-    );
+    let (_server, display) = display(&[]);
+    let mut inbetween = start("inbetween", inbetween(&display, folder.path()).arg(&file));
     let title = format!("{} • Inbetween", file.display());
     let mut window = String::new();
     let is_open = wait_for(|| {
@@ -108,4 +117,37 @@ fn hotkeys_typed_into_the_window_end_up_in_the_file() {
     let is_over = wait_for(|| inbetween.0.try_wait().is_ok_and(|end| end.is_some()));
     assert!(is_over, "Ctrl+Q does not quit, although all is saved");
     assert!(inbetween.0.wait().is_ok_and(|status| status.success()));
+}
+
+/// What a display shows, once the program has drawn on it and nothing changes any more: 4 bytes a pixel.
+fn shown(more: &[&str]) -> Vec<u8> {
+    let folder = tempfile::tempdir().unwrap();
+    let memory = folder.path().to_str().unwrap();
+    let (_server, display) = display(&[&["-fbdir", memory], more].concat());
+    let _inbetween = start("inbetween", &mut inbetween(&display, folder.path()));
+    let pixels = || {
+        // An X window dump: its header says how long itself is, and how many colours of twelve bytes follow it.
+        let dump = std::fs::read(folder.path().join("Xvfb_screen0")).unwrap_or_default();
+        let word =
+            |place: usize| Some(u32::from_be_bytes(dump.get(4 * place..4 * place + 4)?.try_into().ok()?) as usize);
+        let start = word(0).zip(word(19)).map_or(0, |(header, colours)| header + 12 * colours);
+        dump.get(start..start + 4 * 1280 * 800).map(<[u8]>::to_vec).unwrap_or_default()
+    };
+    let mut last = Vec::new();
+    let is_still = wait_for(|| {
+        sleep(Duration::from_millis(400));
+        let now = pixels();
+        let colours: HashSet<&[u8]> = now.chunks_exact(4).collect();
+        let is_still = colours.len() > 1000 && now == last;
+        last = now;
+        is_still
+    });
+    assert!(is_still, "the window shows no picture that stays, with {more:?}");
+    last
+}
+
+#[test]
+fn a_display_that_shares_no_memory_shows_the_same() {
+    let (shared, sent) = (shown(&[]), shown(&["-extension", "MIT-SHM"]));
+    assert!(shared == sent, "the window looks different where the X server has no shared memory");
 }

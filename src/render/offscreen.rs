@@ -1,64 +1,18 @@
-//! A target that is no window's, and the way back to the CPU.
-
-use std::collections::VecDeque;
-use std::sync::mpsc;
+//! A target that is no window's.
 
 use crate::frame::Frame;
 use crate::render::gpu::{Gpu, GpuError};
-use crate::render::image::{Image, Rows};
+use crate::render::image::Image;
+use crate::render::read_back::{Drawn, ReadBack};
 use crate::render::renderer::{Renderer, Viewport};
 
-/// A texture to draw into and the buffers that bring pictures back. Kept for a run of pictures of one size, it allocates nothing more
-/// on the GPU than a buffer for each picture that is on its way or being read.
+/// A texture to draw into, with its way back to the CPU. Kept for a run of pictures of one size, it allocates nothing more on the GPU
+/// than a buffer for each picture that is on its way or being read.
 #[derive(Debug)]
 pub struct Offscreen {
-    width: u32,
-    height: u32,
     texture: wgpu::Texture,
     view: wgpu::TextureView,
-    row_bytes: u32,
-    under_way: VecDeque<Submitted>,
-    /// Buffers come back from pictures that were read, on whatever thread.
-    give_back: mpsc::Sender<wgpu::Buffer>,
-    free: mpsc::Receiver<wgpu::Buffer>,
-}
-
-/// A picture that is being drawn.
-#[derive(Debug)]
-struct Submitted {
-    index: wgpu::SubmissionIndex,
-    buffer: wgpu::Buffer,
-    mapped: mpsc::Receiver<Result<(), wgpu::BufferAsyncError>>,
-}
-
-/// A picture that is drawn, where the GPU put it.
-#[derive(Debug)]
-pub struct Drawn {
-    width: u32,
-    height: u32,
-    row_bytes: u32,
-    /// Until it is dropped.
-    bytes: Option<wgpu::BufferView>,
-    buffer: wgpu::Buffer,
-    give_back: mpsc::Sender<wgpu::Buffer>,
-}
-
-impl Drawn {
-    /// Its pixels.
-    #[must_use]
-    pub fn rows(&self) -> Rows<'_> {
-        let bytes = self.bytes.as_deref().unwrap_or_default();
-        Rows { width: self.width, height: self.height, row_bytes: self.row_bytes as usize, bytes }
-    }
-}
-
-impl Drop for Drawn {
-    fn drop(&mut self) {
-        self.bytes = None;
-        self.buffer.unmap();
-        // Nobody waits for it where the target is gone.
-        let _ = self.give_back.send(self.buffer.clone());
-    }
+    back: ReadBack,
 }
 
 impl Offscreen {
@@ -71,13 +25,7 @@ impl Offscreen {
     ///
     /// [`GpuError::Size`] where a side is 0 or longer than the adapter can draw.
     pub fn new(gpu: &Gpu, width: u32, height: u32) -> Result<Self, GpuError> {
-        let limit = gpu.largest_side_px();
-        let row_bytes = (4 * u64::from(width)).next_multiple_of(u64::from(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT));
-        let size = row_bytes * u64::from(height);
-        if !(1..=limit).contains(&width) || !(1..=limit).contains(&height) || size > gpu.device.limits().max_buffer_size
-        {
-            return Err(GpuError::Size { width, height, limit });
-        }
+        let back = ReadBack::new(gpu, width, height)?;
         let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
             label: Some("offscreen"),
             size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
@@ -89,9 +37,7 @@ impl Offscreen {
             view_formats: &[],
         });
         let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
-        let (give_back, free) = mpsc::channel();
-        let row_bytes = row_bytes as u32;
-        Ok(Self { width, height, texture, view, row_bytes, under_way: VecDeque::new(), give_back, free })
+        Ok(Self { texture, view, back })
     }
 
     /// Draws a frame and waits for its picture. Pictures that were submitted and not read are dropped.
@@ -109,48 +55,23 @@ impl Offscreen {
     ///
     /// [`GpuError::ReadBack`] where the device is lost.
     pub fn draw(&mut self, gpu: &Gpu, renderer: &mut Renderer, frame: &Frame) -> Result<Drawn, GpuError> {
-        self.under_way.clear();
+        self.back.clear();
         self.submit(gpu, renderer, frame);
         self.read(gpu)
     }
 
     /// Starts drawing a frame; [`Offscreen::read`] waits for it. One can be read while the next are drawn.
     pub fn submit(&mut self, gpu: &Gpu, renderer: &mut Renderer, frame: &Frame) {
-        let buffer = self.free.try_recv().unwrap_or_else(|_| {
-            gpu.device.create_buffer(&wgpu::BufferDescriptor {
-                label: Some("read back"),
-                size: u64::from(self.row_bytes) * u64::from(self.height),
-                usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
-                mapped_at_creation: false,
-            })
-        });
+        let viewport = Viewport::whole(self.texture.width(), self.texture.height());
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        renderer.encode(gpu, &mut encoder, frame, &self.view, Viewport::whole(self.width, self.height));
-        encoder.copy_texture_to_buffer(
-            self.texture.as_image_copy(),
-            wgpu::TexelCopyBufferInfo {
-                buffer: &buffer,
-                layout: wgpu::TexelCopyBufferLayout {
-                    offset: 0,
-                    bytes_per_row: Some(self.row_bytes),
-                    rows_per_image: None,
-                },
-            },
-            self.texture.size(),
-        );
-        let index = gpu.queue.submit([encoder.finish()]);
-        let (sender, mapped) = mpsc::channel();
-        buffer.map_async(wgpu::MapMode::Read, .., move |result| {
-            // Nobody listens where the picture was dropped.
-            let _ = sender.send(result);
-        });
-        self.under_way.push_back(Submitted { index, buffer, mapped });
+        renderer.encode(gpu, &mut encoder, frame, &self.view, viewport);
+        self.back.submit(gpu, Vec::new(), encoder, &self.texture);
     }
 
     /// Pictures that were submitted and not read.
     #[must_use]
     pub fn under_way(&self) -> usize {
-        self.under_way.len()
+        self.back.under_way()
     }
 
     /// Waits for the picture that was submitted first of those that were not read, and for nothing that was submitted after it.
@@ -159,14 +80,6 @@ impl Offscreen {
     ///
     /// [`GpuError::ReadBack`] where nothing was submitted or the device is lost.
     pub fn read(&mut self, gpu: &Gpu) -> Result<Drawn, GpuError> {
-        let failed = |reason: String| GpuError::ReadBack { adapter: gpu.info.name.clone(), reason };
-        let Submitted { index, buffer, mapped } =
-            self.under_way.pop_front().ok_or_else(|| failed("nothing was drawn".to_owned()))?;
-        let until = wgpu::PollType::Wait { submission_index: Some(index), timeout: None };
-        gpu.device.poll(until).map_err(|error| failed(error.to_string()))?;
-        mapped.recv().map_err(|error| failed(error.to_string()))?.map_err(|error| failed(error.to_string()))?;
-        let bytes = Some(buffer.get_mapped_range(..).map_err(|error| failed(error.to_string()))?);
-        let Self { width, height, row_bytes, .. } = *self;
-        Ok(Drawn { width, height, row_bytes, bytes, buffer, give_back: self.give_back.clone() })
+        self.back.read(gpu)
     }
 }

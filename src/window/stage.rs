@@ -9,6 +9,7 @@ use winit::window::Window;
 
 use super::meter::{Meter, Work};
 use super::panels::{Panels, Place};
+use super::screen::Screen;
 use super::{Happening, WindowError, now};
 use crate::editor::{Editor, PathDot};
 use crate::frame::Frame;
@@ -57,10 +58,7 @@ pub struct Stage {
     /// Where the scene was drawn last.
     pub view: View,
     gpu: Gpu,
-    surface: wgpu::Surface<'static>,
-    configuration: wgpu::SurfaceConfiguration,
-    is_configured: bool,
-    scene_format: wgpu::TextureFormat,
+    screen: Screen,
     renderer: Renderer,
     panels: Panels,
     /// What small pictures are made with, once one was wanted.
@@ -97,29 +95,9 @@ impl Stage {
                 let _ = lost.send_event(Happening::DeviceLost);
             }
         });
-        let no_surface = || GpuError::NoSurface { reason: "the adapter cannot draw on it".to_owned() };
-        let size = window.inner_size();
-        let mut configuration =
-            surface.get_default_config(&gpu.adapter, size.width.max(1), size.height.max(1)).ok_or_else(no_surface)?;
-        // The panels blend in sRGB's own numbers, the scene in linear light: one texture, two views of it.
-        let capabilities = surface.get_capabilities(&gpu.adapter);
-        let flags = gpu.adapter.get_downlevel_capabilities().flags;
-        let plain = capabilities
-            .formats
-            .iter()
-            .copied()
-            .find(|format| matches!(format, wgpu::TextureFormat::Bgra8Unorm | wgpu::TextureFormat::Rgba8Unorm));
-        let mut scene_format = configuration.format;
-        if let Some(plain) = plain.filter(|_| flags.contains(wgpu::DownlevelFlags::SURFACE_VIEW_FORMATS)) {
-            configuration.format = plain;
-            scene_format = plain.add_srgb_suffix();
-            configuration.view_formats = vec![scene_format];
-        }
-        configuration.usage |= wgpu::TextureUsages::COPY_DST & capabilities.usages;
-        configuration.present_mode = wgpu::PresentMode::AutoVsync;
-        configuration.desired_maximum_frame_latency = 1;
-        let renderer = Renderer::new(&gpu, scene_format, default_samples(gpu.is_software));
-        let panels = Panels::new(&gpu, configuration.format);
+        let screen = Screen::new(&gpu, event_loop, Arc::clone(&window), surface)?;
+        let renderer = Renderer::new(&gpu, screen.scene_format(), default_samples(gpu.is_software));
+        let panels = Panels::new(&gpu, screen.format());
         let context = egui::Context::default();
         theme::install(&context);
         #[expect(clippy::cast_possible_truncation, reason = "scale factors are small")]
@@ -134,25 +112,12 @@ impl Stage {
             None => input.init_accesskit(event_loop, &window, proxy.clone()),
         }
         window.set_visible(true);
-        Ok(Self {
-            window,
-            context,
-            input,
-            view: View::default(),
-            gpu,
-            surface,
-            configuration,
-            is_configured: false,
-            scene_format,
-            renderer,
-            panels,
-            thumbnails: None,
-        })
+        Ok(Self { window, context, input, view: View::default(), gpu, screen, renderer, panels, thumbnails: None })
     }
 
     /// The surface is configured anew before it is drawn on again.
     pub const fn is_outdated(&mut self) {
-        self.is_configured = false;
+        self.screen.is_outdated();
     }
 
     /// Lays out the panels, with the input that came since. Over the scene the pointer is `cursor`, where that is given. `None` where the window has no size. What comes back must be painted.
@@ -161,10 +126,7 @@ impl Stage {
         if size.width == 0 || size.height == 0 {
             return None;
         }
-        if (size.width, size.height) != (self.configuration.width, self.configuration.height) {
-            (self.configuration.width, self.configuration.height) = (size.width, size.height);
-            self.is_configured = false;
-        }
+        self.screen.resize([size.width, size.height]);
         let raw_input = self.input.take_egui_input(&self.window);
         let mut output = UiOutput::default();
         // The panels may be laid out twice in one go.
@@ -215,10 +177,10 @@ impl Stage {
         let built = now();
         meter.add(Work::Frame, evaluated, built);
         let place = Place {
-            size_px: [self.configuration.width, self.configuration.height],
+            size_px: self.screen.size_px(),
             scene_px: self.view.area(),
             pixels_per_point: laid_out.pixels_per_point,
-            can_copy: self.configuration.usage.contains(wgpu::TextureUsages::COPY_DST),
+            can_copy: self.screen.can_copy_to(),
         };
         let cut = self.panels.update(&self.gpu, &self.context, laid_out.shapes, &mut laid_out.textures, place);
         meter.add(Work::Ui, built, cut);
@@ -228,48 +190,15 @@ impl Stage {
     }
 
     fn draw(&mut self, frame: &Frame) {
-        let Some(texture) = self.next_texture() else { return };
-        let view = |format| {
-            texture.texture.create_view(&wgpu::TextureViewDescriptor { format: Some(format), ..Default::default() })
-        };
-        let size_in_pixels = [self.configuration.width, self.configuration.height];
+        let Some(picture) = self.screen.next(&self.gpu) else { return };
+        let texture = picture.texture();
+        let view =
+            |format| texture.create_view(&wgpu::TextureViewDescriptor { format: Some(format), ..Default::default() });
         let mut encoder = self.gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        let viewport = viewport(self.view, size_in_pixels);
-        self.renderer.encode(&self.gpu, &mut encoder, frame, &view(self.scene_format), viewport);
-        let over = view(self.configuration.format);
-        let mut buffers = self.panels.draw(&self.gpu, &mut encoder, &texture.texture, &over);
-        buffers.push(encoder.finish());
-        self.gpu.queue.submit(buffers);
-        self.window.pre_present_notify();
-        self.gpu.queue.present(texture);
-    }
-
-    /// The texture to draw on, where there is one now; a surface that went out of date is configured anew once.
-    fn next_texture(&mut self) -> Option<wgpu::SurfaceTexture> {
-        for _ in 0..2 {
-            if !self.is_configured {
-                self.surface.configure(&self.gpu.device, &self.configuration);
-                self.is_configured = true;
-            }
-            match self.surface.get_current_texture() {
-                wgpu::CurrentSurfaceTexture::Success(texture) => return Some(texture),
-                wgpu::CurrentSurfaceTexture::Suboptimal(texture) => {
-                    self.is_configured = false;
-                    return Some(texture);
-                }
-                wgpu::CurrentSurfaceTexture::Lost => {
-                    self.is_configured = false;
-                    if let Ok(surface) = self.gpu.instance.create_surface(Arc::clone(&self.window)) {
-                        self.surface = surface;
-                    }
-                }
-                wgpu::CurrentSurfaceTexture::Outdated => self.is_configured = false,
-                wgpu::CurrentSurfaceTexture::Timeout
-                | wgpu::CurrentSurfaceTexture::Occluded
-                | wgpu::CurrentSurfaceTexture::Validation => return None,
-            }
-        }
-        None
+        let viewport = viewport(self.view, self.screen.size_px());
+        self.renderer.encode(&self.gpu, &mut encoder, frame, &view(self.screen.scene_format()), viewport);
+        let before = self.panels.draw(&self.gpu, &mut encoder, texture, &view(self.screen.format()));
+        self.screen.show(&self.gpu, picture, before, encoder);
     }
 
     /// A small picture, of [`THUMBNAIL_PX`] pixels.

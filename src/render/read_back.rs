@@ -1,0 +1,139 @@
+//! The way of pictures back to the CPU.
+
+use std::collections::VecDeque;
+use std::sync::mpsc;
+
+use crate::render::gpu::{Gpu, GpuError};
+use crate::render::image::Rows;
+
+/// Brings textures of one size and 4 bytes a pixel back. It keeps a buffer for each picture that is on its way or being read, and
+/// allocates nothing more.
+#[derive(Debug)]
+pub struct ReadBack {
+    width: u32,
+    height: u32,
+    row_bytes: u32,
+    under_way: VecDeque<Submitted>,
+    /// Buffers come back from pictures that were read, on whatever thread.
+    give_back: mpsc::Sender<wgpu::Buffer>,
+    free: mpsc::Receiver<wgpu::Buffer>,
+}
+
+/// A picture that is being drawn.
+#[derive(Debug)]
+struct Submitted {
+    index: wgpu::SubmissionIndex,
+    buffer: wgpu::Buffer,
+    mapped: mpsc::Receiver<Result<(), wgpu::BufferAsyncError>>,
+}
+
+/// A picture that is drawn, where the GPU put it.
+#[derive(Debug)]
+pub struct Drawn {
+    width: u32,
+    height: u32,
+    row_bytes: u32,
+    /// Until it is dropped.
+    bytes: Option<wgpu::BufferView>,
+    buffer: wgpu::Buffer,
+    give_back: mpsc::Sender<wgpu::Buffer>,
+}
+
+impl Drawn {
+    /// Its pixels, in the texture's format.
+    #[must_use]
+    pub fn rows(&self) -> Rows<'_> {
+        let bytes = self.bytes.as_deref().unwrap_or_default();
+        Rows { width: self.width, height: self.height, row_bytes: self.row_bytes as usize, bytes }
+    }
+}
+
+impl Drop for Drawn {
+    fn drop(&mut self) {
+        self.bytes = None;
+        self.buffer.unmap();
+        // Nobody waits for it where the target is gone.
+        let _ = self.give_back.send(self.buffer.clone());
+    }
+}
+
+impl ReadBack {
+    /// For textures of so many pixels.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::Size`] where a side is 0 or longer than the adapter can draw.
+    pub fn new(gpu: &Gpu, width: u32, height: u32) -> Result<Self, GpuError> {
+        let limit = gpu.largest_side_px();
+        let row_bytes = (4 * u64::from(width)).next_multiple_of(u64::from(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT));
+        let size = row_bytes * u64::from(height);
+        if !(1..=limit).contains(&width) || !(1..=limit).contains(&height) || size > gpu.device.limits().max_buffer_size
+        {
+            return Err(GpuError::Size { width, height, limit });
+        }
+        let (give_back, free) = mpsc::channel();
+        Ok(Self { width, height, row_bytes: row_bytes as u32, under_way: VecDeque::new(), give_back, free })
+    }
+
+    /// Submits what draws on a texture, the encoder's commands last, and has the texture brought back then; [`ReadBack::read`] waits
+    /// for it.
+    pub fn submit(
+        &mut self,
+        gpu: &Gpu,
+        mut before: Vec<wgpu::CommandBuffer>,
+        mut encoder: wgpu::CommandEncoder,
+        texture: &wgpu::Texture,
+    ) {
+        let buffer = self.free.try_recv().unwrap_or_else(|_| {
+            gpu.device.create_buffer(&wgpu::BufferDescriptor {
+                label: Some("read back"),
+                size: u64::from(self.row_bytes) * u64::from(self.height),
+                usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+                mapped_at_creation: false,
+            })
+        });
+        let layout =
+            wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(self.row_bytes), rows_per_image: None };
+        encoder.copy_texture_to_buffer(
+            texture.as_image_copy(),
+            wgpu::TexelCopyBufferInfo { buffer: &buffer, layout },
+            wgpu::Extent3d { width: self.width, height: self.height, depth_or_array_layers: 1 },
+        );
+        before.push(encoder.finish());
+        let index = gpu.queue.submit(before);
+        let (sender, mapped) = mpsc::channel();
+        buffer.map_async(wgpu::MapMode::Read, .., move |result| {
+            // Nobody listens where the picture was dropped.
+            let _ = sender.send(result);
+        });
+        self.under_way.push_back(Submitted { index, buffer, mapped });
+    }
+
+    /// Pictures that were submitted and not read.
+    #[must_use]
+    pub fn under_way(&self) -> usize {
+        self.under_way.len()
+    }
+
+    /// Drops pictures that were submitted and not read.
+    pub fn clear(&mut self) {
+        self.under_way.clear();
+    }
+
+    /// Waits for the picture that was submitted first of those that were not read, and for nothing that was submitted after it.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::ReadBack`] where nothing was submitted or the device is lost.
+    pub fn read(&mut self, gpu: &Gpu) -> Result<Drawn, GpuError> {
+        let failed = |reason: String| GpuError::ReadBack { adapter: gpu.info.name.clone(), reason };
+        let Submitted { index, buffer, mapped } =
+            self.under_way.pop_front().ok_or_else(|| failed("nothing was drawn".to_owned()))?;
+        let until = wgpu::PollType::Wait { submission_index: Some(index), timeout: None };
+        gpu.device.poll(until).map_err(|error| failed(error.to_string()))?;
+        mapped.recv().map_err(|error| failed(error.to_string()))?.map_err(|error| failed(error.to_string()))?;
+        let bytes = Some(buffer.get_mapped_range(..).map_err(|error| failed(error.to_string()))?);
+        let Self { width, height, row_bytes, .. } = *self;
+        Ok(Drawn { width, height, row_bytes, bytes, buffer, give_back: self.give_back.clone() })
+    }
+}
