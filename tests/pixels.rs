@@ -129,6 +129,20 @@ fn shadows_are_the_same_in_pictures_of_other_sizes() {
 }
 
 #[test]
+fn shadows_do_not_depend_on_what_was_drawn_before() {
+    let near = Vec3::new(0.0, -1.0, -1.0);
+    let pair = |apart: Vec3| frame(vec![ground(), cube("#808080", near, 0.5), cube("#808080", near + apart, 0.3)]);
+    // Maps of many shapes and sizes: wide ones, high ones, and one of nothing.
+    let mut frames: Vec<Frame> = (0..8).map(|step| pair(Vec3::X * (0.3 * step as f32))).collect();
+    frames.extend((1..4).map(|step| pair(Vec3::new(0.0, 0.4, -0.6) * step as f32)));
+    frames.push(frame(vec![ground()]));
+    let mut studio = Studio::new(1);
+    for place in (0..frames.len()).chain((0..frames.len()).rev().step_by(2)).chain([0, 5, 0]) {
+        assert!(studio.draw(&frames[place]) == draw(&frames[place]), "frame {place}");
+    }
+}
+
+#[test]
 fn the_same_frame_gives_the_same_bytes_and_the_same_png() {
     let frame = frame(sample_items().into_iter().map(|(_, item)| item).collect());
     let mut studio = Studio::new(1);

@@ -133,7 +133,7 @@ mod tests {
 
     #[test]
     fn the_suns_map_does_not_depend_on_where_the_eye_is() {
-        let sun = SunBox { map_from_world: Mat4::IDENTITY, texel: 0.01 };
+        let sun = SunBox { map_from_world: Mat4::IDENTITY, texel: 0.01, size_texels: [64; 2] };
         let detail = Detail::of_sun_map(&sun);
         assert_eq!(detail.mesh(&ball(0.2, 1.0)), detail.mesh(&ball(0.2, 50.0)));
         assert!(detail.mesh(&ball(2.0, 1.0)) < detail.mesh(&ball(0.02, 1.0)));

@@ -11,21 +11,23 @@ use crate::render::bounds::{Bounds, ViewSides};
 use crate::render::look;
 use crate::scene::MeshKind;
 
-/// Texels along a side of the shadow map for each row of the picture: its texels are then about as large as pixels.
-const TEXELS_PER_ROW: f32 = 1.4;
-/// The map's side is a multiple of so many texels, so that it is not another one for each picture.
+/// Texels along the longest side of the shadow map for each row of the picture: its texels are then about as large as pixels.
+const TEXELS_PER_ROW: f32 = 1.2;
+/// The map's sides are multiples of so many texels, so that it is not another one for each picture.
 const TEXEL_STEP: u32 = 64;
 /// The longest side of the map in texels.
 const MOST_TEXELS: u32 = 2048;
+/// Texels beside what casts shadows: the border stays empty, and lookups reach between texels.
+const BORDER_TEXELS: u32 = 4;
 /// Beyond this distance from the eye nothing casts a shadow, in scene units.
 const FARTHEST_CASTER: f32 = 120.0;
 /// The longest way from a caster to its shadow, in scene units.
 const LONGEST_THROW: f32 = 80.0;
-/// The box's centre moves in steps of this part of its side.
-const CENTRE_STEP: f32 = 1.0 / 16.0;
-/// Steps for each doubling of the box's side.
-const STEPS_PER_DOUBLING: f32 = 3.0;
-/// The smallest box's side, in scene units.
+/// The box's centre moves in steps of so many texels, and so its sides lie between the same texels of the world while they move.
+const CENTRE_TEXELS: u32 = 16;
+/// Steps for each doubling of a texel's side.
+const STEPS_PER_DOUBLING: f32 = 6.0;
+/// The side of the smallest map of all its texels, in scene units.
 const SMALLEST_SIDE: f32 = 2.0;
 
 /// The part of the world that the shadow map covers.
@@ -35,6 +37,8 @@ pub struct SunBox {
     pub map_from_world: Mat4,
     /// A texel's side, in scene units.
     pub texel: f32,
+    /// The map's width and height, in texels: no more than the box needs.
+    pub size_texels: [u32; 2],
 }
 
 /// Unit direction from any point towards the sun, in world space.
@@ -42,15 +46,15 @@ pub fn towards_sun_in_world() -> Vec3 {
     look::TOWARDS_SUN_IN_WORLD.normalize()
 }
 
-/// Texels along each side of the map for a picture so many pixels high.
-pub fn map_texels(height_px: u32) -> u32 {
+/// Texels along the longest side that the map of a picture so many pixels high may have.
+pub fn most_texels(height_px: u32) -> u32 {
     ((height_px as f32 * TEXELS_PER_ROW) as u32).next_multiple_of(TEXEL_STEP).clamp(4 * TEXEL_STEP, MOST_TEXELS)
 }
 
 impl SunBox {
-    /// The box around all that casts a shadow into the frame's view, the items' own boxes being `bounds`, for a map of so many texels
-    /// along each side; `None` where nothing does.
-    pub fn fit(frame: &Frame, bounds: &[Bounds], texels: u32) -> Option<Self> {
+    /// The box around all that casts a shadow into the frame's view, the items' own boxes being `bounds`, for a map of at most so many
+    /// texels along each side; `None` where nothing does.
+    pub fn fit(frame: &Frame, bounds: &[Bounds], most_texels: u32) -> Option<Self> {
         let sides = ViewSides::of(&frame.view);
         let z = towards_sun_in_world();
         let x = Vec3::Y.cross(z).normalize();
@@ -75,19 +79,26 @@ impl SunBox {
         if !(most - least).is_finite() || least.x > most.x {
             return None;
         }
-        let needed = (most - least).truncate().max_element() * (1.0 + CENTRE_STEP) * 1.01;
+        let extent = (most - least).truncate();
+        let beside = CENTRE_TEXELS + BORDER_TEXELS;
+        let needed = extent.max_element() * most_texels as f32 / (most_texels - beside) as f32;
         let steps = (needed.max(SMALLEST_SIDE).log2() * STEPS_PER_DOUBLING).ceil();
-        let side = (steps / STEPS_PER_DOUBLING).exp2();
-        let snap = |v: f32| (v / (side * CENTRE_STEP)).round() * side * CENTRE_STEP;
+        let texel = (steps / STEPS_PER_DOUBLING).exp2() / most_texels as f32;
+        let texels =
+            |extent: f32| ((extent / texel).ceil() as u32 + beside).next_multiple_of(TEXEL_STEP).min(most_texels);
+        let size_texels = extent.to_array().map(texels);
+        let centre_step = texel * CENTRE_TEXELS as f32;
+        let snap = |v: f32| (v / centre_step).round() * centre_step;
         let centre = [snap(f32::midpoint(least.x, most.x)), snap(f32::midpoint(least.y, most.y))];
         let (nearest, farthest) = (most.z.ceil() + 1.0, least.z.floor() - 1.0);
-        let (across, deep) = (2.0 / side, 1.0 / (nearest - farthest));
+        let deep = 1.0 / (nearest - farthest);
+        let [across, up] = size_texels.map(|texels| 2.0 / (texel * texels as f32));
         let map_from_world = Mat4::from_cols(
-            Vec3::new(x.x * across, y.x * across, -z.x * deep).extend(0.0),
-            Vec3::new(x.y * across, y.y * across, -z.y * deep).extend(0.0),
-            Vec3::new(x.z * across, y.z * across, -z.z * deep).extend(0.0),
-            Vec3::new(-centre[0] * across, -centre[1] * across, nearest * deep).extend(1.0),
+            Vec3::new(x.x * across, y.x * up, -z.x * deep).extend(0.0),
+            Vec3::new(x.y * across, y.y * up, -z.y * deep).extend(0.0),
+            Vec3::new(x.z * across, y.z * up, -z.z * deep).extend(0.0),
+            Vec3::new(-centre[0] * across, -centre[1] * up, nearest * deep).extend(1.0),
         );
-        Some(Self { map_from_world, texel: side / texels as f32 })
+        Some(Self { map_from_world, texel, size_texels })
     }
 }

@@ -12,11 +12,11 @@ use crate::render::bounds::{Bounds, rectangle_px};
 use crate::render::detail::Detail;
 use crate::render::gpu::Gpu;
 use crate::render::instances::{INSTANCES_START, Packed};
-use crate::render::light::{SunBox, map_texels};
+use crate::render::light::{SunBox, most_texels};
 use crate::render::look;
 use crate::render::mesh::{PLANE, Place, geometry};
 use crate::render::pipelines::{Kind, Pipelines};
-use crate::render::targets::{SunMap, Targets};
+use crate::render::targets::{SunMap, SunMaps, Targets};
 use crate::render::uniforms::Globals;
 
 /// Samples a pixel where nothing else is asked for: 4 on a GPU, 1 where the CPU draws and each costs a whole picture.
@@ -24,6 +24,9 @@ use crate::render::uniforms::Globals;
 pub fn default_samples(is_software: bool) -> u32 {
     if is_software { 1 } else { 4 }
 }
+
+/// A sun's map that may have so many texels along its longest side is a large one.
+const LARGE_TEXELS: u32 = 768;
 
 /// What is behind everything.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -78,7 +81,7 @@ pub struct Renderer {
     indices: wgpu::Buffer,
     frame_buffer: wgpu::Buffer,
     globals: wgpu::BindGroup,
-    sun_map: Option<SunMap>,
+    sun_maps: SunMaps,
     targets: Option<Targets>,
     arrangement: Arrangement,
     arranged: Arranged,
@@ -112,7 +115,7 @@ impl Renderer {
             indices,
             frame_buffer,
             globals,
-            sun_map: None,
+            sun_maps: SunMaps::default(),
             targets: None,
             arrangement: Arrangement::default(),
             arranged: Arranged::default(),
@@ -172,12 +175,17 @@ impl Renderer {
             _ => Detail::of_picture(&frame.view, viewport.height, (self.samples as f32).sqrt()),
         };
         let items_moved = self.arranged.take(frame, detail, self.arrangement);
-        let texels = map_texels(viewport.height);
-        if self.sun_map.as_ref().is_none_or(|map| map.texels != texels) {
-            self.sun_map = Some(SunMap::new(&gpu.device, &self.pipelines, texels));
-            self.sun_map_box = None;
+        let most_texels = most_texels(viewport.height);
+        let sun = SunBox::fit(frame, &self.arranged.bounds, most_texels);
+        let kind = if most_texels < LARGE_TEXELS { Kind::Shadow } else { Kind::LargeShadow };
+        match &sun {
+            Some(sun) => self.sun_maps.take(&gpu.device, &self.pipelines, kind, sun.size_texels),
+            // Pixels read one all the same.
+            None if self.sun_maps.in_use().is_none() => {
+                self.sun_maps.take(&gpu.device, &self.pipelines, kind, [1, 1]);
+            }
+            None => {}
         }
-        let sun = SunBox::fit(frame, &self.arranged.bounds, texels);
         let globals = Globals::new(frame, sun.as_ref(), viewport);
         let is_map_due = sun.is_some() && (items_moved || sun != self.sun_map_box);
         let of_sun_map = sun.as_ref().filter(|_| is_map_due).map(Detail::of_sun_map);
@@ -223,14 +231,14 @@ impl Renderer {
     }
 
     fn draw_sun_map(&self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder) {
-        let Some(SunMap { texels, kind, view, .. }) = &self.sun_map else { return };
+        let Some(SunMap { size_texels: [width, height], kind, view, .. }) = self.sun_maps.in_use() else { return };
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("sun map"),
             depth_stencil_attachment: Some(depth_attachment(view, wgpu::LoadOp::Clear(1.0), wgpu::StoreOp::Store)),
             ..Default::default()
         });
         // The border stays as far away as can be: what is looked up outside is lit.
-        pass.set_scissor_rect(1, 1, texels - 2, texels - 2);
+        pass.set_scissor_rect(1, 1, width - 2, height - 2);
         pass.set_pipeline(self.pipelines.get(device, *kind));
         self.bind_instances(&mut pass);
         for (mesh, instances) in geometry().places.iter().zip(&self.uploaded.casters) {
@@ -246,7 +254,7 @@ impl Renderer {
         target: &wgpu::TextureView,
         viewport: Viewport,
     ) {
-        let (Some(targets), Some(sun_map)) = (&self.targets, &self.sun_map) else { return };
+        let (Some(targets), Some(sun_map)) = (&self.targets, self.sun_maps.in_use()) else { return };
         let has_outline = frame.items.iter().any(|item| item.outlined);
         let (view, resolve_target) = match &targets.samples {
             Some(samples) => (samples, Some(target)),

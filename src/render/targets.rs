@@ -55,14 +55,38 @@ impl Targets {
     }
 }
 
-/// From so many texels along each side on the sun's map is a large one.
-const LARGE_TEXELS: u32 = 768;
+/// The sun's maps of some sizes, the one in use last: boxes change while shapes move, and the same sizes come again.
+#[derive(Debug, Default)]
+pub struct SunMaps(Vec<SunMap>);
 
-/// The sun's map.
+/// Maps that are kept.
+const KEPT_MAPS: usize = 4;
+
+impl SunMaps {
+    /// Takes the map of a size into use, one with nothing in it if there was none.
+    pub fn take(&mut self, device: &wgpu::Device, pipelines: &Pipelines, kind: Kind, size_texels: [u32; 2]) {
+        let place = self.0.iter().position(|map| (map.kind, map.size_texels) == (kind, size_texels));
+        let map = match place {
+            Some(place) => self.0.remove(place),
+            None => SunMap::new(device, pipelines, kind, size_texels),
+        };
+        if self.0.len() == KEPT_MAPS {
+            self.0.remove(0);
+        }
+        self.0.push(map);
+    }
+
+    /// The map in use; `None` where none was taken yet.
+    pub fn in_use(&self) -> Option<&SunMap> {
+        self.0.last()
+    }
+}
+
+/// A map of the sun's.
 #[derive(Debug)]
 pub struct SunMap {
-    /// Texels along each side.
-    pub texels: u32,
+    /// Width and height in texels.
+    pub size_texels: [u32; 2],
     /// The pipeline that draws it.
     pub kind: Kind,
     /// What it is drawn into.
@@ -72,11 +96,9 @@ pub struct SunMap {
 }
 
 impl SunMap {
-    /// A map of so many texels along each side, with nothing in it.
-    pub fn new(device: &wgpu::Device, pipelines: &Pipelines, texels: u32) -> Self {
+    fn new(device: &wgpu::Device, pipelines: &Pipelines, kind: Kind, size_texels: [u32; 2]) -> Self {
         let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING;
-        let kind = if texels < LARGE_TEXELS { Kind::Shadow } else { Kind::LargeShadow };
-        let view = texture_view(device, "sun map", kind.depth_format(), 1, [texels; 2], usage);
+        let view = texture_view(device, "sun map", kind.depth_format(), 1, size_texels, usage);
         let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
             label: Some("sun map"),
             mag_filter: wgpu::FilterMode::Linear,
@@ -92,7 +114,7 @@ impl SunMap {
                 wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::Sampler(&sampler) },
             ],
         });
-        Self { texels, kind, view, bind_group }
+        Self { size_texels, kind, view, bind_group }
     }
 }
 
