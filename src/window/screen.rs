@@ -2,7 +2,6 @@
 
 use std::sync::Arc;
 
-use winit::event_loop::ActiveEventLoop;
 use winit::window::Window;
 
 use super::shared::Shared;
@@ -42,12 +41,7 @@ impl Screen {
     ///
     /// # Errors
     /// [`GpuError::NoSurface`]
-    pub fn new(
-        gpu: &Gpu,
-        event_loop: &ActiveEventLoop,
-        window: Arc<Window>,
-        surface: wgpu::Surface<'static>,
-    ) -> Result<Self, GpuError> {
+    pub fn new(gpu: &Gpu, window: Arc<Window>, surface: wgpu::Surface<'static>) -> Result<Self, GpuError> {
         let no_surface = || GpuError::NoSurface { reason: "the adapter cannot draw on it".to_owned() };
         let size = window.inner_size();
         let mut configuration =
@@ -69,11 +63,8 @@ impl Screen {
         configuration.usage |= wgpu::TextureUsages::COPY_DST & capabilities.usages;
         configuration.present_mode = wgpu::PresentMode::AutoVsync;
         configuration.desired_maximum_frame_latency = 1;
-        let shared = if gpu.is_software && configuration.format == Shared::FORMAT {
-            Shared::new(event_loop, &window)
-        } else {
-            None
-        };
+        let shared =
+            if gpu.is_software && configuration.format == Shared::FORMAT { Shared::new(&window) } else { None };
         Ok(Self { window, surface, configuration, is_configured: false, scene_format, shared })
     }
 
@@ -115,7 +106,7 @@ impl Screen {
         if let Some(shared) = &mut self.shared {
             match shared.texture(gpu, &self.configuration) {
                 Ok(texture) => return Some(Picture::Kept(texture)),
-                Err(reason) => self.give_up_sharing(&reason),
+                Err(error) => self.give_up_sharing(&error),
             }
         }
         for _ in 0..2 {
@@ -159,9 +150,9 @@ impl Screen {
                 self.window.pre_present_notify();
                 gpu.queue.present(texture);
             }
-            (Picture::Kept(texture), Some(shared)) => {
-                if let Err(reason) = shared.show(gpu, &self.window, before, encoder, &texture) {
-                    self.give_up_sharing(&reason);
+            (Picture::Kept(_), Some(shared)) => {
+                if let Err(error) = shared.show(gpu, &self.window, before, encoder) {
+                    self.give_up_sharing(&error);
                     self.window.request_redraw();
                 }
             }
@@ -169,8 +160,8 @@ impl Screen {
         }
     }
 
-    fn give_up_sharing(&mut self, reason: &str) {
-        log::warn!("pictures are sent through the driver from now on: {reason}");
+    fn give_up_sharing(&mut self, error: &dyn std::error::Error) {
+        log::warn!("pictures are sent through the driver from now on: {error}");
         self.shared = None;
     }
 }

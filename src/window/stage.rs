@@ -95,7 +95,7 @@ impl Stage {
                 let _ = lost.send_event(Happening::DeviceLost);
             }
         });
-        let screen = Screen::new(&gpu, event_loop, Arc::clone(&window), surface)?;
+        let screen = Screen::new(&gpu, Arc::clone(&window), surface)?;
         let renderer = Renderer::new(&gpu, screen.scene_format(), default_samples(gpu.is_software));
         let panels = Panels::new(&gpu, screen.format());
         let context = egui::Context::default();
