@@ -112,7 +112,7 @@ fn shadows_are_the_same_in_pictures_of_other_sizes() {
     let scene = frame(vec![ground(), cube("#808080", near, 0.5), cube("#808080", near + 70.0 * towards_sun, 0.1)]);
     let mut studio = Studio::new(1);
     let small = studio.draw(&scene);
-    // The larger ones have a map of another kind of depth; the last shows that the first kind is made anew.
+    // The larger ones have a map of another kind of depth; the last shows that a map that was kept is drawn anew.
     for (times, width) in [(2, 2 * WIDTH), (3, 3 * WIDTH), (1, WIDTH)] {
         let Studio { gpu, renderer, .. } = &mut studio;
         let mut offscreen = Offscreen::new(gpu, width, times * HEIGHT).expect("a target");

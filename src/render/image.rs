@@ -49,8 +49,7 @@ pub struct Rows<'a> {
 }
 
 impl Rows<'_> {
-    /// Each row's pixels alone.
-    pub fn rows(&self) -> impl Iterator<Item = &[u8]> {
+    fn rows(&self) -> impl Iterator<Item = &[u8]> {
         self.bytes.chunks(self.row_bytes.max(1)).map(|row| &row[..row.len().min(4 * self.width as usize)])
     }
 

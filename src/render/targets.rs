@@ -63,7 +63,7 @@ pub struct SunMaps(Vec<SunMap>);
 const KEPT_MAPS: usize = 4;
 
 impl SunMaps {
-    /// Takes the map of a size into use, one with nothing in it if there was none.
+    /// Takes the map of a size into use. What it holds, if anything, is another box's.
     pub fn take(&mut self, device: &wgpu::Device, pipelines: &Pipelines, kind: Kind, size_texels: [u32; 2]) {
         let place = self.0.iter().position(|map| (map.kind, map.size_texels) == (kind, size_texels));
         let map = match place {

@@ -97,16 +97,20 @@ impl Screen {
     }
 
     /// The surface is configured anew before it is drawn on again.
-    pub const fn is_outdated(&mut self) {
+    pub const fn outdate(&mut self) {
         self.is_configured = false;
     }
 
-    /// The picture to draw on, where there is one now; a surface that went out of date is configured anew once.
+    /// The picture to draw on, where there is one now; a surface that went out of date is configured anew once. Where pictures can no
+    /// longer be shared the window is to be drawn anew: on the surface other things may be possible.
     pub fn next(&mut self, gpu: &Gpu) -> Option<Picture> {
         if let Some(shared) = &mut self.shared {
             match shared.texture(gpu, &self.configuration) {
                 Ok(texture) => return Some(Picture::Kept(texture)),
-                Err(error) => self.give_up_sharing(&error),
+                Err(error) => {
+                    self.give_up_sharing(&error);
+                    return None;
+                }
             }
         }
         for _ in 0..2 {
@@ -153,15 +157,16 @@ impl Screen {
             (Picture::Kept(_), Some(shared)) => {
                 if let Err(error) = shared.show(gpu, &self.window, before, encoder) {
                     self.give_up_sharing(&error);
-                    self.window.request_redraw();
                 }
             }
+            // Sharing is given up where there is no picture.
             (Picture::Kept(_), None) => {}
         }
     }
 
     fn give_up_sharing(&mut self, error: &dyn std::error::Error) {
-        log::warn!("pictures are sent through the driver from now on: {error}");
+        log::warn!("pictures are no longer shared with the display server: {error}");
         self.shared = None;
+        self.window.request_redraw();
     }
 }

@@ -1,5 +1,5 @@
-//! Pictures that the CPU drew, in memory that an X server reads: a driver may send each of them through a socket, which takes a
-//! quarter of the time. Elsewhere than on Linux there is no such way.
+//! Pictures that the CPU drew, in memory that an X server reads: where a driver sends each of them through a socket, that is a quarter
+//! of a picture's time. Elsewhere than on Linux, and where the server is another machine's, there is no such way.
 
 #[cfg(not(target_os = "linux"))]
 mod nowhere;

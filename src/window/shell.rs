@@ -230,7 +230,7 @@ impl Shell {
         match event {
             WindowEvent::CloseRequested => self.apply(Command::File(FileCommand::Quit)),
             WindowEvent::Resized(_) | WindowEvent::ScaleFactorChanged { .. } => {
-                stage.is_outdated();
+                stage.outdate();
                 shows = true;
             }
             WindowEvent::DroppedFile(path) => self.apply(Command::File(FileCommand::Open(path))),

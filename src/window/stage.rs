@@ -116,8 +116,8 @@ impl Stage {
     }
 
     /// The surface is configured anew before it is drawn on again.
-    pub const fn is_outdated(&mut self) {
-        self.screen.is_outdated();
+    pub const fn outdate(&mut self) {
+        self.screen.outdate();
     }
 
     /// Lays out the panels, with the input that came since. Over the scene the pointer is `cursor`, where that is given. `None` where the window has no size. What comes back must be painted.

@@ -3,7 +3,7 @@
 use std::io;
 
 use memmap2::MmapMut;
-use rustix::fs::{MemfdFlags, ftruncate, memfd_create};
+use rustix::fs::{MemfdFlags, SealFlags, fcntl_add_seals, ftruncate, memfd_create};
 use thiserror::Error;
 use winit::raw_window_handle::{HasWindowHandle, RawWindowHandle};
 use winit::window::Window;
@@ -95,14 +95,12 @@ impl Shared {
         configuration: &wgpu::SurfaceConfiguration,
     ) -> Result<wgpu::Texture, SharedError> {
         let &wgpu::SurfaceConfiguration { width, height, format, .. } = configuration;
-        let before = self.kept.take();
-        if let Some(kept) = before.as_ref()
+        if let Some(kept) = &self.kept
             && (kept.texture.width(), kept.texture.height()) == (width, height)
         {
-            let texture = kept.texture.clone();
-            self.kept = before;
-            return Ok(texture);
+            return Ok(kept.texture.clone());
         }
+        let memory = self.kept.take().and_then(|kept| kept.memory);
         let back = ReadBack::new(gpu, width, height)?;
         let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
             label: Some("window"),
@@ -116,12 +114,12 @@ impl Shared {
                 | wgpu::TextureUsages::COPY_DST,
             view_formats: &configuration.view_formats,
         });
-        let memory = before.and_then(|kept| kept.memory);
         self.kept = Some(Kept { texture: texture.clone(), back, memory });
         Ok(texture)
     }
 
-    /// Submits what draws on the texture, the encoder's commands last, waits for it and shows it.
+    /// Submits what draws on the texture that was asked for last, the encoder's commands last, waits for it and shows it. What the
+    /// server has against it is said with the next.
     pub fn show(
         &mut self,
         gpu: &Gpu,
@@ -129,9 +127,16 @@ impl Shared {
         before: Vec<wgpu::CommandBuffer>,
         encoder: wgpu::CommandEncoder,
     ) -> Result<(), SharedError> {
-        let Some(Kept { texture, back, memory }) = &mut self.kept else { return Ok(()) };
+        let Kept { texture, back, memory } = self.kept.as_mut().expect("there is a texture to draw on");
         back.submit(gpu, before, encoder, texture);
-        let drawn = back.read(gpu)?;
+        let drawn = match back.read(gpu) {
+            Ok(drawn) => drawn,
+            Err(error) => {
+                // A device that is lost is replaced, and this with it: no other way would show anything.
+                log::warn!("a picture of the window is lost: {error}");
+                return Ok(());
+            }
+        };
         let rows = drawn.rows();
         // Requests are done one after another: once this one is, the picture before has been read.
         self.server.get_input_focus()?.reply()?;
@@ -174,10 +179,12 @@ impl Shared {
 
 impl Memory {
     fn new(server: &RustConnection, len: usize) -> Result<Self, SharedError> {
-        let file = memfd_create(c"inbetween picture", MemfdFlags::CLOEXEC).map_err(io::Error::from)?;
+        let flags = MemfdFlags::CLOEXEC | MemfdFlags::ALLOW_SEALING;
+        let file = memfd_create(c"inbetween picture", flags).map_err(io::Error::from)?;
         ftruncate(&file, len as u64).map_err(io::Error::from)?;
+        fcntl_add_seals(&file, SealFlags::SHRINK | SealFlags::SEAL).map_err(io::Error::from)?;
         #[expect(unsafe_code, reason = "memory that is shared can be had in no other way")]
-        // SAFETY: nobody else has the file but the server, which gets it to read only, and does not make it shorter.
+        // SAFETY: nobody can make the file shorter, and nobody else has it but the server, which is told to map it to read only.
         let bytes = unsafe { MmapMut::map_mut(&file) }?;
         let segment = server.generate_id()?;
         server.shm_attach_fd(segment, file, true)?.check()?;
@@ -189,7 +196,7 @@ impl Memory {
     }
 }
 
-/// Whether a visual's pixels are four bytes: blue, green, red and one that says nothing.
+/// Whether a visual's pixels are four bytes: blue, green, red and one that is opacity at most, which pictures have all of.
 fn is_plain(server: &RustConnection, depth: u8, visual: xproto::Visualid) -> bool {
     let setup = server.setup();
     let has_four_bytes = setup.pixmap_formats.iter().any(|it| it.depth == depth && it.bits_per_pixel == 32);
