@@ -150,6 +150,29 @@ impl Gpu {
         Ok(Self { instance, adapter, device, queue, info, is_software })
     }
 
+    /// A texture for pictures of so many pixels, one sample each, that can be drawn into and copied from, and what else `more` says.
+    /// Each side must be from 1 to [`Gpu::largest_side_px`].
+    #[must_use]
+    pub fn picture_texture(
+        &self,
+        label: &str,
+        format: wgpu::TextureFormat,
+        [width, height]: [u32; 2],
+        more: wgpu::TextureUsages,
+        view_formats: &[wgpu::TextureFormat],
+    ) -> wgpu::Texture {
+        self.device.create_texture(&wgpu::TextureDescriptor {
+            label: Some(label),
+            size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
+            mip_level_count: 1,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            format,
+            usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC | more,
+            view_formats,
+        })
+    }
+
     /// The longest side of a picture, in pixels.
     #[must_use]
     pub fn largest_side_px(&self) -> u32 {

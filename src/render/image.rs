@@ -44,7 +44,7 @@ pub struct Rows<'a> {
     pub height: u32,
     /// From a row's start to the next one's.
     pub row_bytes: usize,
-    /// Red, green, blue in sRGB and opacity, 8 bits each.
+    /// Four a pixel: for all that is made of them here, red, green, blue in sRGB and opacity.
     pub bytes: &'a [u8],
 }
 

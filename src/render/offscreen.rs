@@ -26,16 +26,8 @@ impl Offscreen {
     /// [`GpuError::Size`] where a side is 0 or longer than the adapter can draw.
     pub fn new(gpu: &Gpu, width: u32, height: u32) -> Result<Self, GpuError> {
         let back = ReadBack::new(gpu, width, height)?;
-        let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
-            label: Some("offscreen"),
-            size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
-            mip_level_count: 1,
-            sample_count: 1,
-            dimension: wgpu::TextureDimension::D2,
-            format: Self::FORMAT,
-            usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
-            view_formats: &[],
-        });
+        let texture =
+            gpu.picture_texture("offscreen", Self::FORMAT, [width, height], wgpu::TextureUsages::empty(), &[]);
         let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
         Ok(Self { texture, view, back })
     }

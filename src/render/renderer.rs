@@ -25,9 +25,6 @@ pub fn default_samples(is_software: bool) -> u32 {
     if is_software { 1 } else { 4 }
 }
 
-/// A sun's map that may have so many texels along its longest side is a large one.
-const LARGE_TEXELS: u32 = 768;
-
 /// What is behind everything.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Background {
@@ -177,15 +174,8 @@ impl Renderer {
         let items_moved = self.arranged.take(frame, detail, self.arrangement);
         let most_texels = most_texels(viewport.height);
         let sun = SunBox::fit(frame, &self.arranged.bounds, most_texels);
-        let kind = if most_texels < LARGE_TEXELS { Kind::Shadow } else { Kind::LargeShadow };
-        match &sun {
-            Some(sun) => self.sun_maps.take(&gpu.device, &self.pipelines, kind, sun.size_texels),
-            // Pixels read one all the same.
-            None if self.sun_maps.in_use().is_none() => {
-                self.sun_maps.take(&gpu.device, &self.pipelines, kind, [1, 1]);
-            }
-            None => {}
-        }
+        let size_texels = sun.as_ref().map(|sun| sun.size_texels);
+        self.sun_maps.take(&gpu.device, &self.pipelines, most_texels, size_texels);
         let globals = Globals::new(frame, sun.as_ref(), viewport);
         let is_map_due = sun.is_some() && (items_moved || sun != self.sun_map_box);
         let of_sun_map = sun.as_ref().filter(|_| is_map_due).map(Detail::of_sun_map);

@@ -59,12 +59,26 @@ impl Targets {
 #[derive(Debug, Default)]
 pub struct SunMaps(Vec<SunMap>);
 
+/// A map that may have so many texels along its longest side is a large one.
+const LARGE_TEXELS: u32 = 768;
 /// Maps that are kept.
 const KEPT_MAPS: usize = 4;
 
 impl SunMaps {
-    /// Takes the map of a size into use. What it holds, if anything, is another box's.
-    pub fn take(&mut self, device: &wgpu::Device, pipelines: &Pipelines, kind: Kind, size_texels: [u32; 2]) {
+    /// Takes into use the map of a size, for pictures whose maps may have so many texels along their longest side. What it holds, if
+    /// anything, is another box's. With no size it is whichever there is: pixels read one all the same.
+    pub fn take(
+        &mut self,
+        device: &wgpu::Device,
+        pipelines: &Pipelines,
+        most_texels: u32,
+        size_texels: Option<[u32; 2]>,
+    ) {
+        if size_texels.is_none() && !self.0.is_empty() {
+            return;
+        }
+        let size_texels = size_texels.unwrap_or([1, 1]);
+        let kind = if most_texels < LARGE_TEXELS { Kind::Shadow } else { Kind::LargeShadow };
         let place = self.0.iter().position(|map| (map.kind, map.size_texels) == (kind, size_texels));
         let map = match place {
             Some(place) => self.0.remove(place),

@@ -198,17 +198,7 @@ impl Panels {
 
 impl Canvas {
     fn new(gpu: &Gpu, format: wgpu::TextureFormat, place: Place) -> Self {
-        let [width, height] = place.size_px;
-        let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
-            label: Some("panels"),
-            size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
-            mip_level_count: 1,
-            sample_count: 1,
-            dimension: wgpu::TextureDimension::D2,
-            format,
-            usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
-            view_formats: &[],
-        });
+        let texture = gpu.picture_texture("panels", format, place.size_px, wgpu::TextureUsages::empty(), &[]);
         let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
         Self { texture, view, place, is_fresh: true }
     }

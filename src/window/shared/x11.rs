@@ -102,18 +102,8 @@ impl Shared {
         }
         let memory = self.kept.take().and_then(|kept| kept.memory);
         let back = ReadBack::new(gpu, width, height)?;
-        let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
-            label: Some("window"),
-            size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
-            mip_level_count: 1,
-            sample_count: 1,
-            dimension: wgpu::TextureDimension::D2,
-            format,
-            usage: wgpu::TextureUsages::RENDER_ATTACHMENT
-                | wgpu::TextureUsages::COPY_SRC
-                | wgpu::TextureUsages::COPY_DST,
-            view_formats: &configuration.view_formats,
-        });
+        let copied_to = wgpu::TextureUsages::COPY_DST;
+        let texture = gpu.picture_texture("window", format, [width, height], copied_to, &configuration.view_formats);
         self.kept = Some(Kept { texture: texture.clone(), back, memory });
         Ok(texture)
     }
