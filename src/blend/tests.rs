@@ -24,10 +24,21 @@ fn levels() -> Vec<Level> {
     all
 }
 
+/// How far rotations may be off, in radians: a little farther where products are rounded before they are added.
+fn bound(level: Level) -> f64 {
+    #[cfg(target_arch = "x86_64")]
+    if matches!(level, Level::Sse2(_) | Level::Sse4_2(_)) {
+        return 3.5e-7;
+    }
+    let _ = level;
+    3e-7
+}
+
 fn any_rbt() -> impl Strategy<Value = Rbt> {
     (prop::array::uniform3(-10.0f32..10.0), prop::array::uniform4(-1.0f32..1.0))
         .prop_filter("a rotation needs a direction", |(_, q)| q.iter().map(|c| c * c).sum::<f32>() > 0.01)
-        .prop_map(|(t, q)| Rbt::new(Vec3::from(t), Quat::from_array(q).normalize()))
+        // As near to unit length as f32 can be: what a rotation is off by is the blend's own then.
+        .prop_map(|(t, q)| Rbt::new(Vec3::from(t), Quat::from_array(q).as_dquat().normalize().as_quat()))
 }
 
 /// A second transform for a first: any, the same, its negative, half a turn away, or next to it.
@@ -38,7 +49,7 @@ fn partner(from: Rbt) -> impl Strategy<Value = Rbt> {
         1 => Just(from),
         1 => Just(Rbt::new(from.translation, -near)),
         1 => Just(Rbt::new(-from.translation, Quat::from_xyzw(near.w, -near.z, near.y, -near.x))),
-        2 => any_rbt().prop_map(move |other| Rbt::new(other.translation, (near + other.rotation * 1e-4).normalize())),
+        2 => any_rbt().prop_map(move |other| Rbt::new(other.translation, (near + other.rotation * 1e-4).as_dquat().normalize().as_quat())),
     ]
 }
 
@@ -79,7 +90,7 @@ proptest! {
                 prop_assert!((rotation.length() - 1.0).abs() < 3e-7, "{} is not unit", blended.rotation);
                 if !is_half_a_turn(from.rotation, to.rotation) {
                     let off = angle(rotation, slerp_f64(from.rotation, to.rotation, alpha));
-                    prop_assert!(off < 3e-7, "{off} rad off at {alpha} with {level:?}: {from:?} {to:?}");
+                    prop_assert!(off < bound(level), "{off} rad off at {alpha} with {level:?}: {from:?} {to:?}");
                     prop_assert!(angle(rotation, simple.rotation.as_dquat()) < 1e-6);
                 }
             }
