@@ -26,11 +26,13 @@ fn plane_vertex(corner: Corner) -> Pixel {
     return out;
 }
 
-// How much of a pixel lines of `width` at whole numbers cover along both axes; `footprint` is the pixel's size.
-fn lines_cover(place: vec2f, width: f32, footprint: vec2f) -> f32 {
-    let drawn = clamp(vec2f(width), footprint, vec2f(0.5));
-    let from_line = abs(fract(place + 0.5) - 0.5);
-    let cover = saturate((0.5 * drawn + 0.5 * footprint - from_line) / footprint) * min(width / drawn, vec2f(1.0));
+// How much of a pixel lines of `width` at whole numbers cover along both axes. `footprint` is the pixel's size, `pixels` one over that.
+fn lines_cover(place: vec2f, width: f32, footprint: vec2f, pixels: vec2f) -> f32 {
+    // In pixels: lines at least one wide, and at most half of what is between them.
+    let drawn = min(max(width * pixels, vec2f(1.0)), 0.5 * pixels);
+    let from_line = abs(fract(place + 0.5) - 0.5) * pixels;
+    // Lines that are drawn wider than they are, are fainter.
+    let cover = saturate(0.5 * drawn + 0.5 - from_line) * clamp(width * pixels, vec2f(2.0 * width), vec2f(1.0));
     // Lines closer than pixels become their average.
     let blended = mix(cover, vec2f(width), saturate(footprint * 2.0 - 0.6));
     return max(blended.x, blended.y);
@@ -43,8 +45,9 @@ fn plane_fragment(pixel: Pixel) -> @location(0) vec4f {
     let squared = dot(from_eye, from_eye);
     let size = globals.eye_in_world.w * sqrt(squared);
     let footprint = size * (1.0 + abs(from_eye.xz) / max(abs(from_eye.y), 0.001));
-    let fine = lines_cover(grid, 0.014, footprint);
-    let coarse = lines_cover(grid * 0.2, 0.006, footprint * 0.2);
+    let pixels = 1.0 / footprint;
+    let fine = lines_cover(grid, 0.014, footprint, pixels);
+    let coarse = lines_cover(grid * 0.2, 0.006, footprint * 0.2, pixels * 5.0);
     let ground = mix(pixel.shaded, pixel.colour.rgb, sun_arriving(pixel.map_place));
     let marked = ground * (1.0 - max(0.20 * fine, 0.36 * coarse));
     // The ground melts into the horizon with distance, and before a wide plane ends.
