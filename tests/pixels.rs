@@ -447,15 +447,25 @@ fn what_is_cut_away_changes_no_byte_of_the_picture() {
     let mut items = vec![ground()];
     for place in 0..900_u16 {
         let (x, z) = (f32::from(place % 30) - 15.0, f32::from(place / 30) - 15.0);
-        let mut cube = cube("#c8553d", Vec3::new(x, -1.6 + 0.02 * x * z, z), 0.7);
-        cube.outlined = place % 97 == 0;
-        items.push(cube);
+        let shape = match place % 4 {
+            0 => Shape::Box { size: Vec3::splat(0.7), bevel: 0.035 },
+            1 => Shape::Sphere { radius: 0.4 },
+            2 => Shape::Cylinder { radius: 0.3, height: 0.8 },
+            _ => Shape::Capsule { radius: 0.25, height: 0.9 },
+        };
+        let world_from_shape = Affine3A::from_translation(Vec3::new(x, -1.6 + 0.02 * x * z, z))
+            * Affine3A::from_rotation_y(0.7 * f32::from(place));
+        let mut item = item(shape, "#c8553d", world_from_shape);
+        item.outlined = place % 97 == 0;
+        items.push(item);
     }
     let gpu = Gpu::headless().expect("a GPU adapter");
     let mut renderers = [Arrangement::SortedAndCut, Arrangement::Sorted].map(|arrangement| {
-        let mut renderer = Renderer::new(&gpu, Offscreen::FORMAT, 1);
-        renderer.set_arrangement(arrangement);
-        renderer
+        [1, 4].map(|samples| {
+            let mut renderer = Renderer::new(&gpu, Offscreen::FORMAT, samples);
+            renderer.set_arrangement(arrangement);
+            renderer
+        })
     });
     let mut offscreen = Offscreen::new(&gpu, WIDTH, HEIGHT).expect("a target");
     let mut frame = frame(items);
@@ -465,8 +475,9 @@ fn what_is_cut_away_changes_no_byte_of_the_picture() {
         let turn = Affine3A::from_rotation_y(f32::from(turns));
         frame.view.world_from_eye = turn * Affine3A::from_translation(Vec3::new(0.0, 0.5, -3.0)) * world_from_eye;
         frame.view.eye_from_world = frame.view.world_from_eye.inverse();
-        let [cut, sorted] =
-            renderers.each_mut().map(|renderer| offscreen.render(&gpu, renderer, &frame).expect("a picture"));
+        let [cut, sorted] = renderers.each_mut().map(|of_samples| {
+            of_samples.each_mut().map(|renderer| offscreen.render(&gpu, renderer, &frame).expect("a picture"))
+        });
         assert!(cut == sorted, "direction {turns}: the cut shows");
     }
 }

@@ -49,7 +49,7 @@ impl Arranged {
             self.runs.extend(self.bounds.chunks(RUN).map(Bounds::around));
         }
         self.seen.as_flattened_mut().iter_mut().for_each(Vec::clear);
-        let sides = ViewSides::of(&frame.view);
+        let sides = ViewSides::of(&frame.view, detail.widest_error());
         for ((run, items), places) in self.runs.iter().zip(frame.items.chunks(RUN)).zip((0_u32..).step_by(RUN)) {
             let of_run = match arrangement {
                 Arrangement::SortedAndCut => sides.sight(run),

@@ -3,6 +3,8 @@
 use glam::Vec3;
 
 use crate::frame::{DrawItem, View};
+use crate::render::detail::Detail;
+use crate::render::mesh::LEVELS;
 
 /// An item's box in world space: its centre and three half edges.
 #[derive(Clone, Copy, Debug)]
@@ -14,10 +16,11 @@ pub struct Bounds {
 }
 
 impl Bounds {
-    /// The box around an item.
+    /// The box around an item, and around its finest mesh.
     pub fn of(item: &DrawItem) -> Self {
         let axes = item.world_from_shape.matrix3;
-        let half = item.half_extents;
+        let (half_extents, rounding) = LEVELS[Detail::FINEST.mesh(item)].fitted(item.half_extents, item.rounding);
+        let half = half_extents.max(Vec3::splat(rounding));
         Self {
             centre_in_world: item.world_from_shape.translation.into(),
             half_edges_in_world: [
@@ -67,10 +70,10 @@ pub struct ViewSides {
 }
 
 impl ViewSides {
-    /// The sides of a view.
-    pub fn of(view: &View) -> Self {
+    /// The sides of a view that is so many radians wider along each of them.
+    pub fn of(view: &View, wider: f32) -> Self {
         let up = (view.vertical_fov * 0.5).tan();
-        let right = up * view.aspect;
+        let [up, right] = [up, up * view.aspect].map(|slope| (slope.atan() + wider).tan());
         let normals_in_eye = [
             Vec3::new(1.0, 0.0, -right),
             Vec3::new(-1.0, 0.0, -right),

@@ -8,9 +8,9 @@ use crate::render::mesh::{LEVELS, MESHES};
 use crate::scene::MeshKind;
 
 /// A silhouette may be wrong by so much of the distance between samples.
-const WRONG_SAMPLES: f32 = 0.5;
-/// A shadow's border may be wrong by so many texels of the sun's map, hardly more than looking up between texels blurs it by.
-const WRONG_TEXELS: f32 = 1.4;
+const WRONG_SAMPLES: f32 = 0.4;
+/// A shadow's border may be wrong by so many texels of the sun's map, which is what looking up between texels blurs it by.
+const WRONG_TEXELS: f32 = 1.0;
 
 /// Where something is seen from, and how large.
 #[derive(Clone, Copy, Debug)]
@@ -43,6 +43,14 @@ impl Detail {
     /// What the sun's map shows.
     pub fn of_sun_map(sun: &SunBox) -> Self {
         Self(Seen::BySun { per_unit: 1.0 / (sun.texel * WRONG_TEXELS) })
+    }
+
+    /// The angle in radians, seen from the eye, that a mesh other than the finest may reach beyond what it shows.
+    pub fn widest_error(self) -> f32 {
+        match self.0 {
+            Seen::ByEye { per_unit, .. } => 1.01 / per_unit,
+            Seen::Finest | Seen::BySun { .. } => 0.0,
+        }
     }
 
     /// The place in [`LEVELS`] of the mesh that shows an item.

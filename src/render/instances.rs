@@ -10,7 +10,7 @@ use crate::frame::{ArcballMark, DrawItem, Frame, View};
 use crate::render::arrange::Arranged;
 use crate::render::detail::Detail;
 use crate::render::look;
-use crate::render::mesh::{LEVELS, MESHES};
+use crate::render::mesh::{LEVELS, Level, MESHES};
 use crate::render::uniforms::Globals;
 use crate::scene::MeshKind;
 
@@ -28,14 +28,15 @@ pub struct Instance {
 }
 
 impl Instance {
-    fn new(item: &DrawItem, opacity: f32) -> Self {
+    /// An item to be drawn as the mesh of a level.
+    fn new(item: &DrawItem, level: Level, opacity: f32) -> Self {
         let mut world_from_shape = item.world_from_shape;
         // Every mesh is its own mirror image, so a mirrored shape is the same shape unmirrored; culling then needs one winding.
         if world_from_shape.matrix3.determinant() < 0.0 {
             world_from_shape *= Affine3A::from_scale(Vec3::new(-1.0, 1.0, 1.0));
         }
         // A cone's slope depends on its size: leave that to the affine, which carries the unit cone's normals along.
-        let (mut half_extents, mut rounding) = (item.half_extents, item.rounding);
+        let (mut half_extents, mut rounding) = level.fitted(item.half_extents, item.rounding);
         if item.mesh == MeshKind::Cone {
             world_from_shape *= Affine3A::from_scale(half_extents);
             (half_extents, rounding) = (Vec3::ONE, 0.0);
@@ -173,11 +174,7 @@ impl Instances<'_> {
     fn push<'a>(&mut self, mesh: usize, items: impl Iterator<Item = (&'a DrawItem, f32)>) -> Range<u32> {
         let start = self.count;
         for (item, opacity) in items {
-            let mut instance = Instance::new(item, opacity);
-            if LEVELS[mesh].is_sharp() {
-                instance.rounding = 0.0;
-            }
-            self.bytes.extend_from_slice(bytes_of(&instance));
+            self.bytes.extend_from_slice(bytes_of(&Instance::new(item, LEVELS[mesh], opacity)));
             self.count += 1;
         }
         start..self.count

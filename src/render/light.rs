@@ -55,7 +55,7 @@ impl SunBox {
     /// The box around all that casts a shadow into the frame's view, the items' own boxes being `bounds`, for a map of at most so many
     /// texels along each side; `None` where nothing does.
     pub fn fit(frame: &Frame, bounds: &[Bounds], most_texels: u32) -> Option<Self> {
-        let sides = ViewSides::of(&frame.view);
+        let sides = ViewSides::of(&frame.view, 0.0);
         let z = towards_sun_in_world();
         let x = Vec3::Y.cross(z).normalize();
         let y = z.cross(x);

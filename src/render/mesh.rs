@@ -2,6 +2,9 @@
 //!
 //! A vertex lies at `core * (half_extents − rounding) + normal * rounding` in shape space, so that a bevel keeps its radius and
 //! a capsule its caps whatever the size. Triangles run anticlockwise seen from outside.
+//!
+//! Where something round is cut into flat pieces, its corners are put outside the true surface by as much as the pieces' middles are
+//! inside ([`Level::fitted`]): half the error of corners on the surface, and so half as many triangles for the same error.
 
 use std::f32::consts::{FRAC_PI_2, TAU};
 use std::ops::Range;
@@ -33,19 +36,27 @@ pub struct Level {
     /// What it is a mesh of.
     pub kind: MeshKind,
     cut: Cut,
-    /// How far an edge's middle lies below the true surface, at most, as a part of the radius: how far its silhouette is wrong. A
-    /// box's few edges inside its rounded corners do not count.
+    /// What the radius of an instance is multiplied by. A box's rounding is made smaller, which moves its bevels outwards.
+    radius: f32,
+    /// How far an edge's middle lies below the true surface or its ends above, at most, as a part of the radius: how far its
+    /// silhouette is wrong. A box's few edges inside its rounded corners do not count, unless there is one triangle in each.
     pub flattening: f32,
 }
 
 impl Level {
-    const fn new(kind: MeshKind, cut: Cut, flattening: f32) -> Self {
-        Self { kind, cut, flattening }
+    const fn new(kind: MeshKind, cut: Cut, radius: f32, flattening: f32) -> Self {
+        Self { kind, cut, radius, flattening }
     }
 
-    /// Whether an instance of it must have no rounding.
-    pub fn is_sharp(self) -> bool {
-        matches!(self.cut, Cut::Bevel(0))
+    /// Half extents and rounding of an instance that shows a shape with these.
+    pub fn fitted(self, half_extents: Vec3, rounding: f32) -> (Vec3, f32) {
+        let fitted = rounding * self.radius;
+        match self.kind {
+            MeshKind::Box | MeshKind::Sphere => (half_extents, fitted),
+            MeshKind::Cylinder | MeshKind::Cone => (half_extents * Vec3::new(self.radius, 1.0, self.radius), rounding),
+            MeshKind::Capsule => (half_extents + (fitted - rounding), fitted),
+            MeshKind::Plane => (half_extents, rounding),
+        }
     }
 
     fn mesh(self) -> Mesh {
@@ -70,23 +81,23 @@ impl Level {
 pub const MESHES: usize = 17;
 /// All of them: kinds in their order, of each the finest first.
 pub const LEVELS: [Level; MESHES] = [
-    Level::new(MeshKind::Box, Cut::Bevel(3), 0.034_1),
-    Level::new(MeshKind::Box, Cut::Bevel(2), 0.076_2),
-    Level::new(MeshKind::Box, Cut::Bevel(1), 0.293),
-    Level::new(MeshKind::Box, Cut::Bevel(0), 0.732_1),
-    Level::new(MeshKind::Sphere, Cut::Faces(4), 0.013_3),
-    Level::new(MeshKind::Sphere, Cut::Faces(3), 0.021_6),
-    Level::new(MeshKind::Sphere, Cut::Faces(2), 0.049),
-    Level::new(MeshKind::Cylinder, Cut::Around(32), 0.004_9),
-    Level::new(MeshKind::Cylinder, Cut::Around(20), 0.012_4),
-    Level::new(MeshKind::Cylinder, Cut::Around(12), 0.034_1),
-    Level::new(MeshKind::Cone, Cut::Around(32), 0.004_9),
-    Level::new(MeshKind::Cone, Cut::Around(20), 0.012_4),
-    Level::new(MeshKind::Cone, Cut::Around(12), 0.034_1),
-    Level::new(MeshKind::Capsule, Cut::Capsule(18, 3), 0.047_8),
-    Level::new(MeshKind::Capsule, Cut::Capsule(12, 3), 0.064_7),
-    Level::new(MeshKind::Capsule, Cut::Capsule(10, 2), 0.113_5),
-    Level::new(MeshKind::Plane, Cut::Flat, 0.0),
+    Level::new(MeshKind::Box, Cut::Bevel(3), 0.945, 0.020_3),
+    Level::new(MeshKind::Box, Cut::Bevel(2), 0.905, 0.039_4),
+    Level::new(MeshKind::Box, Cut::Bevel(1), 0.664, 0.107_2),
+    Level::new(MeshKind::Box, Cut::Bevel(0), 0.0, 0.732_1),
+    Level::new(MeshKind::Sphere, Cut::Faces(4), 1.006_7, 0.006_7),
+    Level::new(MeshKind::Sphere, Cut::Faces(3), 1.010_9, 0.010_9),
+    Level::new(MeshKind::Sphere, Cut::Faces(2), 1.025_1, 0.025_1),
+    Level::new(MeshKind::Cylinder, Cut::Around(32), 1.002_4, 0.002_4),
+    Level::new(MeshKind::Cylinder, Cut::Around(20), 1.006_2, 0.006_2),
+    Level::new(MeshKind::Cylinder, Cut::Around(10), 1.025_1, 0.025_1),
+    Level::new(MeshKind::Cone, Cut::Around(32), 1.002_4, 0.002_4),
+    Level::new(MeshKind::Cone, Cut::Around(20), 1.006_2, 0.006_2),
+    Level::new(MeshKind::Cone, Cut::Around(10), 1.025_1, 0.025_1),
+    Level::new(MeshKind::Capsule, Cut::Capsule(18, 3), 1.024_5, 0.024_5),
+    Level::new(MeshKind::Capsule, Cut::Capsule(12, 3), 1.033_4, 0.033_4),
+    Level::new(MeshKind::Capsule, Cut::Capsule(10, 2), 1.060_2, 0.060_2),
+    Level::new(MeshKind::Plane, Cut::Flat, 1.0, 0.0),
 ];
 /// The plane's place in [`LEVELS`].
 pub const PLANE: usize = MESHES - 1;
