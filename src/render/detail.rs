@@ -133,6 +133,9 @@ mod tests {
                 let radius_px = 240.0 / 0.5_f32.tan() * 0.2 / away;
                 let is_finest = place == Detail::FINEST.mesh(&item);
                 assert!(is_finest || level.flattening * radius_px * samples_across <= WRONG_SAMPLES, "at {away}");
+                // So far may it reach beyond the ball, as the eye sees it.
+                let nearest = away - item.half_extents.length();
+                assert!(is_finest || level.flattening * 0.2 <= detail.widest_error() * nearest, "at {away}");
             }
             assert_eq!(detail.mesh(&ball(0.2, 0.1)), Detail::FINEST.mesh(&ball(0.2, 0.1)), "around the eye");
             assert_ne!(before, detail.mesh(&ball(0.2, 100.0)), "far off");

@@ -2,9 +2,12 @@
 
 use std::collections::HashMap;
 
-use glam::Vec3;
+use glam::{Affine3A, Vec3};
 
 use super::{Cut, LEVELS, Level, Mesh, PLANE, Vertex};
+use crate::frame::DrawItem;
+use crate::render::bounds::Bounds;
+use crate::render::detail::Detail;
 use crate::scene::{MeshKind, Shape};
 
 /// A shape of each kind, in [`MeshKind::ALL`]'s order.
@@ -160,5 +163,26 @@ fn levels_of_a_kind_go_from_fine_to_coarse() {
     for pair in LEVELS.windows(2).filter(|pair| pair[0].kind == pair[1].kind) {
         assert!(pair[0].flattening < pair[1].flattening, "{pair:?}");
         assert!(pair[0].mesh().indices.len() > pair[1].mesh().indices.len(), "{pair:?}");
+    }
+}
+
+#[test]
+fn an_items_box_holds_its_finest_mesh() {
+    for shape in samples() {
+        let item = DrawItem {
+            mesh: shape.mesh(),
+            world_from_shape: Affine3A::IDENTITY,
+            half_extents: shape.half_extents(),
+            rounding: shape.rounding(),
+            colour: Vec3::ONE,
+            outlined: false,
+            node: 0,
+        };
+        let [x, y, z] = Bounds::of(&item).half_edges_in_world;
+        let half = Vec3::new(x.x, y.y, z.z);
+        let (_, _, places) = corners(LEVELS[Detail::FINEST.mesh(&item)]);
+        for place in places {
+            assert!(place.abs().cmple(half + 1e-6).all(), "{:?}: {place} outside {half}", shape.mesh());
+        }
     }
 }
