@@ -1,7 +1,7 @@
 //! The renderer: a frame into any texture view.
 
-use std::mem;
 use std::ops::Range;
+use std::{mem, thread};
 
 use bytemuck::cast_slice;
 use glam::Vec3;
@@ -184,10 +184,7 @@ impl Renderer {
         if is_map_due {
             self.sun_map_draws += 1;
             if mem::take(&mut self.is_cold) {
-                // Sent at once, it has the driver compile what all pipelines share while those of the picture are being made.
-                let mut first = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-                self.draw_sun_map(&gpu.device, &mut first);
-                gpu.queue.submit([first.finish()]);
+                self.draw_first_sun_map(gpu);
             } else {
                 self.draw_sun_map(&gpu.device, encoder);
             }
@@ -218,6 +215,37 @@ impl Renderer {
             }
         }
         mem::swap(&mut self.packed, &mut self.uploaded);
+    }
+
+    /// Sends the sun's map at once, so that the driver compiles what all pipelines share while those of the picture are being made.
+    fn draw_first_sun_map(&self, gpu: &Gpu) {
+        let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        self.draw_sun_map(&gpu.device, &mut encoder);
+        let commands = encoder.finish();
+        thread::scope(|scope| {
+            // On a thread of their own, which a system starts where there is nothing else to do: the driver's thread may wake up in
+            // place of this one. Where no thread can be had, they are made when they are needed.
+            let make = || {
+                for kind in self.kinds_behind_lines() {
+                    self.pipelines.get(&gpu.device, kind);
+                }
+            };
+            let _ = thread::Builder::new().name("pipelines".to_owned()).spawn_scoped(scope, make);
+            gpu.queue.submit([commands]);
+        });
+    }
+
+    /// What the picture consists of but for its lines and what comes after them, in the order in which it is drawn: what hides other
+    /// things first.
+    fn kinds_behind_lines(&self) -> impl Iterator<Item = Kind> {
+        let is_any = |meshes: &[Range<u32>]| meshes.iter().any(|instances| !instances.is_empty());
+        let (shapes, plane) = self.uploaded.seen.split_at(PLANE);
+        let needed = [
+            (Kind::Shape, is_any(shapes)),
+            (Kind::Plane, is_any(plane)),
+            (Kind::Sky, self.background == Background::Sky),
+        ];
+        needed.into_iter().filter_map(|(kind, is_needed)| is_needed.then_some(kind))
     }
 
     fn draw_sun_map(&self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder) {
@@ -274,19 +302,13 @@ impl Renderer {
         pass.set_bind_group(1, &sun_map.bind_group, &[]);
         let device = &gpu.device;
         let (meshes, items) = (&geometry().places, &self.uploaded.seen);
-        if items[..PLANE].iter().any(|instances| !instances.is_empty()) {
-            pass.set_pipeline(self.pipelines.get(device, Kind::Shape));
-            for (mesh, instances) in meshes[..PLANE].iter().zip(items) {
-                draw_mesh(&mut pass, mesh, instances);
+        for kind in self.kinds_behind_lines() {
+            pass.set_pipeline(self.pipelines.get(device, kind));
+            match kind {
+                Kind::Sky => pass.draw(0..3, 0..1),
+                Kind::Plane => draw_mesh(&mut pass, &meshes[PLANE], &items[PLANE]),
+                _ => meshes[..PLANE].iter().zip(items).for_each(|(mesh, of_mesh)| draw_mesh(&mut pass, mesh, of_mesh)),
             }
-        }
-        if !items[PLANE].is_empty() {
-            pass.set_pipeline(self.pipelines.get(device, Kind::Plane));
-            draw_mesh(&mut pass, &meshes[PLANE], &items[PLANE]);
-        }
-        if self.background == Background::Sky {
-            pass.set_pipeline(self.pipelines.get(device, Kind::Sky));
-            pass.draw(0..3, 0..1);
         }
         // Lines come before ghosts, whose depth would hide them.
         for kind in [Kind::LineHidden, Kind::Line] {
