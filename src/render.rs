@@ -29,7 +29,7 @@ mod uniforms;
 pub use arrange::Arrangement;
 pub use gpu::{Gpu, GpuError};
 pub use identity::node_picture;
-pub use image::{Image, Rows, set_up_png};
+pub use image::{Image, PngRoom, Rows, set_up_png};
 pub use offscreen::Offscreen;
 pub use read::ImageReadError;
 pub use read_back::{Drawn, ReadBack};

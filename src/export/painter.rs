@@ -4,7 +4,7 @@ use glam::Vec2;
 
 use super::ExportError;
 use crate::frame::Frame;
-use crate::render::{Background, Drawn, Gpu, GpuError, Image, Offscreen, Renderer, default_samples};
+use crate::render::{Background, Drawn, Gpu, GpuError, Image, Offscreen, PngRoom, Renderer, default_samples};
 
 /// Width and height of a picture in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -75,7 +75,9 @@ impl Painter {
     /// # Errors
     /// [`ExportError`]
     pub fn png(&mut self, frame: &Frame) -> Result<Vec<u8>, ExportError> {
-        Ok(self.offscreen.draw(&self.gpu, &mut self.renderer, frame)?.rows().to_png()?)
+        let Self { offscreen, gpu, renderer, size, .. } = self;
+        let (drawn, room) = offscreen.draw_while(gpu, renderer, frame, || PngRoom::new(size.width, size.height))?;
+        Ok(drawn.rows().to_png_in(room)?)
     }
 
     /// What is behind everything from now on.

@@ -47,9 +47,25 @@ impl Offscreen {
     ///
     /// [`GpuError::ReadBack`] where the device is lost.
     pub fn draw(&mut self, gpu: &Gpu, renderer: &mut Renderer, frame: &Frame) -> Result<Drawn, GpuError> {
+        Ok(self.draw_while(gpu, renderer, frame, || ())?.0)
+    }
+
+    /// As [`Offscreen::draw`], with something else done while the picture is drawn.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::ReadBack`] where the device is lost.
+    pub fn draw_while<T>(
+        &mut self,
+        gpu: &Gpu,
+        renderer: &mut Renderer,
+        frame: &Frame,
+        meanwhile: impl FnOnce() -> T,
+    ) -> Result<(Drawn, T), GpuError> {
         self.back.clear();
         self.submit(gpu, renderer, frame);
-        self.read(gpu)
+        let done = meanwhile();
+        Ok((self.read(gpu)?, done))
     }
 
     /// Starts drawing a frame; [`Offscreen::read`] waits for it. One can be read while the next are drawn.

@@ -84,14 +84,7 @@ impl ReadBack {
         mut encoder: wgpu::CommandEncoder,
         texture: &wgpu::Texture,
     ) {
-        let buffer = self.free.try_recv().unwrap_or_else(|_| {
-            gpu.device.create_buffer(&wgpu::BufferDescriptor {
-                label: Some("read back"),
-                size: u64::from(self.row_bytes) * u64::from(self.height),
-                usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
-                mapped_at_creation: false,
-            })
-        });
+        let buffer = self.free.try_recv().unwrap_or_else(|_| self.new_buffer(gpu));
         let layout =
             wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(self.row_bytes), rows_per_image: None };
         encoder.copy_texture_to_buffer(
@@ -107,6 +100,23 @@ impl ReadBack {
             let _ = sender.send(result);
         });
         self.under_way.push_back(Submitted { index, buffer, mapped });
+    }
+
+    fn new_buffer(&self, gpu: &Gpu) -> wgpu::Buffer {
+        let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("read back"),
+            size: u64::from(self.row_bytes) * u64::from(self.height),
+            usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+            mapped_at_creation: false,
+        });
+        if gpu.is_software {
+            // A buffer that is mapped before anything was written to it is filled with zeros, which has the system hand out its pages now,
+            // while the driver may be busy with what was submitted before, and not while the picture is waited for.
+            buffer.map_async(wgpu::MapMode::Read, .., |_| ());
+            let _ = gpu.device.poll(wgpu::PollType::Poll);
+            buffer.unmap();
+        }
+        buffer
     }
 
     /// Pictures that were submitted and not read.
