@@ -21,9 +21,9 @@ fn sky_fragment(pixel: Pixel) -> @location(0) vec4f {
     let ray = pixel.along_view;
     let height = max(ray.y * inverseSqrt(dot(ray, ray)), 0.0);
     let climb = height * (pixel.map_place.x - pixel.map_place.y * height);
-    // Half a step of fixed noise, so that no band has a sharp edge. Four pixels in a row share it, which no eye can tell and which files
+    // Half a step of fixed noise, so that no band has a sharp edge. Eight pixels in a row share it, which no eye can tell and which files
     // are smaller for.
-    let place = floor(pixel.surface.xy * vec2f(0.25, 1.0));
+    let place = floor(pixel.surface.xy * vec2f(0.125, 1.0));
     let noise = fract(pixel.map_place.z * fract(dot(place, pixel.surface.zw))) - 0.5;
     return finished(mix(pixel.shaded, pixel.colour.rgb, climb) + noise * pixel.colour.w, 1.0);
 }
