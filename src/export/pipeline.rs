@@ -3,11 +3,14 @@
 use std::sync::mpsc;
 use std::thread;
 
-use super::{ExportError, Moments, Painter, Stage};
+use super::{ExportError, Moments, Painter, Size, Stage};
 use crate::render::Drawn;
 
-/// Pictures that wait at most: enough for one thread not to stop for a slow picture of the other.
-const WAITING: usize = 4;
+/// Pictures that wait at most: enough for one thread not to stop for slow pictures of the other, and no more memory than that is worth.
+fn waiting(size: Size) -> usize {
+    let bytes = 4 * size.width as usize * size.height as usize;
+    ((16 << 20) / bytes.max(1)).clamp(4, 12)
+}
 
 /// Is told how many frames are drawn and of how many, before each and after the last; says whether to go on.
 pub type Watch<'a> = dyn FnMut(usize, usize) -> bool + 'a;
@@ -38,7 +41,7 @@ impl Drawing<'_> {
         let mut goes_on = |done: usize| if watch(done, count) { Ok(()) } else { Err(ExportError::Cancelled) };
         let gives_way = painter.gpu().is_software;
         thread::scope(|scope| {
-            let (sender, receiver) = mpsc::sync_channel::<Drawn>(WAITING);
+            let (sender, receiver) = mpsc::sync_channel::<Drawn>(waiting(painter.size()));
             let taker = scope.spawn(move || {
                 if gives_way {
                     give_way();
