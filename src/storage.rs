@@ -98,9 +98,10 @@ pub fn write_with(path: &Path, write: impl FnOnce(&mut dyn io::Write) -> io::Res
 /// # Errors
 /// [`StorageError::System`]; the file is as it was then.
 pub fn write_unsynced(path: &Path, bytes: &[u8]) -> Result<(), StorageError> {
-    let foreign = Foreign::new(path)?;
-    fs::write(foreign.path(), bytes)?;
-    Ok(fs::rename(foreign.path(), &foreign.target)?)
+    let (foreign, mut file) = Foreign::open(path)?;
+    file.write_all(bytes)?;
+    drop(file);
+    foreign.put()
 }
 
 /// Copies a file, if it exists, to the first free name of `NAME.bak`, `NAME.bak2` and on, and says which.
@@ -206,6 +207,7 @@ impl io::Write for Draft {
 pub struct Foreign {
     beside: PathBuf,
     target: PathBuf,
+    is_put: bool,
 }
 
 impl Foreign {
@@ -214,6 +216,10 @@ impl Foreign {
     /// # Errors
     /// [`StorageError::System`]: the place is a folder, or lies in none.
     pub fn new(path: &Path) -> Result<Self, StorageError> {
+        Ok(Self::open(path)?.0)
+    }
+
+    fn open(path: &Path) -> Result<(Self, fs::File), StorageError> {
         let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
         if target.is_dir() {
             return Err(io::Error::from(io::ErrorKind::IsADirectory).into());
@@ -223,8 +229,8 @@ impl Foreign {
         name.push(format!(".{}.part", std::process::id()));
         let beside = target.with_file_name(name);
         // Made now, so that a folder that is missing or cannot be written is found out before the work.
-        fs::File::create_new(&beside)?;
-        Ok(Self { beside, target })
+        let file = fs::File::create_new(&beside)?;
+        Ok((Self { beside, target, is_put: false }, file))
     }
 
     /// Where the other program writes: an empty file stands there.
@@ -239,14 +245,22 @@ impl Foreign {
     /// [`StorageError::System`]; what stood there before is as it was.
     pub fn commit(self) -> Result<(), StorageError> {
         fs::File::open(&self.beside)?.sync_all()?;
-        Ok(fs::rename(&self.beside, &self.target)?)
+        self.put()
+    }
+
+    fn put(mut self) -> Result<(), StorageError> {
+        fs::rename(&self.beside, &self.target)?;
+        self.is_put = true;
+        Ok(())
     }
 }
 
 impl Drop for Foreign {
     fn drop(&mut self) {
-        // After a commit there is nothing to remove.
-        let _ = fs::remove_file(&self.beside);
+        if !self.is_put {
+            // Where it cannot be removed there is no one to tell.
+            let _ = fs::remove_file(&self.beside);
+        }
     }
 }
 

@@ -76,8 +76,9 @@ impl Painter {
     /// [`ExportError`]
     pub fn png(&mut self, frame: &Frame) -> Result<Vec<u8>, ExportError> {
         let Self { offscreen, gpu, renderer, size, .. } = self;
-        let (drawn, room) = offscreen.draw_while(gpu, renderer, frame, || PngRoom::new(size.width, size.height))?;
-        Ok(drawn.rows().to_png_in(room)?)
+        let (drawn, mut room) = offscreen.draw_while(gpu, renderer, frame, || PngRoom::new(size.width, size.height))?;
+        drawn.rows().to_png_in(&mut room)?;
+        Ok(room.into_png())
     }
 
     /// What is behind everything from now on.

@@ -7,6 +7,7 @@ use super::ffmpeg::Ffmpeg;
 use super::pipeline::Drawing;
 use super::{ExportError, Target};
 use crate::film::{Film, FilmError, Format, Palette, Plan};
+use crate::render::PngRoom;
 use crate::storage::{self, Draft, Foreign};
 
 /// Frames that stand for a film when its palette is chosen.
@@ -22,12 +23,13 @@ pub fn write_folder(
     note: &mut (dyn FnMut(&Path, &[u8]) + Send),
 ) -> Result<(), ExportError> {
     storage::create_folder(folder).map_err(|reason| ExportError::unwritten(folder, reason))?;
+    let mut room = PngRoom::default();
     drawing.draw(|place, drawn| {
         let path = folder.join(format!("frame-{place:05}.png"));
-        let png = drawn.rows().to_png()?;
+        let png = drawn.rows().to_png_in(&mut room)?;
         drop(drawn);
-        storage::write_unsynced(&path, &png).map_err(|reason| ExportError::unwritten(&path, reason))?;
-        note(&path, &png);
+        storage::write_unsynced(&path, png).map_err(|reason| ExportError::unwritten(&path, reason))?;
+        note(&path, png);
         Ok(())
     })
 }

@@ -68,16 +68,18 @@ impl Rows<'_> {
     ///
     /// [`png::EncodingError`] where the sides and the bytes do not agree, or a side is 0.
     pub fn to_png(&self) -> Result<Vec<u8>, png::EncodingError> {
-        self.to_png_in(PngRoom::default())
+        let mut room = PngRoom::default();
+        self.to_png_in(&mut room)?;
+        Ok(room.into_png())
     }
 
-    /// As [`Rows::to_png`], in memory that was made ready before.
+    /// As [`Rows::to_png`], in memory that there is already.
     ///
     /// # Errors
     ///
     /// As [`Rows::to_png`].
-    pub fn to_png_in(&self, room: PngRoom) -> Result<Vec<u8>, png::EncodingError> {
-        let PngRoom { mut packed, mut bytes } = room;
+    pub fn to_png_in<'a>(&self, room: &'a mut PngRoom) -> Result<&'a [u8], png::EncodingError> {
+        let PngRoom { packed, bytes } = room;
         let pixels = self.width as usize * self.height as usize;
         packed.resize(3 * pixels, 0);
         let (mut least_opacity, mut read) = (u8::MAX, 0);
@@ -99,17 +101,17 @@ impl Rows<'_> {
         }
         bytes.clear();
         bytes.reserve(PngRoom::usual_bytes(pixels));
-        let mut encoder = png::Encoder::new(&mut bytes, self.width, self.height);
+        let mut encoder = png::Encoder::new(&mut *bytes, self.width, self.height);
         set_up_png(&mut encoder, is_opaque);
         let mut writer = encoder.write_header()?;
-        writer.write_image_data(&packed)?;
+        writer.write_image_data(packed)?;
         writer.finish()?;
         Ok(bytes)
     }
 }
 
-/// Memory for making a PNG. Where a picture is waited for there is time to get it: a system hands out memory page by page when it is first
-/// written to, which takes a quarter of the time of making a PNG.
+/// Memory for making PNGs, one after the other. Getting it takes a quarter of the time of making one: a system hands it out page by page
+/// when it is first written to.
 #[derive(Debug, Default)]
 pub struct PngRoom {
     packed: Vec<u8>,
@@ -123,6 +125,12 @@ impl PngRoom {
         let pixels = width as usize * height as usize;
         // Zeros would be handed out without being written.
         Self { packed: vec![1; 3 * pixels], bytes: vec![1; Self::usual_bytes(pixels)] }
+    }
+
+    /// The PNG that was made in it last.
+    #[must_use]
+    pub fn into_png(self) -> Vec<u8> {
+        self.bytes
     }
 
     /// As many bytes as a PNG of so many pixels seldom has more.
