@@ -8,8 +8,11 @@ use crate::render::Drawn;
 
 /// Pictures that wait at most: enough for one thread not to stop for slow pictures of the other, and no more memory than that is worth.
 fn waiting(size: Size) -> usize {
+    const WORTH_BYTES: usize = 16 << 20;
+    const FEWEST: usize = 4;
+    const MOST: usize = 12;
     let bytes = 4 * size.width as usize * size.height as usize;
-    ((16 << 20) / bytes.max(1)).clamp(4, 12)
+    (WORTH_BYTES / bytes.max(1)).clamp(FEWEST, MOST)
 }
 
 /// Is told how many frames are drawn and of how many, before each and after the last; says whether to go on.
@@ -96,5 +99,16 @@ struct Stop(Option<ExportError>);
 impl<E: Into<ExportError>> From<E> for Stop {
     fn from(error: E) -> Self {
         Self(Some(error.into()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn few_large_pictures_wait_or_many_small_ones() {
+        let of = |width, height| waiting(Size { width, height });
+        assert_eq!([of(1, 1), of(640, 480), of(1024, 640), of(1280, 720), of(7680, 4320)], [12, 12, 6, 4, 4]);
     }
 }

@@ -83,3 +83,73 @@ impl Arranged {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use glam::{Affine3A, Mat4, Quat};
+
+    use super::*;
+    use crate::frame::View;
+    use crate::scene::MeshKind;
+
+    fn frame(vertical_fov: f32, items: Vec<DrawItem>) -> Frame {
+        let view = View {
+            eye_from_world: Affine3A::IDENTITY,
+            world_from_eye: Affine3A::IDENTITY,
+            clip_from_eye: Mat4::IDENTITY,
+            vertical_fov,
+            aspect: 4.0 / 3.0,
+        };
+        Frame { items, ghosts: Vec::new(), lines: Vec::new(), dots: Vec::new(), arcball: None, view }
+    }
+
+    fn ball(world_from_shape: Affine3A) -> DrawItem {
+        DrawItem {
+            mesh: MeshKind::Sphere,
+            world_from_shape,
+            half_extents: Vec3::splat(0.2),
+            rounding: 0.2,
+            colour: Vec3::ONE,
+            outlined: false,
+            node: 0,
+        }
+    }
+
+    fn count_seen(frame: &Frame, detail: Detail) -> usize {
+        let mut arranged = Arranged::default();
+        arranged.take(frame, detail, Arrangement::SortedAndCut);
+        arranged.seen.as_flattened().iter().map(Vec::len).sum()
+    }
+
+    #[test]
+    fn what_a_coarse_mesh_may_reach_into_the_view_with_is_not_cut() {
+        const DISTANCE: f32 = 40.0;
+        let slope = 4.0 / 3.0 * 0.5_f32.tan();
+        // Along the view's left side, and into the view across it.
+        let along = Vec3::new(-slope, 0.0, -1.0).normalize();
+        let inwards = Vec3::new(1.0, 0.0, -slope).normalize();
+        let turned = Quat::from_rotation_arc(Vec3::X, inwards);
+        let seen_at = |outside: f32| {
+            let centre = along * DISTANCE - inwards * (outside + Bounds::of(&ball(Affine3A::IDENTITY)).reach(Vec3::X));
+            let frame = frame(1.0, vec![ball(Affine3A::from_rotation_translation(turned, centre))]);
+            let detail = Detail::of_picture(&frame.view, 480, 1.0);
+            count_seen(&frame, detail)
+        };
+        let error = Detail::of_picture(&frame(1.0, Vec::new()).view, 480, 1.0).widest_error() * DISTANCE;
+        assert_eq!([-0.5, 0.5, 2.0].map(|errors| seen_at(errors * error)), [1, 1, 0]);
+    }
+
+    #[test]
+    fn the_widest_view_sees_what_is_before_it() {
+        for (vertical_fov, height_px) in [(3.1, 480), (3.0, 12), (0.8, 1), (0.8, 3)] {
+            let items = vec![ball(Affine3A::from_translation(Vec3::NEG_Z)), ball(Affine3A::from_translation(Vec3::Z))];
+            let frame = frame(vertical_fov, items);
+            let detail = Detail::of_picture(&frame.view, height_px, 1.0);
+            assert_eq!(count_seen(&frame, detail), 1, "{vertical_fov} radians, {height_px} pixels");
+        }
+        // Far to both sides.
+        let items = [-40.0, 40.0].map(|x| ball(Affine3A::from_translation(Vec3::new(x, 0.0, -1.0)))).to_vec();
+        let frame = frame(3.1, items);
+        assert_eq!(count_seen(&frame, Detail::of_picture(&frame.view, 480, 1.0)), 2);
+    }
+}

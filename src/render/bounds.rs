@@ -1,10 +1,11 @@
 //! Where items are against the view: support radii, the view's side planes, and boxes in pixels.
 
+use std::f32::consts::FRAC_PI_2;
+
 use glam::Vec3;
 
 use crate::frame::{DrawItem, View};
-use crate::render::detail::Detail;
-use crate::render::mesh::LEVELS;
+use crate::render::mesh::Level;
 
 /// An item's box in world space: its centre and three half edges.
 #[derive(Clone, Copy, Debug)]
@@ -19,7 +20,7 @@ impl Bounds {
     /// The box around an item, and around its finest mesh.
     pub fn of(item: &DrawItem) -> Self {
         let axes = item.world_from_shape.matrix3;
-        let (half_extents, rounding) = LEVELS[Detail::FINEST.mesh(item)].fitted(item.half_extents, item.rounding);
+        let (half_extents, rounding) = Level::finest(item.mesh).fitted(item.half_extents, item.rounding);
         let half = half_extents.max(Vec3::splat(rounding));
         Self {
             centre_in_world: item.world_from_shape.translation.into(),
@@ -73,17 +74,18 @@ impl ViewSides {
     /// The sides of a view that is so many radians wider along each of them.
     pub fn of(view: &View, wider: f32) -> Self {
         let up = (view.vertical_fov * 0.5).tan();
-        let [up, right] = [up, up * view.aspect].map(|slope| (slope.atan() + wider).tan());
+        // What is behind the eye is never seen.
+        let [up, right] = [up, up * view.aspect].map(|slope| (slope.atan() + wider).min(FRAC_PI_2).sin_cos());
         let normals_in_eye = [
-            Vec3::new(1.0, 0.0, -right),
-            Vec3::new(-1.0, 0.0, -right),
-            Vec3::new(0.0, 1.0, -up),
-            Vec3::new(0.0, -1.0, -up),
+            Vec3::new(right.1, 0.0, -right.0),
+            Vec3::new(-right.1, 0.0, -right.0),
+            Vec3::new(0.0, up.1, -up.0),
+            Vec3::new(0.0, -up.1, -up.0),
             Vec3::NEG_Z,
         ];
         Self {
             eye_in_world: view.world_from_eye.translation.into(),
-            normals_in_world: normals_in_eye.map(|normal| view.world_from_eye.transform_vector3(normal.normalize())),
+            normals_in_world: normals_in_eye.map(|normal| view.world_from_eye.transform_vector3(normal)),
         }
     }
 

@@ -4,7 +4,7 @@ use glam::Vec3;
 
 use crate::frame::{DrawItem, View};
 use crate::render::light::SunBox;
-use crate::render::mesh::{LEVELS, MESHES};
+use crate::render::mesh::{LEVELS, PLACES};
 use crate::scene::MeshKind;
 
 /// A silhouette may be wrong by so much of the distance between samples.
@@ -48,6 +48,7 @@ impl Detail {
     /// The angle in radians, seen from the eye, that a mesh other than the finest may reach beyond what it shows.
     pub fn widest_error(self) -> f32 {
         match self.0 {
+            // A little more, against rounding.
             Seen::ByEye { per_unit, .. } => 1.01 / per_unit,
             Seen::Finest | Seen::BySun { .. } => 0.0,
         }
@@ -76,21 +77,6 @@ impl Detail {
         (places.0..=places.1).rev().find(|&place| LEVELS[place].flattening * wrong <= distance).unwrap_or(places.0)
     }
 }
-
-/// Where each kind's meshes are: the first and the last.
-const PLACES: [(usize, usize); MeshKind::ALL.len()] = {
-    let mut places = [(MESHES, 0); MeshKind::ALL.len()];
-    let mut place = 0;
-    while place < MESHES {
-        let of_kind = &mut places[LEVELS[place].kind as usize];
-        if of_kind.0 == MESHES {
-            of_kind.0 = place;
-        }
-        of_kind.1 = place;
-        place += 1;
-    }
-    places
-};
 
 #[cfg(test)]
 mod tests {

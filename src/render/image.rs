@@ -133,7 +133,7 @@ impl PngRoom {
         self.bytes
     }
 
-    /// As many bytes as a PNG of so many pixels seldom has more.
+    /// More bytes than a PNG of so many pixels usually has.
     fn usual_bytes(pixels: usize) -> usize {
         3 * pixels / 4 + 1024
     }
@@ -148,4 +148,27 @@ pub fn set_up_png<W: Write>(encoder: &mut png::Encoder<'_, W>, is_opaque: bool) 
     // Choosing a filter for each row takes longer, for files that are no smaller; so does Paeth's.
     encoder.set_filter(png::Filter::Sub);
     encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn memory_that_is_kept_leaves_nothing_of_one_png_in_the_next() {
+        let image = |width: u32, height: u32, opacity: u8| {
+            let pixel = |place: u32| [place as u8, (place / 7) as u8, 90, opacity];
+            Image { width, height, rgba: (0..width * height).flat_map(pixel).collect() }
+        };
+        let mut room = PngRoom::new(8, 8);
+        for image in [image(30, 20, 255), image(30, 20, 40), image(5, 3, 255), image(64, 31, 0), image(30, 20, 255)] {
+            let rows = Rows {
+                width: image.width,
+                height: image.height,
+                row_bytes: 4 * image.width as usize,
+                bytes: &image.rgba,
+            };
+            assert_eq!(rows.to_png_in(&mut room).expect("a PNG"), image.to_png().expect("a PNG"));
+        }
+    }
 }

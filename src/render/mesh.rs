@@ -3,8 +3,8 @@
 //! A vertex lies at `core * (half_extents − rounding) + normal * rounding` in shape space, so that a bevel keeps its radius and
 //! a capsule its caps whatever the size. Triangles run anticlockwise seen from outside.
 //!
-//! Where something round is cut into flat pieces, its corners are put outside the true surface by as much as the pieces' middles are
-//! inside ([`Level::fitted`]): half the error of corners on the surface, and so half as many triangles for the same error.
+//! Where something round is cut into flat pieces, their corners are put outside the true surface by as much as the middles of their edges
+//! are inside ([`Level::fitted`]): half the error of corners on the surface, and so down to half as many triangles for the same error.
 
 use std::f32::consts::{FRAC_PI_2, TAU};
 use std::ops::Range;
@@ -39,13 +39,19 @@ pub struct Level {
     /// What the radius of an instance is multiplied by. A box's rounding is made smaller, which moves its bevels outwards.
     radius: f32,
     /// How far an edge's middle lies below the true surface or its ends above, at most, as a part of the radius: how far its
-    /// silhouette is wrong. A box's few edges inside its rounded corners do not count, unless there is one triangle in each.
+    /// silhouette is wrong. A box's few edges inside its rounded corners do not count, unless there is one triangle in each, nor do
+    /// those across the four-sided pieces of a capsule's ends.
     pub flattening: f32,
 }
 
 impl Level {
     const fn new(kind: MeshKind, cut: Cut, radius: f32, flattening: f32) -> Self {
         Self { kind, cut, radius, flattening }
+    }
+
+    /// The finest mesh of a kind.
+    pub fn finest(kind: MeshKind) -> Self {
+        LEVELS[PLACES[kind as usize].0]
     }
 
     /// Half extents and rounding of an instance that shows a shape with these.
@@ -94,11 +100,25 @@ pub const LEVELS: [Level; MESHES] = [
     Level::new(MeshKind::Cone, Cut::Around(32), 1.002_4, 0.002_4),
     Level::new(MeshKind::Cone, Cut::Around(20), 1.006_2, 0.006_2),
     Level::new(MeshKind::Cone, Cut::Around(10), 1.025_1, 0.025_1),
-    Level::new(MeshKind::Capsule, Cut::Capsule(18, 3), 1.024_5, 0.024_5),
-    Level::new(MeshKind::Capsule, Cut::Capsule(12, 3), 1.033_4, 0.033_4),
-    Level::new(MeshKind::Capsule, Cut::Capsule(10, 2), 1.060_2, 0.060_2),
+    Level::new(MeshKind::Capsule, Cut::Capsule(18, 4), 1.007_7, 0.011_7),
+    Level::new(MeshKind::Capsule, Cut::Capsule(12, 3), 1.017_3, 0.017_4),
+    Level::new(MeshKind::Capsule, Cut::Capsule(10, 2), 1.025_1, 0.052_9),
     Level::new(MeshKind::Plane, Cut::Flat, 1.0, 0.0),
 ];
+/// Where each kind's meshes are in [`LEVELS`]: the first and the last.
+pub const PLACES: [(usize, usize); MeshKind::ALL.len()] = {
+    let mut places = [(MESHES, 0); MeshKind::ALL.len()];
+    let mut place = 0;
+    while place < MESHES {
+        let of_kind = &mut places[LEVELS[place].kind as usize];
+        if of_kind.0 == MESHES {
+            of_kind.0 = place;
+        }
+        of_kind.1 = place;
+        place += 1;
+    }
+    places
+};
 /// The plane's place in [`LEVELS`].
 pub const PLANE: usize = MESHES - 1;
 /// Cells along each side of a plane: large triangles interpolate badly.

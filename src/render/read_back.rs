@@ -112,9 +112,15 @@ impl ReadBack {
         if gpu.is_software {
             // A buffer that is mapped before anything was written to it is filled with zeros, which has the system hand out its pages now,
             // while the driver may be busy with what was submitted before, and not while the picture is waited for.
-            buffer.map_async(wgpu::MapMode::Read, .., |_| ());
+            let (sender, mapped) = mpsc::channel();
+            buffer.map_async(wgpu::MapMode::Read, .., move |result| {
+                let _ = sender.send(result);
+            });
             let _ = gpu.device.poll(wgpu::PollType::Poll);
-            buffer.unmap();
+            // Where that failed, it is said when the picture is read.
+            if !matches!(mapped.try_recv(), Ok(Err(_))) {
+                buffer.unmap();
+            }
         }
         buffer
     }

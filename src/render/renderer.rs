@@ -223,8 +223,8 @@ impl Renderer {
         self.draw_sun_map(&gpu.device, &mut encoder);
         let commands = encoder.finish();
         thread::scope(|scope| {
-            // On a thread of their own, which a system starts where there is nothing else to do: the driver's thread may wake up in
-            // place of this one. Where no thread can be had, they are made when they are needed.
+            // On a thread of their own, which a system starts on an idle processor: what is sent now wakes the driver's thread, which may
+            // take this one's. Where no thread can be had, they are made when they are needed.
             let make = || {
                 for kind in self.kinds_behind_lines() {
                     self.pipelines.get(&gpu.device, kind);

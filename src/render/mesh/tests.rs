@@ -7,7 +7,6 @@ use glam::{Affine3A, Vec3};
 use super::{Cut, LEVELS, Level, Mesh, PLANE, Vertex};
 use crate::frame::DrawItem;
 use crate::render::bounds::Bounds;
-use crate::render::detail::Detail;
 use crate::scene::{MeshKind, Shape};
 
 /// A shape of each kind, in [`MeshKind::ALL`]'s order.
@@ -120,7 +119,9 @@ fn levels_are_as_far_outside_what_is_round_as_inside_and_say_how_far() {
             _ => inside.max(outside),
         };
         assert!((measured - level.flattening).abs() < 2e-4, "{level:?}: measured {measured}");
-        assert!((inside - outside).abs() < 0.002, "{level:?}: measured {inside} and {outside}");
+        // A capsule's ends are cut more coarsely than it is around, where other shapes may lie close to it.
+        let slack = if level.kind == MeshKind::Capsule { 0.03 } else { 0.002 };
+        assert!((inside - outside).abs() < slack, "{level:?}: measured {inside} and {outside}");
     }
 }
 
@@ -137,6 +138,11 @@ fn is_round(shape: &Shape, a: &Vertex, b: &Vertex) -> bool {
         }
         MeshKind::Cylinder | MeshKind::Cone => {
             [a, b].iter().all(|v| v.normal[1].abs() < 0.9 && core_from_axis(v) > 0.9)
+        }
+        MeshKind::Capsule => {
+            let [[ax, ay, az], [bx, by, bz]] = [a.normal, b.normal];
+            // Around it, or from pole to pole.
+            (ay - by).abs() < 1e-4 || (ax * bz - az * bx).abs() < 1e-4
         }
         _ => true,
     }
@@ -180,7 +186,7 @@ fn an_items_box_holds_its_finest_mesh() {
         };
         let [x, y, z] = Bounds::of(&item).half_edges_in_world;
         let half = Vec3::new(x.x, y.y, z.z);
-        let (_, _, places) = corners(LEVELS[Detail::FINEST.mesh(&item)]);
+        let (_, _, places) = corners(Level::finest(item.mesh));
         for place in places {
             assert!(place.abs().cmple(half + 1e-6).all(), "{:?}: {place} outside {half}", shape.mesh());
         }
