@@ -55,8 +55,8 @@ pub fn matrices(level: Level, transforms: &[RbtBlock], into: &mut [MatrixBlock])
 }
 
 /// Puts nodes that follow each other, the first at `place`, below their parents: `world_from_parent · parent_from_node`, the second
-/// from the transform `first` of the matrices on. A parent that is in no place is the world. Finite matrices
-/// become what glam's product is, but for the sign of zeros.
+/// from the transform `first` of the matrices on. A parent that is in no place is the world. Finite matrices become what glam's
+/// product is, but for the sign of zeros.
 pub fn place_below(
     level: Level,
     matrices: &[MatrixBlock],

@@ -89,8 +89,8 @@ impl<'a> PlayRange<'a> {
     }
 
     /// The pose at a key time in [0, n − 1], within 3e-7 radians of [`crate::interpolation::linear_rbt`] and 5e-7 of
-    /// [`crate::interpolation::bezier_rbt`] in exact arithmetic (on old processors 3.5e-7: [`crate::blend`]); at whole key times the keyframe itself, to the
-    /// bit.
+    /// [`crate::interpolation::bezier_rbt`] in exact arithmetic (on old processors 3.5e-7: [`crate::blend`]); at whole key times the
+    /// keyframe itself, to the bit.
     ///
     /// # Errors
     /// [`SampleError::OutOfRange`] outside of that.

@@ -1,5 +1,7 @@
 //! The renderer: a frame into any texture view.
 
+mod outline;
+
 use std::ops::Range;
 use std::{mem, thread};
 
@@ -336,47 +338,6 @@ impl Renderer {
         }
     }
 
-    /// The outline around all outlined shapes as one, inside a rectangle in pixels from the viewport's corner.
-    fn draw_outline(
-        &mut self,
-        gpu: &Gpu,
-        encoder: &mut wgpu::CommandEncoder,
-        target: &wgpu::TextureView,
-        viewport: Viewport,
-        [x, y, width, height]: [u32; 4],
-    ) {
-        let device = &gpu.device;
-        let Some(targets) = &mut self.targets else { return };
-        targets.mask(device, &self.pipelines);
-        let Some(Targets { depth, mask: Some(mask), .. }) = &self.targets else { return };
-        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            label: Some("mask"),
-            color_attachments: &[colour_attachment(&mask.view, wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT))],
-            depth_stencil_attachment: Some(depth_attachment(depth, wgpu::LoadOp::Load, wgpu::StoreOp::Store)),
-            ..Default::default()
-        });
-        set_viewport(&mut pass, viewport);
-        self.bind_instances(&mut pass);
-        for kind in [Kind::MaskAll, Kind::MaskVisible] {
-            pass.set_pipeline(self.pipelines.get(device, kind));
-            for (mesh, instances) in geometry().places.iter().zip(&self.uploaded.outlined) {
-                draw_mesh(&mut pass, mesh, instances);
-            }
-        }
-        drop(pass);
-        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            label: Some("outline"),
-            color_attachments: &[colour_attachment(target, wgpu::LoadOp::Load)],
-            ..Default::default()
-        });
-        set_viewport(&mut pass, viewport);
-        pass.set_scissor_rect(viewport.x + x, viewport.y + y, width, height);
-        pass.set_pipeline(self.pipelines.get(device, Kind::Outline));
-        pass.set_bind_group(0, &self.globals, &[]);
-        pass.set_bind_group(1, &mask.bind_group, &[]);
-        pass.draw(0..3, 0..1);
-    }
-
     fn bind_instances(&self, pass: &mut wgpu::RenderPass<'_>) {
         pass.set_bind_group(0, &self.globals, &[]);
         pass.set_vertex_buffer(0, self.vertices.slice(..));
@@ -432,15 +393,6 @@ fn depth_attachment(
         depth_ops: Some(wgpu::Operations { load, store }),
         stencil_ops: None,
     }
-}
-
-#[expect(clippy::unnecessary_wraps, reason = "a pass takes it so")]
-fn colour_attachment(
-    view: &wgpu::TextureView,
-    load: wgpu::LoadOp<wgpu::Color>,
-) -> Option<wgpu::RenderPassColorAttachment<'_>> {
-    let ops = wgpu::Operations { load, store: wgpu::StoreOp::Store };
-    Some(wgpu::RenderPassColorAttachment { view, depth_slice: None, resolve_target: None, ops })
 }
 
 fn filled_buffer(device: &wgpu::Device, bytes: &[u8], usage: wgpu::BufferUsages) -> wgpu::Buffer {
