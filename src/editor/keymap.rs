@@ -171,6 +171,8 @@ pub struct Binding {
     pub chords: Vec<Chord>,
     /// What it does.
     pub command: Command,
+    /// Its stable id in kebab-case, as in `keyframe-new`: what settings and scripts call it.
+    pub id: &'static str,
     /// Its name in menus and lists, as in "New keyframe".
     pub name: &'static str,
     /// What it does, in a sentence for the help.
