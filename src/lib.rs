@@ -26,7 +26,7 @@
 //!
 //! | level | modules | may name |
 //! |---|---|---|
-//! | 0 | [`rbt`], [`interpolation`], [`json`] | glam |
+//! | 0 | [`rbt`], [`interpolation`], [`json`], [`colour`] | glam |
 //! | 1 | [`timed`], [`pose`], [`blend`], [`scene`], [`camera`] | serde, in file formats |
 //! | 2 | [`keyframe`], [`clock`], [`settings`], [`text_layouts`] | serde, in file formats; `Duration`, never `Instant` |
 //! | 3 | [`editor`], [`diagnosis`], [`difference`] | no wgpu, egui, winit, file system |
@@ -75,6 +75,7 @@ pub mod blend;
 pub mod camera;
 pub mod cli;
 pub mod clock;
+pub mod colour;
 pub mod compare;
 pub mod diagnosis;
 pub mod difference;

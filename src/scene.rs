@@ -20,5 +20,5 @@ pub use file::{SceneError, scene_from_json};
 pub use graph::{Node, NodeId, NodeKind, SceneGraph};
 pub use keys::{Channel, KeyValue, moved_seconds};
 pub use pick::{Pick, Ray};
-pub use shape::{Colour, MeshKind, PlacedShape, Placement, Shape};
+pub use shape::{MeshKind, PlacedShape, Placement, Shape};
 pub use write::scene_to_json;

@@ -1,11 +1,11 @@
 //! Scene files: what is written reads back to the same scene and the same bytes, and keyframe files fit scenes with more control nodes.
 
 use glam::{Quat, Vec3};
+use inbetween::colour::Colour;
 use inbetween::interpolation::Interpolation;
 use inbetween::keyframe::{keyframes_from_json, keyframes_to_json};
 use inbetween::scene::{
-    Channel, Colour, KeyValue, SceneError, SceneGraph, built_in_scene, built_in_scene_names, scene_from_json,
-    scene_to_json,
+    Channel, KeyValue, SceneError, SceneGraph, built_in_scene, built_in_scene_names, scene_from_json, scene_to_json,
 };
 use proptest::prelude::*;
 

@@ -7,12 +7,13 @@ use std::sync::Arc;
 
 use common::{apply, editor, editor_with, press};
 use glam::{Quat, Vec3};
+use inbetween::colour::Colour;
 use inbetween::editor::{
     Command, Edit, Editor, Effect, FileCommand, GestureCommand, KeyAt, PlaybackCommand, SceneEdit, TimelineEdit,
     ViewCommand,
 };
 use inbetween::keyframe::{KeyframeIndex, keyframes_to_json};
-use inbetween::scene::{Channel, Colour, KeyValue, built_in_scene, scene_from_json, scene_to_json};
+use inbetween::scene::{Channel, KeyValue, built_in_scene, scene_from_json, scene_to_json};
 
 /// The cylinder, whose control node has keys of its translation at 0, 2 and 4 s, of its rotation at 0, 2, 3 and 4, of its scale at 0, 2, 4.
 fn cylinder() -> Editor {

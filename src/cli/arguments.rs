@@ -5,12 +5,12 @@ use std::path::PathBuf;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, ValueEnum};
 
+use crate::colour::Colour;
 use crate::compare::DEFAULT_TOLERANCE;
 use crate::export::{Size, Span};
 use crate::film::Grid;
 use crate::interpolation::Interpolation;
 use crate::render::Background;
-use crate::scene::Colour;
 use crate::text_layouts::{FieldOrder, Layout};
 
 /// The keyframe file where none is named.

@@ -1,6 +1,8 @@
 //! The colour spaces of FLIP: sRGB, linear light, CIE XYZ, YCxCz (linear, in which the eye's blur is applied) and CIELAB
 //! with the Hunt effect (uniform, in which colours are compared). Matrices and the white D65 as in FLIP's published sources.
 
+use crate::colour::linear_from_srgb;
+
 /// XYZ of linear light (1, 1, 1).
 const WHITE: [f32; 3] = [0.950_428_55, 1.0, 1.088_900_4];
 
@@ -25,7 +27,7 @@ pub fn linear_from_srgb_levels() -> [f32; 256] {
     std::array::from_fn(|level| {
         #[expect(clippy::cast_precision_loss, reason = "levels are below 256")]
         let channel = level as f32 / 255.0;
-        if channel <= 0.040_45 { channel / 12.92 } else { ((channel + 0.055) / 1.055).powf(2.4) }
+        linear_from_srgb(channel)
     })
 }
 

@@ -7,9 +7,10 @@ use super::{
     Animation, Drawing, ExportError, Moments, Painter, Size, Source, Span, Stage, Target, View, Watch, find_ffmpeg,
     write_film, write_folder,
 };
+use crate::colour::Colour;
 use crate::editor::{Editor, ExportBackground, ExportEnd, ExportOptions};
 use crate::render::{Background, Gpu};
-use crate::scene::{Colour, SceneGraph};
+use crate::scene::SceneGraph;
 
 /// All that an export needs: what it was when it was asked for, whatever becomes of the document meanwhile.
 #[derive(Clone, Debug)]
@@ -73,11 +74,7 @@ impl Job {
         let mut painter = Painter::on(Gpu::headless()?, size, *samples)?;
         painter.set_background(match background {
             ExportBackground::Sky => Background::Sky,
-            ExportBackground::Colour([red, green, blue]) => Background::Colour(
-                Colour::from_hex(&format!("#{red:02x}{green:02x}{blue:02x}"))
-                    .expect("the colour is of the form #rrggbb")
-                    .to_linear(),
-            ),
+            ExportBackground::Colour(bytes) => Background::Colour(Colour::from_bytes(*bytes).to_linear()),
             ExportBackground::Transparent => Background::Transparent,
         });
         let stage = Stage::new(source, view, *ghosts, painter.size_px());

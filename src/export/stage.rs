@@ -4,17 +4,18 @@ use glam::{Mat3, Quat, Vec2, Vec3};
 
 use super::{ExportError, Moment, Shown, Source};
 use crate::camera::Camera;
+use crate::colour::Colour;
 use crate::frame::{DrawItem, Frame, Ghost};
 use crate::keyframe::{KeyframeIndex, PlayRange};
 use crate::pose::{Pose, RbtIndex};
 use crate::rbt::Rbt;
-use crate::scene::{Colour, MeshKind, SceneGraph};
+use crate::scene::{MeshKind, SceneGraph};
 
 /// How far the turntable's camera looks down, in degrees.
 const TURNTABLE_DOWN: f32 = 12.0;
 /// Ghosts of keyframes before and after.
-const BEFORE: &str = "#e08a4b";
-const AFTER: &str = "#4ba3d9";
+const BEFORE: Colour = Colour::EARLIER;
+const AFTER: Colour = Colour::LATER;
 /// Opacity of the nearest ghost.
 const GHOST_OPACITY: f32 = 0.42;
 
@@ -157,7 +158,7 @@ impl<'a> Stage<'a> {
                 let Some(place) = place.filter(|&place| place > 0 && place < last) else { continue };
                 let Some(keyframe) = animation.keyframes.get(KeyframeIndex::new(place)) else { continue };
                 let other = Frame::new(scene, &keyframe.pose, moment.seconds, camera, None);
-                let tint = Colour::from_hex(tint).expect("the tints are of the form #rrggbb").to_linear();
+                let tint = tint.to_linear();
                 let moved = other.items.into_iter().zip(&frame.items).filter(|(ghost, item)| {
                     item.mesh != MeshKind::Plane && !ghost.world_from_shape.abs_diff_eq(item.world_from_shape, 1e-5)
                 });

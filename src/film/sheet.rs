@@ -1,14 +1,21 @@
 //! Contact sheets: pictures side by side in rows, each with a caption.
 
 use super::letters::{HEIGHT, text_width, write_text};
+use crate::colour::Colour;
 use crate::render::Image;
 
 /// Pixels between pictures and around them.
 const GAP: u32 = 4;
 /// What is between them.
-const GAP_COLOUR: [u8; 4] = [0x1b, 0x1d, 0x21, 0xff];
+const GAP_COLOUR: [u8; 4] = opaque(Colour::BACKDROP);
 /// Captions.
-const TEXT_COLOUR: [u8; 4] = [0xd7, 0xda, 0xe0, 0xff];
+const TEXT_COLOUR: [u8; 4] = opaque(Colour::TEXT);
+
+const fn opaque(colour: Colour) -> [u8; 4] {
+    let [red, green, blue] = colour.to_bytes();
+    [red, green, blue, 0xff]
+}
+
 /// From this width of a picture on, in pixels, letters are twice as large.
 const WIDE: u32 = 240;
 

@@ -1,13 +1,16 @@
 //! What is drawn over a scene for whoever animates it: the path of the chosen node, and how it would move otherwise.
 
+use std::sync::LazyLock;
+
 use glam::Vec3;
 
 use super::build::draw_item;
 use super::{Dot, Frame, Ghost, Line};
+use crate::colour::Colour;
 use crate::editor::{Editor, PathDot};
 use crate::keyframe::{Blend, KeyframeIndex, PlayRange};
 use crate::pose::RbtIndex;
-use crate::scene::{Colour, NodeKind};
+use crate::scene::NodeKind;
 
 /// Pieces of the path between two keyframes, where the list is not too long for it.
 const PIECES_PER_INTERVAL: usize = 32;
@@ -20,17 +23,23 @@ const CURRENT_DOT_PX: f32 = 11.0;
 const MARK_PX: f32 = 21.0;
 const GHOST_OPACITY: f32 = 0.38;
 
-const PATH: &str = "#f6f1e4";
-const CURRENT: &str = "#f2a33a";
-const OTHER_INTERPOLATION: &str = "#5aa9e6";
-const NLERP: &str = "#63c08a";
-const MATRICES: &str = "#e5645a";
-const EARLIER: &str = "#e08a4b";
-const LATER: &str = "#4ba3d9";
-
-fn linear(hex: &str) -> Vec3 {
-    Colour::from_hex(hex).expect("the overlay colours are of the form #rrggbb").to_linear()
+/// Named colours in linear light, each worked out once.
+struct Palette {
+    path: Vec3,
+    current: Vec3,
+    earlier: Vec3,
+    later: Vec3,
+    /// In the order of [`Blend::others`].
+    blends: [Vec3; 3],
 }
+
+static PALETTE: LazyLock<Palette> = LazyLock::new(|| Palette {
+    path: Colour::PATH.to_linear(),
+    current: Colour::ACCENT.to_linear(),
+    earlier: Colour::EARLIER.to_linear(),
+    later: Colour::LATER.to_linear(),
+    blends: [Colour::BLUE, Colour::GREEN, Colour::RED].map(Colour::to_linear),
+});
 
 /// Adds the path that the chosen node takes through its keyframes: a line with a dot at each, the pieces that only steer fainter.
 /// The eye has no path: it would end at itself.
@@ -50,7 +59,7 @@ pub(super) fn add_path(frame: &mut Frame, editor: &Editor) {
     };
     let played = PlayRange::new(keyframes).ok();
     let pieces = (MOST_PIECES / count).clamp(1, PIECES_PER_INTERVAL);
-    let colour = linear(PATH);
+    let colour = PALETTE.path;
     let mut line = |from_in_world: Vec3, to_in_world: Vec3, opacity: f32| {
         frame.lines.push(Line { from_in_world, to_in_world, colour: colour.extend(opacity), width_px: PATH_WIDTH_PX });
     };
@@ -78,7 +87,7 @@ pub(super) fn add_path(frame: &mut Frame, editor: &Editor) {
     for place in 0..count {
         let is_current = keyframes.current() == Some(KeyframeIndex::new(place));
         let steers = played.is_some() && (place == 0 || place + 1 == count);
-        let colour = if is_current { linear(CURRENT) } else { colour };
+        let colour = if is_current { PALETTE.current } else { colour };
         frame.dots.push(Dot {
             centre_in_world: at_keyframe(place),
             colour: colour.extend(if steers && !is_current { 0.5 } else { 1.0 }),
@@ -91,7 +100,7 @@ pub(super) fn add_path(frame: &mut Frame, editor: &Editor) {
 pub(super) fn add_mark(frame: &mut Frame, dot: PathDot) {
     let mark = |opacity: f32, diameter_px: f32| Dot {
         centre_in_world: dot.centre_in_world,
-        colour: linear(CURRENT).extend(opacity),
+        colour: PALETTE.current.extend(opacity),
         diameter_px,
     };
     frame.dots.extend([mark(0.4, MARK_PX), mark(1.0, CURRENT_DOT_PX)]);
@@ -104,7 +113,8 @@ pub(super) fn add_ghosts(frame: &mut Frame, editor: &Editor) {
     let scene = editor.scene();
     let shown = scene.world_from_nodes(&editor.displayed_pose(), editor.seconds());
     for away in (1..=usize::from(editor.session().ghosts)).rev() {
-        let neighbours = [(current.get().checked_sub(away), EARLIER), (current.get().checked_add(away), LATER)];
+        let neighbours =
+            [(current.get().checked_sub(away), PALETTE.earlier), (current.get().checked_add(away), PALETTE.later)];
         for (place, tint) in neighbours {
             let Some(keyframe) = place.and_then(|place| editor.document().keyframes.as_slice().get(place)) else {
                 continue;
@@ -116,7 +126,7 @@ pub(super) fn add_ghosts(frame: &mut Frame, editor: &Editor) {
                     continue;
                 }
                 let mut item = draw_item(placed, world_from_node[id.get()].get(), editor.seconds(), id.get(), false);
-                item.colour = linear(tint);
+                item.colour = tint;
                 #[expect(clippy::cast_precision_loss, reason = "there are at most 3")]
                 let opacity = GHOST_OPACITY / away as f32;
                 frame.ghosts.push(Ghost { item, opacity });
@@ -134,8 +144,7 @@ pub(super) fn add_comparison(frame: &mut Frame, editor: &Editor) {
     let Ok(range) = PlayRange::new(&editor.document().keyframes) else { return };
     let scene = editor.scene();
     let robot = outermost_rbt(editor, chosen);
-    let tints = [OTHER_INTERPOLATION, NLERP, MATRICES].map(linear);
-    for (blend, tint) in Blend::others(editor.document().interpolation).into_iter().zip(tints) {
+    for (blend, tint) in Blend::others(editor.document().interpolation).into_iter().zip(PALETTE.blends) {
         let world_from_node =
             scene.world_from_nodes_with(editor.seconds(), |rbt| range.blended_at(key_time, blend, rbt));
         for place in scene.subtree(scene.rbt_node(robot)) {

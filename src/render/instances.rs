@@ -183,7 +183,7 @@ impl Instances<'_> {
 
 /// The ball's outline and three great circles, their far halves fainter.
 fn arcball(mark: &ArcballMark, view: &View, mut push: impl FnMut(Stroke)) {
-    let colour = look::linear(look::ARCBALL);
+    let colour = look::PALETTE.arcball;
     let from_eye = mark.centre_in_world - Vec3::from(view.world_from_eye.translation);
     let distance = from_eye.length();
     let mut circle = |centre: Vec3, u: Vec3, v: Vec3, is_outline: bool| {

@@ -8,6 +8,7 @@ use std::{mem, thread};
 use bytemuck::cast_slice;
 use glam::Vec3;
 
+use crate::colour::srgb_from_linear;
 use crate::frame::Frame;
 use crate::render::arrange::{Arranged, Arrangement};
 use crate::render::bounds::{Bounds, rectangle_px};
@@ -347,12 +348,11 @@ impl Renderer {
 
     fn clear_colour(&self) -> wgpu::Color {
         let colour = match self.background {
-            Background::Sky => look::linear(look::SURROUND),
+            Background::Sky => look::PALETTE.surround,
             Background::Colour(colour) => colour,
             Background::Transparent => return wgpu::Color::TRANSPARENT,
         };
-        let encode =
-            |channel: f32| f64::from(if self.format.is_srgb() { channel } else { look::srgb_from_linear(channel) });
+        let encode = |channel: f32| f64::from(if self.format.is_srgb() { channel } else { srgb_from_linear(channel) });
         wgpu::Color { r: encode(colour.x), g: encode(colour.y), b: encode(colour.z), a: 1.0 }
     }
 }

@@ -58,9 +58,9 @@ impl Globals {
             ray_right_in_world: ray(Vec3::X * right_step, width),
             ray_down_in_world: ray(Vec3::Y * down_step, height),
             towards_sun_in_world: towards_sun_in_world().extend(sun.map_or(0.0, |sun| sun.texel)),
-            horizon: look::linear(look::HORIZON).extend(look::OUTLINE_PX),
-            zenith: look::linear(look::ZENITH).extend(ground_height(frame)),
-            accent: look::linear(look::ACCENT).extend(0.0),
+            horizon: look::PALETTE.horizon.extend(look::OUTLINE_PX),
+            zenith: look::PALETTE.zenith.extend(ground_height(frame)),
+            accent: look::PALETTE.accent.extend(0.0),
         }
     }
 }

@@ -7,7 +7,8 @@ use thiserror::Error;
 use super::builder::SceneBuilder;
 use super::graph::SceneGraph;
 use super::place::Place;
-use super::shape::{Colour, PlacedShape, Placement, Shape};
+use super::shape::{PlacedShape, Placement, Shape};
+use crate::colour::Colour;
 use crate::rbt::Rbt;
 use crate::timed::{Interpolate, KeyError, Keyframes, TransformKeyframes, rotation_from_euler_degrees};
 

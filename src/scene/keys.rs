@@ -7,7 +7,7 @@ use glam::{Quat, Vec3};
 use super::file::SceneError;
 use super::graph::{NodeId, NodeKind, SceneGraph};
 use super::place::Place;
-use super::shape::Colour;
+use crate::colour::Colour;
 use crate::timed::{Interpolate, KeyError, Keyframes, TransformKeyframes};
 
 /// The latest time of a key that is made here, and the earliest below zero, in seconds: about eleven days.

@@ -2,6 +2,7 @@
 
 use glam::{Affine3A, Quat, Vec3};
 
+use crate::colour::Colour;
 use crate::timed::Keyframes;
 
 /// A solid in its own shape space: centred at the origin, its axis along Y. Lengths in scene units, all positive.
@@ -107,68 +108,6 @@ impl Shape {
     }
 }
 
-/// A colour as files and people write it: red, green and blue in sRGB, each from 0 to 1.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Colour(pub Vec3);
-
-impl Colour {
-    /// The colour of a shape that is given none: a light grey.
-    pub const DEFAULT: Self = Self(Vec3::splat(0.7));
-
-    /// Linear-light red, green and blue, 0 to 1 (IEC 61966-2-1).
-    #[must_use]
-    pub fn to_linear(self) -> Vec3 {
-        let channel = |c: f32| if c <= 0.040_45 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) };
-        Vec3::new(channel(self.0.x), channel(self.0.y), channel(self.0.z))
-    }
-
-    /// The colour of linear-light red, green and blue that `#rrggbb` can say, nearest to these.
-    #[must_use]
-    pub fn nearest_to_linear(linear: Vec3) -> Self {
-        let channel = |c: f32| if c <= 0.003_130_8 { c * 12.92 } else { 1.055 * c.powf(1.0 / 2.4) - 0.055 };
-        Self::nearest(Vec3::new(channel(linear.x), channel(linear.y), channel(linear.z)))
-    }
-
-    /// The colour that `#rrggbb` can say, nearest to red, green and blue in sRGB.
-    #[must_use]
-    pub fn nearest(srgb: Vec3) -> Self {
-        let [r, g, b] = Self(srgb).to_bytes();
-        Self::from_bytes([r, g, b])
-    }
-
-    /// Red, green and blue in sRGB, each 0 to 255.
-    #[must_use]
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it is rounded, from 0 to 255")]
-    pub fn to_bytes(self) -> [u8; 3] {
-        self.0.to_array().map(|channel| (channel.clamp(0.0, 1.0) * 255.0).round() as u8)
-    }
-
-    /// The colour of red, green and blue in sRGB, each 0 to 255.
-    #[must_use]
-    pub fn from_bytes(bytes: [u8; 3]) -> Self {
-        Self(Vec3::from(bytes.map(|channel| f32::from(channel) / 255.0)))
-    }
-
-    /// It as `#rrggbb`.
-    #[must_use]
-    pub fn to_hex(self) -> String {
-        let [r, g, b] = self.to_bytes();
-        format!("#{r:02x}{g:02x}{b:02x}")
-    }
-
-    /// The colour that `#rrggbb` means.
-    #[must_use]
-    pub fn from_hex(text: &str) -> Option<Self> {
-        let digits = text.strip_prefix('#')?;
-        if digits.len() != 6 || !digits.bytes().all(|b| b.is_ascii_hexdigit()) {
-            return None;
-        }
-        let value = u32::from_str_radix(digits, 16).ok()?;
-        let channel = |shift: u32| f32::from(u8::try_from((value >> shift) & 0xff).unwrap_or(0)) / 255.0;
-        Some(Self(Vec3::new(channel(16), channel(8), channel(0))))
-    }
-}
-
 /// Where a shape is under the node that carries it: first scaled, then turned, then moved.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Placement {
@@ -224,19 +163,5 @@ impl PlacedShape {
     #[must_use]
     pub fn colour_at(&self, seconds: f64) -> Vec3 {
         self.colour_keys.as_ref().map_or_else(|| self.colour.to_linear(), |keys| keys.value_at(seconds))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_level_of_a_colour_survives_linear_light() {
-        for level in 0..=255 {
-            let colour = Colour::from_bytes([level, 255 - level, level / 2]);
-            assert_eq!(Colour::nearest_to_linear(colour.to_linear()), colour, "level {level}");
-            assert_eq!(Colour::from_hex(&colour.to_hex()), Some(colour));
-        }
     }
 }

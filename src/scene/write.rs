@@ -4,7 +4,8 @@ use glam::{Quat, Vec3};
 
 use super::file::FORMAT;
 use super::graph::{NodeId, NodeKind, SceneGraph};
-use super::shape::{Colour, PlacedShape, Shape};
+use super::shape::{PlacedShape, Shape};
+use crate::colour::Colour;
 use crate::json::{push_f32, push_f32s, push_f64};
 use crate::timed::{Keyframes, TransformKeyframes};
 

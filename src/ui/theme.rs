@@ -1,6 +1,8 @@
 //! Colours and measures: every one that a widget uses, by name, for dark and for light.
 
 use egui::epaint::Shadow;
+
+use crate::colour::Colour;
 use egui::style::{Selection, WidgetVisuals};
 use egui::{
     Color32, Context, CornerRadius, FontFamily, FontId, Margin, Stroke, Style, TextStyle, Theme, Ui, Visuals, vec2,
@@ -26,6 +28,12 @@ pub const TEXT: f32 = 13.0;
 pub const SMALL: f32 = 11.0;
 /// Radius of corners, in points.
 pub const CORNER: u8 = 4;
+
+/// A named colour, opaque.
+const fn shown(colour: Colour) -> Color32 {
+    let [red, green, blue] = colour.to_bytes();
+    Color32::from_rgb(red, green, blue)
+}
 
 /// What each colour is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -65,23 +73,19 @@ pub struct Tokens {
 impl Tokens {
     /// For a dark system.
     pub const DARK: Self = Self {
-        window: Color32::from_rgb(0x1b, 0x1d, 0x21),
+        window: shown(Colour::BACKDROP),
         panel: Color32::from_rgb(0x22, 0x25, 0x2a),
         raised: Color32::from_rgb(0x2c, 0x30, 0x37),
         hovered: Color32::from_rgb(0x37, 0x3c, 0x45),
         line: Color32::from_rgb(0x32, 0x36, 0x3d),
         strong_line: Color32::from_rgb(0x4a, 0x50, 0x5b),
-        text: Color32::from_rgb(0xd7, 0xda, 0xe0),
+        text: shown(Colour::TEXT),
         dim: Color32::from_rgb(0x8b, 0x91, 0x9c),
-        accent: Color32::from_rgb(0xf2, 0xa3, 0x3a),
+        accent: shown(Colour::ACCENT),
         accent_fill: Color32::from_rgb(0x48, 0x38, 0x21),
-        information: Color32::from_rgb(0x5a, 0xa9, 0xe6),
+        information: shown(Colour::BLUE),
         error: Color32::from_rgb(0xe9, 0x73, 0x6a),
-        axes: [
-            Color32::from_rgb(0xe9, 0x73, 0x6a),
-            Color32::from_rgb(0x7f, 0xc4, 0x6b),
-            Color32::from_rgb(0x5a, 0xa9, 0xe6),
-        ],
+        axes: [Color32::from_rgb(0xe9, 0x73, 0x6a), Color32::from_rgb(0x7f, 0xc4, 0x6b), shown(Colour::BLUE)],
         over_scene: Color32::from_rgba_premultiplied(0x17, 0x19, 0x1c, 0xd8),
         shade: Color32::from_black_alpha(0x78),
     };

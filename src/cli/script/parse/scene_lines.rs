@@ -7,8 +7,9 @@ use glam::{Quat, Vec3};
 
 use super::forms::{Form, Rest, form, with_path};
 use super::{Action, LineProblem, Parser};
+use crate::colour::Colour;
 use crate::editor::{Command, Edit, FileCommand, KeyAt, SceneEdit, ViewCommand};
-use crate::scene::{Channel, Colour, KeyValue};
+use crate::scene::{Channel, KeyValue};
 use crate::timed::rotation_from_euler_degrees;
 
 type Parsed<T> = Result<T, LineProblem>;
