@@ -39,7 +39,6 @@ pub use playback::PlayMode;
 pub use playing::SPEED_PERCENT_RANGE;
 pub use said::Said;
 pub use scene_edits::{KeyAt, SceneEdit, Track};
-pub use view::MOST_GHOSTS;
 
 use crate::keyframe::KeyframeIndex;
 use crate::pose::{Pose, RbtIndex};
@@ -111,7 +110,7 @@ pub struct Session {
     pub speed_percent: u32,
     /// Whether the end of each drag updates the current keyframe.
     pub auto_keys: bool,
-    /// How many neighbouring keyframes on each side are shown as ghosts: 0 to 3.
+    /// How many neighbouring keyframes on each side are shown as ghosts: 0 to [`crate::frame::MOST_GHOSTS`].
     pub ghosts: u8,
     /// Whether the help is shown.
     pub shows_help: bool,

@@ -1,14 +1,15 @@
 //! The seam between CPU and GPU: one picture as plain data.
 //!
-//! A [`Frame`] says all that the renderer needs and nothing of where it came from: camera matrices, shapes in world space,
-//! ghosts, lines, dots, the arcball. Tests of scenes stop here; only tests of pixels need an adapter.
-
-mod build;
-mod overlays;
+//! A [`Frame`] is all that the renderer needs and knows nothing of where it came from: camera matrices, shapes in world space,
+//! ghosts, lines, dots, the arcball. [`crate::view`] makes frames. Tests of scenes stop here; only tests of pixels need an adapter.
 
 use glam::{Affine3A, Mat4, Vec3, Vec4};
 
+use crate::camera::Camera;
 use crate::scene::MeshKind;
+
+/// The most keyframes on each side whose ghosts are shown, in the window and in films.
+pub const MOST_GHOSTS: u8 = 20;
 
 /// Camera matrices of one picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,6 +24,20 @@ pub struct View {
     pub vertical_fov: f32,
     /// Width over height of the picture.
     pub aspect: f32,
+}
+
+impl View {
+    /// The matrices of a camera.
+    #[must_use]
+    pub fn new(camera: &Camera) -> Self {
+        Self {
+            eye_from_world: camera.eye_from_world(),
+            world_from_eye: camera.world_from_eye.to_affine(),
+            clip_from_eye: camera.clip_from_eye(),
+            vertical_fov: camera.vertical_fov,
+            aspect: camera.size_px.x / camera.size_px.y,
+        }
+    }
 }
 
 /// One shape, ready to be drawn.
@@ -101,4 +116,16 @@ pub struct Frame {
     pub dots: Vec<Dot>,
     /// The arcball, where it is shown.
     pub arcball: Option<ArcballMark>,
+}
+
+impl Frame {
+    /// Makes lines and dots wider by a factor: from widths in points to pixels of a dense screen.
+    pub fn scale_strokes(&mut self, factor: f32) {
+        for line in &mut self.lines {
+            line.width_px *= factor;
+        }
+        for dot in &mut self.dots {
+            dot.diameter_px *= factor;
+        }
+    }
 }

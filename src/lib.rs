@@ -8,7 +8,7 @@
 //! script lines ─ cli::script ──┘                    │               └► the shell performs: read, write, quit
 //! wall time ─ AnimationClock ─► n ticks ─► Editor::tick(n)
 //!                                                   ▼ (shared borrow from here on)
-//!                       Editor::displayed_pose() ─► Pose ─► Frame::of_editor
+//!                       Editor::displayed_pose() ─► Pose ─► view::frame_of_editor
 //!                                                                 ▼
 //!                                       Renderer::encode(&Frame, &TextureView)
 //!                                           ▲ the window's next picture ▲ an offscreen texture
@@ -28,9 +28,9 @@
 //! |---|---|---|
 //! | 0 | [`rbt`], [`interpolation`], [`json`], [`colour`] | glam |
 //! | 1 | [`timed`], [`pose`], [`blend`], [`scene`], [`camera`] | serde, in file formats |
-//! | 2 | [`keyframe`], [`clock`], [`settings`], [`text_layouts`] | serde, in file formats; `Duration`, never `Instant` |
+//! | 2 | [`keyframe`], [`clock`], [`settings`], [`text_layouts`], [`frame`] | serde, in file formats; `Duration`, never `Instant` |
 //! | 3 | [`editor`], [`diagnosis`], [`difference`] | no wgpu, egui, winit, file system |
-//! | 4 | [`frame`] | |
+//! | 4 | [`view`] | |
 //! | 5 | [`render`], [`ui`] | wgpu; egui |
 //! | 6 | [`compare`], [`film`] | pictures in, numbers and bytes out |
 //! | 6 | [`storage`] | the file system |
@@ -95,4 +95,5 @@ pub mod storage;
 pub mod text_layouts;
 pub mod timed;
 pub mod ui;
+pub mod view;
 pub mod window;

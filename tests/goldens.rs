@@ -9,12 +9,12 @@ use std::path::{Path, PathBuf};
 use glam::{Quat, Vec2, Vec3};
 use inbetween::camera::Camera;
 use inbetween::compare::{DEFAULT_TOLERANCE, compare};
-use inbetween::frame::Frame;
 use inbetween::interpolation::Interpolation;
 use inbetween::keyframe::{Keyframe, KeyframeList, PlayRange};
 use inbetween::pose::Pose;
 use inbetween::render::{Gpu, Image, Offscreen, Renderer};
 use inbetween::scene::{SceneGraph, built_in_scene};
+use inbetween::view::frame_of_scene;
 
 const WIDTH: u16 = 320;
 const HEIGHT: u16 = 240;
@@ -28,7 +28,7 @@ fn draw(scene: &SceneGraph, pose: &Pose, seconds: f64) -> Image {
         vertical_fov: scene.vertical_fov(),
         size_px: Vec2::new(WIDTH.into(), HEIGHT.into()),
     };
-    let frame = Frame::new(scene, pose, seconds, &camera, None);
+    let frame = frame_of_scene(scene, pose, seconds, &camera, None);
     offscreen.render(&gpu, &mut renderer, &frame).expect("a picture")
 }
 

@@ -6,8 +6,8 @@ use common::{apply, editor_with, press, shown};
 use glam::{Quat, Vec2, Vec3};
 use inbetween::camera::Camera;
 use inbetween::editor::{Command, Edit, Editor, PathDot, PlaybackCommand, ViewCommand};
-use inbetween::frame::Frame;
 use inbetween::keyframe::{KeyframeIndex, keyframes_to_json};
+use inbetween::view::{frame_of_editor, mark_dot};
 use inbetween::window::path::{PathDrag, REACH};
 
 const SIZE: Vec2 = Vec2::new(1020.0, 580.0);
@@ -156,9 +156,9 @@ fn a_scrubbed_pose_stays_on_screen_while_a_dot_moves() {
 #[test]
 fn what_a_press_would_take_is_marked() {
     let editor = editor("robot1", 5);
-    let plain = Frame::of_editor(&editor, SIZE);
+    let plain = frame_of_editor(&editor, SIZE);
     let mut marked = plain.clone();
-    marked.mark_dot(dot(&editor, 1));
+    mark_dot(&mut marked, dot(&editor, 1));
     let added = &marked.dots[plain.dots.len()..];
     assert!(!added.is_empty());
     let centre = dot(&editor, 1).centre_in_world;

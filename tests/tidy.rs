@@ -118,11 +118,12 @@ const ROOMS: &[(&str, u8, &[&str])] = &[
     ("keyframe", 2, &[]),
     ("clock", 2, &[]),
     ("settings", 2, &[]),
+    ("frame", 2, &[]),
     ("text_layouts", 2, &["keyframe"]),
     ("editor", 3, &[]),
     ("diagnosis", 3, &[]),
     ("difference", 3, &[]),
-    ("frame", 4, &[]),
+    ("view", 4, &[]),
     ("render", 5, &[]),
     ("ui", 5, &[]),
     ("compare", 6, &[]),
@@ -154,6 +155,15 @@ fn modules_import_only_from_below() {
 fn render_can_draw_whatever_there_is() {
     for (name, text) in sources().iter().filter(|(name, _)| room(name) == "render") {
         assert!(!names(&code(text), "editor") && !names(&code(text), "ui"), "src/{name} names the editor or the ui");
+    }
+}
+
+#[test]
+fn films_know_no_editor() {
+    let may_know = ["view.rs", "view/editor.rs", "view/motion_path.rs", "view/comparison.rs"];
+    for (name, text) in sources() {
+        let is_below = ["frame", "film", "view"].contains(&room(&name)) && !may_know.contains(&name.as_str());
+        assert!(!is_below || !code(&text).contains("crate::editor"), "src/{name} names the editor");
     }
 }
 

@@ -5,12 +5,12 @@ use std::hint::black_box;
 
 use glam::{Mat3, Quat, Vec2, Vec3};
 use inbetween::camera::Camera;
-use inbetween::frame::Frame;
 use inbetween::rbt::Rbt;
 use inbetween::render::{Arrangement, Gpu, Offscreen, Renderer, default_samples};
 use inbetween::scene::{SceneGraph, scene_from_json};
 
 use crate::report::{Report, in_turn};
+use inbetween::view::frame_of_scene;
 
 /// Boxes along each side of the grid.
 const SIDE: i32 = 100;
@@ -53,7 +53,7 @@ pub fn boxes(report: &mut Report) {
         ("all boxes in sight", looking(Vec3::new(0.0, 14.0, 92.0), Vec3::new(0.0, -8.0, 0.0)), 0.9),
     ];
     for (what, camera, most) in views {
-        let frame = Frame::new(&scene, scene.rest_pose(), 0.0, &camera, None);
+        let frame = frame_of_scene(&scene, scene.rest_pose(), 0.0, &camera, None);
         let renderers = [Arrangement::SortedAndCut, Arrangement::AsGiven].map(|arrangement| {
             let mut renderer = Renderer::new(&gpu, Offscreen::FORMAT, default_samples(gpu.is_software));
             renderer.set_arrangement(arrangement);

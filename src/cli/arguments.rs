@@ -9,6 +9,7 @@ use crate::colour::Colour;
 use crate::compare::DEFAULT_TOLERANCE;
 use crate::export::{Size, Span};
 use crate::film::Grid;
+use crate::frame::MOST_GHOSTS;
 use crate::interpolation::Interpolation;
 use crate::render::Background;
 use crate::text_layouts::{FieldOrder, Layout};
@@ -218,8 +219,8 @@ pub struct RenderArguments {
     /// A contact sheet: so many columns and rows of images, each of --size (by default 320x240), evenly from --from to --to.
     #[arg(long, value_name = "COLUMNSxROWS", conflicts_with_all = ["at", "keyframe", "fps"], value_parser = grid)]
     pub sheet: Option<Grid>,
-    /// Show what moves as it is in the N played keyframes before (warm) and the N after (cool), translucent.
-    #[arg(long, value_name = "N", requires = "file", value_parser = clap::value_parser!(u8).range(0..=20))]
+    /// Show what moves as it is in the N keyframes of the list before (warm) and the N after (cool), translucent, up to 20.
+    #[arg(long, value_name = "N", requires = "file", value_parser = clap::value_parser!(u8).range(0..=i64::from(MOST_GHOSTS)))]
     pub ghosts: Option<u8>,
     /// Which eye sees it: one of the scene's, by its path, or turntable, which goes once around the world's centre in a film [default: the scene's first].
     #[arg(long, value_name = "EYE|turntable")]

@@ -217,7 +217,7 @@ pub enum ViewCommand {
     ToggleAutoKeys,
     /// Whether the end of each drag updates the current keyframe.
     SetAutoKeys(bool),
-    /// Shows so many neighbouring keyframes on each side as ghosts, at most 3.
+    /// Shows so many neighbouring keyframes on each side as ghosts, at most [`crate::frame::MOST_GHOSTS`].
     SetGhosts(u8),
     /// Selects these keys at their own times, and no others, and no keyframes.
     SelectKeys(Vec<KeyAt>),

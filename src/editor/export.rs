@@ -110,8 +110,6 @@ pub struct ExportOptions {
 }
 
 impl ExportOptions {
-    /// The most neighbouring keyframes on each side that are shown as ghosts.
-    pub const MOST_GHOSTS: u8 = 20;
     /// The most frames a second.
     pub const MOST_FPS: u32 = 1000;
     /// The longest side of a picture, in pixels; what the GPU adapter takes may be less.

@@ -2,11 +2,13 @@
 
 use super::apply::Outcome;
 use super::{Command, CommandError, Editor, SkyMode, ViewCommand};
+use crate::frame::MOST_GHOSTS;
 use crate::keyframe::Blend;
 use crate::pose::RbtIndex;
 
-/// The most neighbouring keyframes on each side that are shown as ghosts.
-pub const MOST_GHOSTS: u8 = 3;
+/// Ghosts on each side after which [`ViewCommand::NextGhosts`] goes back to none. It is no limit: [`ViewCommand::SetGhosts`] shows up to
+/// [`MOST_GHOSTS`].
+const GHOST_STEPS: u8 = 3;
 
 impl Editor {
     pub(super) fn view(&mut self, command: ViewCommand) -> Outcome {
@@ -42,7 +44,10 @@ impl Editor {
                     "Auto-key is off.".to_owned()
                 })
             }
-            ViewCommand::NextGhosts => self.view(ViewCommand::SetGhosts((self.session.ghosts + 1) % (MOST_GHOSTS + 1))),
+            ViewCommand::NextGhosts => {
+                let ghosts = if self.session.ghosts < GHOST_STEPS { self.session.ghosts + 1 } else { 0 };
+                self.view(ViewCommand::SetGhosts(ghosts))
+            }
             ViewCommand::SetGhosts(ghosts) => {
                 self.session.ghosts = ghosts.min(MOST_GHOSTS);
                 Ok(match self.session.ghosts {

@@ -4,20 +4,15 @@ use glam::{Mat3, Quat, Vec2, Vec3};
 
 use super::{ExportError, Moment, Shown, Source};
 use crate::camera::Camera;
-use crate::colour::Colour;
-use crate::frame::{DrawItem, Frame, Ghost};
-use crate::keyframe::{KeyframeIndex, PlayRange};
+use crate::frame::{DrawItem, Frame};
+use crate::keyframe::PlayRange;
 use crate::pose::{Pose, RbtIndex};
 use crate::rbt::Rbt;
 use crate::scene::{MeshKind, SceneGraph};
+use crate::view::{Neighbours, add_ghosts, frame_of_scene};
 
 /// How far the turntable's camera looks down, in degrees.
 const TURNTABLE_DOWN: f32 = 12.0;
-/// Ghosts of keyframes before and after.
-const BEFORE: Colour = Colour::EARLIER;
-const AFTER: Colour = Colour::LATER;
-/// Opacity of the nearest ghost.
-const GHOST_OPACITY: f32 = 0.42;
 
 /// Where it is seen from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -75,9 +70,9 @@ impl<'a> Stage<'a> {
     pub fn frame(&self, moment: &Moment) -> Result<Frame, ExportError> {
         let pose = self.pose(moment.shown)?;
         let camera = self.camera(&pose, moment);
-        let mut frame = Frame::new(self.source.scene, &pose, moment.seconds, &camera, None);
+        let mut frame = frame_of_scene(self.source.scene, &pose, moment.seconds, &camera, None);
         if self.ghosts > 0 {
-            self.add_ghosts(&mut frame, moment, &camera);
+            self.add_ghosts(&mut frame, moment);
         }
         Ok(frame)
     }
@@ -121,7 +116,7 @@ impl<'a> Stage<'a> {
         let pose = pose.unwrap_or_else(|_| scene.rest_pose().clone());
         let camera =
             Camera { world_from_eye: Rbt::IDENTITY, vertical_fov: scene.vertical_fov(), size_px: self.size_px };
-        let frame = Frame::new(scene, &pose, 0.0, &camera, None);
+        let frame = frame_of_scene(scene, &pose, 0.0, &camera, None);
         let reach = |item: &DrawItem| {
             let matrix = Mat3::from(item.world_from_shape.matrix3);
             let radius = (0..8_u8)
@@ -138,11 +133,10 @@ impl<'a> Stage<'a> {
         farthest / half_angle.sin()
     }
 
-    /// What moves, as it is in the keyframes around.
-    fn add_ghosts(&self, frame: &mut Frame, moment: &Moment, camera: &Camera) {
-        let (Some(animation), scene) = (self.source.animation, self.source.scene) else { return };
-        let last = animation.keyframes.len().saturating_sub(1);
-        // Where it is in the list; only played keyframes are shown.
+    /// The list's keyframes before and after the moment.
+    fn add_ghosts(&self, frame: &mut Frame, moment: &Moment) {
+        let Some(animation) = self.source.animation else { return };
+        // Where the moment is in the list, whose first keyframe is not played.
         let here = match moment.shown {
             Shown::Rest => return,
             #[expect(clippy::cast_precision_loss, reason = "no list has 2^52 keyframes")]
@@ -150,26 +144,8 @@ impl<'a> Stage<'a> {
             Shown::KeyTime(key_time) => key_time + 1.0,
         };
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it lies in the list")]
-        let (before, after) = (here.ceil() as usize, here.floor() as usize);
-        for step in (1..=usize::from(self.ghosts)).rev() {
-            let opacity = GHOST_OPACITY * (1.0 - 0.6 * fraction(step - 1, self.ghosts));
-            let places = [(before.checked_sub(step), BEFORE), (Some(after + step), AFTER)];
-            for (place, tint) in places {
-                let Some(place) = place.filter(|&place| place > 0 && place < last) else { continue };
-                let Some(keyframe) = animation.keyframes.get(KeyframeIndex::new(place)) else { continue };
-                let other = Frame::new(scene, &keyframe.pose, moment.seconds, camera, None);
-                let tint = tint.to_linear();
-                let moved = other.items.into_iter().zip(&frame.items).filter(|(ghost, item)| {
-                    item.mesh != MeshKind::Plane && !ghost.world_from_shape.abs_diff_eq(item.world_from_shape, 1e-5)
-                });
-                let ghosts: Vec<Ghost> =
-                    moved.map(|(item, _)| Ghost { item: DrawItem { colour: tint, ..item }, opacity }).collect();
-                frame.ghosts.extend(ghosts);
-            }
-        }
+        let from = [here.ceil() as usize, here.floor() as usize];
+        let neighbours = Neighbours { keyframes: &animation.keyframes, from, count: self.ghosts };
+        add_ghosts(frame, self.source.scene, moment.seconds, neighbours);
     }
-}
-
-fn fraction(step: usize, of: u8) -> f32 {
-    f32::from(u8::try_from(step).unwrap_or(u8::MAX)) / f32::from(of)
 }

@@ -253,6 +253,12 @@ impl SceneGraph {
         self.index.walk.world_from_nodes(pose, keys_of, into);
     }
 
+    /// The id of a node by its index in the pre-order walk; `None` past the last.
+    #[must_use]
+    pub fn id_at(&self, index: usize) -> Option<NodeId> {
+        (index < self.nodes.len()).then(|| NodeId::from_place(index))
+    }
+
     /// The same for any affine in place of each RBT node's transform: one forward loop, since parents come first.
     #[must_use]
     pub fn world_from_nodes_with(&self, seconds: f64, parent_from_rbt: impl Fn(RbtIndex) -> Affine3A) -> Vec<Affine3A> {

@@ -13,6 +13,7 @@ use super::icons::was_pressed;
 use super::theme::{CORNER, GRID, ROW, Tokens};
 use super::words::Words;
 use crate::editor::{Command, Editor, ExportBackground, ExportFormat, ExportOptions, FileCommand};
+use crate::frame::MOST_GHOSTS;
 use crate::keyframe::{PlayRange, to_f64};
 
 /// Width of the dialog, in points.
@@ -100,8 +101,7 @@ impl ExportDialog {
             row(ui, words.say("Camera"), |ui| camera(ui, options, shown.editor, words));
             row(ui, words.say("Ghosts"), |ui| {
                 let hint = words.say("Neighbouring keyframes on each side, translucent");
-                number(ui, &mut options.ghosts, 0..=ExportOptions::MOST_GHOSTS, words.say("Ghosts"))
-                    .on_hover_text(hint);
+                number(ui, &mut options.ghosts, 0..=MOST_GHOSTS, words.say("Ghosts")).on_hover_text(hint);
             });
             row(ui, words.say("Background"), |ui| background(ui, options, words));
             row(ui, words.say("Samples a pixel"), |ui| samples(ui, options, words));

@@ -11,6 +11,7 @@ use crate::editor::Editor;
 use crate::frame::Frame;
 use crate::pose::Pose;
 use crate::ui::THUMBNAIL_PX;
+use crate::view::frame_of_scene;
 
 /// For so long nothing may have happened.
 const REST: Duration = Duration::from_millis(40);
@@ -51,5 +52,5 @@ fn thumbnail_frame(editor: &Editor, pose: &Pose) -> Frame {
         vertical_fov: scene.vertical_fov(),
         size_px: Vec2::new(width as f32, height as f32),
     };
-    Frame::new(scene, pose, 0.0, &camera, None)
+    frame_of_scene(scene, pose, 0.0, &camera, None)
 }

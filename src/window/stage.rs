@@ -16,6 +16,7 @@ use crate::frame::Frame;
 use crate::pose::RbtIndex;
 use crate::render::{Gpu, GpuError, Image, Offscreen, Renderer, Viewport, default_samples};
 use crate::ui::{THUMBNAIL_PX, Ui, UiOutput, theme};
+use crate::view::{frame_of_displayed, frame_of_editor, mark_dot, outline};
 
 /// The 3D view, in physical pixels of the window.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -166,12 +167,12 @@ impl Stage {
         let pose = editor.displayed_pose();
         let evaluated = now();
         meter.add(Work::Evaluation, start, evaluated);
-        let mut frame = Frame::of_displayed(editor, &pose, self.view.size_px);
+        let mut frame = frame_of_displayed(editor, &pose, self.view.size_px);
         if let Some(hovered) = hovered {
-            frame.outline(editor.scene(), hovered);
+            outline(&mut frame, editor.scene(), hovered);
         }
         if let Some(dot) = dot {
-            frame.mark_dot(dot);
+            mark_dot(&mut frame, dot);
         }
         frame.scale_strokes(laid_out.pixels_per_point);
         let built = now();
@@ -223,7 +224,7 @@ impl Stage {
     pub fn picture(&self, editor: &Editor) -> Result<Image, GpuError> {
         let [width, height] = whole(self.view.size_px);
         let mut renderer = Renderer::new(&self.gpu, Offscreen::FORMAT, default_samples(self.gpu.is_software));
-        let frame = Frame::of_editor(editor, self.view.size_px);
+        let frame = frame_of_editor(editor, self.view.size_px);
         Offscreen::new(&self.gpu, width, height)?.render(&self.gpu, &mut renderer, &frame)
     }
 }

@@ -11,12 +11,12 @@ use crate::cli::diff::times_ms;
 use crate::cli::progress::Progress;
 use crate::difference::{Played, compare};
 use crate::export::{Painter, Size};
-use crate::frame::Frame;
 use crate::interpolation::Interpolation;
 use crate::keyframe::{KeyframeList, PlayRange, whole};
 use crate::pose::Pose;
 use crate::render::Image;
 use crate::scene::SceneGraph;
+use crate::view::frame_of_scene;
 
 /// The pictures' size in pixels.
 pub const SIZE: Size = Size { width: 200, height: 150 };
@@ -157,7 +157,7 @@ fn draw(pose: &Pose, right: &Pose, scene: &SceneGraph, painter: &mut Painter) ->
     let mut world_from_eye = if is_sound { own } else { scene.world_from_rbt(right, 0.0, eye) };
     world_from_eye.rotation = world_from_eye.rotation.normalize();
     let camera = Camera { world_from_eye, vertical_fov: scene.vertical_fov(), size_px: painter.size_px() };
-    let mut frame = Frame::new(scene, pose, 0.0, &camera, None);
+    let mut frame = frame_of_scene(scene, pose, 0.0, &camera, None);
     frame.items.retain(|item| {
         let matrix = item.world_from_shape;
         matrix.is_finite() && matrix.to_cols_array().iter().all(|number| number.abs() < FARTHEST)

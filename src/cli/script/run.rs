@@ -11,9 +11,9 @@ use crate::cli::CliError;
 use crate::clock::AnimationClock;
 use crate::editor::{Command, Editor, Effect};
 use crate::export::Painter;
-use crate::frame::Frame;
 use crate::keyframe::LARGEST_FILE_BYTES;
 use crate::storage;
+use crate::view::frame_of_editor;
 
 /// An editor with what its effects need.
 pub struct Runner {
@@ -127,7 +127,7 @@ impl Runner {
 
     fn take_screenshot(&mut self, path: &Path) -> Result<(), CliError> {
         let painter = self.painter.as_mut().expect("a script that takes screenshots has a painter");
-        let png = painter.png(&Frame::of_editor(&self.editor, painter.size_px()))?;
+        let png = painter.png(&frame_of_editor(&self.editor, painter.size_px()))?;
         let written = storage::write(path, &png).map_err(|error| error.to_string());
         Ok(self.editor.screenshot_taken(path, written)?)
     }

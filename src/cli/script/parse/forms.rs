@@ -13,9 +13,10 @@ use super::values::{
 use super::{Action, LineProblem, Parser, scene_lines};
 use crate::editor::keymap::{binding_for, press_from_word};
 use crate::editor::{
-    Command, Edit, FileCommand, GestureCommand, MOST_GHOSTS, PlayMode, PlaybackCommand, SPEED_PERCENT_RANGE,
-    TimelineEdit, ViewCommand,
+    Command, Edit, FileCommand, GestureCommand, PlayMode, PlaybackCommand, SPEED_PERCENT_RANGE, TimelineEdit,
+    ViewCommand,
 };
+use crate::frame::MOST_GHOSTS;
 use crate::interpolation::Interpolation;
 use crate::keyframe::{DURATION_RANGE, Easing, MS_BETWEEN_KEYFRAMES_RANGE};
 use crate::pose::RbtIndex;
@@ -201,7 +202,7 @@ static FORMS: &[Form] = &[
         let &[word] = rest.words else { return Ok(None) };
         view(ViewCommand::SetAutoKeys(one_of(word, "a state", [(true, "on"), (false, "off")].into_iter())?))
     }),
-    form("ghosts", "ghosts COUNT", "how many neighbouring keyframes on each side are shown, 0 to 3", |_, rest| {
+    form("ghosts", "ghosts COUNT", "how many neighbouring keyframes on each side are shown, 0 to 20", |_, rest| {
         let &[count] = rest.words else { return Ok(None) };
         let count = whole_in(count, "number of ghosts", &(0..=u32::from(MOST_GHOSTS)))?;
         view(ViewCommand::SetGhosts(u8::try_from(count).unwrap_or(MOST_GHOSTS)))

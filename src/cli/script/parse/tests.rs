@@ -78,7 +78,7 @@ fn what_cannot_be_understood() {
     check_problem("range 1", "expected `range FIRST LAST|all`, found `range 1`");
     check_problem("speed 9", "\"9\" is not a speed in percent; expected a whole number from 10 to 1000");
     check_problem("auto-key yes", "\"yes\" is not a state; expected on or off");
-    check_problem("ghosts 4", "\"4\" is not a number of ghosts; expected a whole number from 0 to 3");
+    check_problem("ghosts 21", "\"21\" is not a number of ghosts; expected a whole number from 0 to 20");
     check_problem("eye ground", "node \"ground\" is not an eye of the scene; expected sky, robot1 or robot2");
 }
 

@@ -1,0 +1,43 @@
+//! The frame of what an editor displays.
+
+use glam::Vec2;
+
+use super::comparison::add_comparison;
+use super::ghosts::{Neighbours, add_ghosts};
+use super::motion_path::add_path;
+use super::scene::frame_of_scene;
+use crate::editor::Editor;
+use crate::frame::{ArcballMark, Frame};
+use crate::pose::Pose;
+
+/// The picture that an editor displays, `size_px` pixels wide and high, with the chosen node outlined and the arcball.
+#[must_use]
+pub fn frame_of_editor(editor: &Editor, size_px: Vec2) -> Frame {
+    frame_of_displayed(editor, &editor.displayed_pose(), size_px)
+}
+
+/// As [`frame_of_editor`], of the pose that the editor displays, [`Editor::displayed_pose`], which the caller has already.
+#[must_use]
+pub fn frame_of_displayed(editor: &Editor, pose: &Pose, size_px: Vec2) -> Frame {
+    let camera = editor.camera(size_px);
+    let session = editor.session();
+    let mut frame = frame_of_scene(editor.scene(), pose, editor.seconds(), &camera, session.chosen);
+    if session.shows_arcball && !editor.is_playing() {
+        frame.arcball = editor
+            .manipulation(&camera)
+            .arcball_in_world
+            .map(|(centre_in_world, radius)| ArcballMark { centre_in_world, radius });
+    }
+    if session.shows_path {
+        add_path(&mut frame, editor);
+    }
+    let keyframes = &editor.document().keyframes;
+    if let Some(current) = keyframes.current().filter(|_| !editor.is_playing()) {
+        let neighbours = Neighbours { keyframes, from: [current.get(); 2], count: session.ghosts };
+        add_ghosts(&mut frame, editor.scene(), editor.seconds(), neighbours);
+    }
+    if session.compares {
+        add_comparison(&mut frame, editor);
+    }
+    frame
+}
