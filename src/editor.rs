@@ -31,7 +31,6 @@ pub use command::{
 };
 pub use document::Document;
 pub use error::CommandError;
-pub use export::{ExportBackground, ExportEnd, ExportFormat, ExportOptions};
 pub use history::MOST_STEPS;
 pub use manipulate::{DragKind, Manipulation};
 pub use path::PathDot;

@@ -1,5 +1,6 @@
 //! Keyframes: the list that hotkeys manage, the pose at a key time, and the file.
 
+mod animation;
 mod compare;
 mod easing;
 mod file;
@@ -7,6 +8,7 @@ mod list;
 mod sample;
 mod timing;
 
+pub use animation::Animation;
 pub use compare::Blend;
 pub use easing::{Curve, Easing, Ends};
 pub use file::{

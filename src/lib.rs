@@ -26,13 +26,13 @@
 //!
 //! | level | modules | may name |
 //! |---|---|---|
-//! | 0 | [`rbt`], [`interpolation`], [`json`], [`colour`] | glam |
+//! | 0 | [`rbt`], [`interpolation`], [`json`], [`colour`], [`picture`] | glam |
 //! | 1 | [`timed`], [`pose`], [`blend`], [`scene`], [`camera`] | serde, in file formats |
-//! | 2 | [`keyframe`], [`clock`], [`settings`], [`text_layouts`], [`frame`] | serde, in file formats; `Duration`, never `Instant` |
+//! | 2 | [`keyframe`], [`clock`], [`settings`], [`text_layouts`], [`frame`], [`film`] | serde, in file formats; `Duration`, never `Instant` |
 //! | 3 | [`editor`], [`diagnosis`], [`difference`] | no wgpu, egui, winit, file system |
 //! | 4 | [`view`] | |
 //! | 5 | [`render`], [`ui`] | wgpu; egui |
-//! | 6 | [`compare`], [`film`] | pictures in, numbers and bytes out |
+//! | 6 | [`compare`] | pictures in, numbers out |
 //! | 6 | [`storage`] | the file system |
 //! | 7 | [`export`] | of the outside world only `ffmpeg` |
 //! | 8 | [`window`], [`cli`] | winit; clap |
@@ -86,6 +86,7 @@ pub mod frame;
 pub mod interpolation;
 pub mod json;
 pub mod keyframe;
+pub mod picture;
 pub mod pose;
 pub mod rbt;
 pub mod render;

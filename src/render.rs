@@ -1,7 +1,7 @@
 //! Drawing: a [`Frame`](crate::frame::Frame) in, pixels out, on any texture view.
 //!
 //! [`Gpu`] is the adapter and its device; [`Renderer`] draws a frame into whatever view it is given and cannot tell a window's from
-//! another; [`Offscreen`] is such a view with the way back to the CPU; [`Image`] is what comes back, and becomes a PNG.
+//! another; [`Offscreen`] is such a view with the way back to the CPU; [`Image`] is what comes back.
 //!
 //! Nothing here knows the editor, the interface or where a frame came from. Colours are linear light until the last step of each
 //! fragment shader. Depth is reversed: 1 at the near plane, 0 at infinity. No shader uses derivatives, so that a picture is the
@@ -12,25 +12,22 @@ mod bounds;
 mod detail;
 mod gpu;
 mod identity;
-mod image;
 mod instances;
 mod light;
 mod look;
 mod mesh;
 mod offscreen;
 mod pipelines;
-mod read;
 mod read_back;
 mod renderer;
 mod shaders;
 mod targets;
 mod uniforms;
 
+pub use crate::picture::Image;
 pub use arrange::Arrangement;
 pub use gpu::{Gpu, GpuError};
 pub use identity::node_picture;
-pub use image::{Image, PngRoom, Rows, set_up_png};
 pub use offscreen::Offscreen;
-pub use read::ImageReadError;
 pub use read_back::{Drawn, ReadBack};
 pub use renderer::{Background, Renderer, Viewport, default_samples};

@@ -32,7 +32,8 @@ use std::path::{Path, PathBuf};
 use egui::{CentralPanel, Frame, Margin, Panel, Rect, ScrollArea};
 
 use crate::editor::keymap::{Binding, Keymap};
-use crate::editor::{Command, Editor, ExportOptions, FileCommand};
+use crate::editor::{Command, Editor, FileCommand};
+use crate::film::ExportOptions;
 use crate::pose::Pose;
 use crate::settings::Settings;
 use dialogs::Dialog;

@@ -29,7 +29,8 @@ use egui_winit::accesskit_winit;
 use thiserror::Error;
 use winit::event_loop::EventLoop;
 
-use crate::editor::{Command, Editor, ExportEnd};
+use crate::editor::{Command, Editor};
+use crate::film::ExportEnd;
 use crate::render::GpuError;
 use dialog::Question;
 use shell::Shell;

@@ -6,11 +6,9 @@ use std::sync::Arc;
 use egui::vec2;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use inbetween::editor::{
-    Command, Edit, Editor, Effect, ExportBackground, ExportEnd, ExportFormat, ExportOptions, FileCommand, Severity,
-    WindowCommand,
-};
+use inbetween::editor::{Command, Edit, Editor, Effect, FileCommand, Severity, WindowCommand};
 use inbetween::export::Job;
+use inbetween::film::{APNG, ExportBackground, ExportEnd, ExportOptions, PNG, Y4M};
 use inbetween::scene::{DEFAULT_SCENE, built_in_scene};
 use inbetween::settings::{Language, Settings};
 use inbetween::ui::{Exporting, Ui, theme};
@@ -51,7 +49,8 @@ fn of_command_line(folder: &Path, name: &str, arguments: &[&str]) -> Vec<u8> {
 fn export(editor: &mut Editor, options: ExportOptions, watch: &mut dyn FnMut(usize, usize) -> bool) -> ExportEnd {
     let effects = editor.apply(Command::File(FileCommand::Export(Box::new(options)))).unwrap();
     let [Effect::Export(options)] = &effects[..] else { panic!("{effects:?}") };
-    Job::new(editor, options.as_ref().clone()).run(watch)
+    Job::new(Arc::clone(editor.scene()), editor.animation(), editor.path().to_owned(), options.as_ref().clone())
+        .run(watch)
 }
 
 fn names(folder: &Path) -> Vec<String> {
@@ -92,14 +91,14 @@ fn the_bytes_are_the_command_lines() {
             "c.apng",
             &["--from", "1", "--to", "2.5", "--background", "transparent", "--camera", "robot2"],
             ExportOptions {
-                format: ExportFormat::Apng,
+                format: &APNG,
                 range: Some([1.0, 2.5]),
                 background: ExportBackground::Transparent,
                 camera: Some("robot2".to_owned()),
                 ..plain.clone()
             },
         ),
-        ("d.y4m", &[], ExportOptions { format: ExportFormat::Y4m, ..plain.clone() }),
+        ("d.y4m", &[], ExportOptions { format: &Y4M, ..plain.clone() }),
     ];
     for (name, arguments, options) in cases {
         let expected = of_command_line(folder.path(), name, arguments);
@@ -124,7 +123,7 @@ fn frames_are_the_command_lines() {
     let own = folder.path().join("own");
     let options = ExportOptions {
         path: own.clone(),
-        format: ExportFormat::Frames,
+        format: &PNG,
         size: [64, 48],
         fps: FPS,
         range: Some([0.0, 3.0]),
@@ -275,7 +274,7 @@ fn the_dialog_makes_the_command() {
     let last = harness.state().editor.document().keyframes.len() as f64 - 3.0;
     let expected = ExportOptions {
         path: walk().with_extension("y4m"),
-        format: ExportFormat::Y4m,
+        format: &Y4M,
         size: [320, 240],
         fps: 30,
         camera: Some("turntable".to_owned()),
@@ -297,7 +296,7 @@ fn the_dialog_makes_the_command() {
     click(&mut harness, "Export");
     let expected = ExportOptions {
         path: walk().with_extension("apng"),
-        format: ExportFormat::Apng,
+        format: &APNG,
         background: ExportBackground::Transparent,
         ..expected
     };

@@ -1,5 +1,7 @@
 //! The arguments, as clap reads them. What is checked here is wrong usage; what the commands check is bad input.
 
+mod help;
+
 use std::path::PathBuf;
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
@@ -8,7 +10,7 @@ use clap::{Args, Parser, ValueEnum};
 use crate::colour::Colour;
 use crate::compare::DEFAULT_TOLERANCE;
 use crate::export::{Size, Span};
-use crate::film::Grid;
+use crate::film::{Format, Grid, MOST_FRAMES_PER_SECOND, format_of_ending, stills};
 use crate::frame::MOST_GHOSTS;
 use crate::interpolation::Interpolation;
 use crate::render::Background;
@@ -198,8 +200,8 @@ pub enum Space {
 pub struct RenderArguments {
     /// The keyframe file; without it, the scene's rest pose is rendered.
     pub file: Option<PathBuf>,
-    /// What to write: OUT.png is one image; OUT.gif, .apng, .y4m and .mp4 (through ffmpeg) are films; a folder gets frame-00000.png and on.
-    #[arg(short, long, value_name = "OUT.png|OUT.gif|…|DIR")]
+    /// What to write: a picture or film by its ending, or a folder of numbered pictures.
+    #[arg(short, long, value_name = "OUT.png|OUT.gif|…|DIR", help = help::output())]
     pub output: PathBuf,
     /// The key time to render, from 0 to N - 3 [default: 0].
     #[arg(long, value_name = "KEY_TIME", requires = "file", conflicts_with_all = ["keyframe", "fps"], allow_hyphen_values = true, value_parser = key_time)]
@@ -207,9 +209,12 @@ pub struct RenderArguments {
     /// The keyframe of the list to render, from 0 to N - 1.
     #[arg(long, value_name = "INDEX", requires = "file", conflicts_with = "fps", allow_negative_numbers = true)]
     pub keyframe: Option<i64>,
-    /// Frames a second, 1 to 1000: of the whole playing range and its end [default: 25 in a GIF, else 30; a folder must be told].
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    /// Frames a second, of the whole playing range and its end.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_FRAMES_PER_SECOND)), help = help::fps())]
     pub fps: Option<u32>,
+    /// What the numbered images of a folder are written as [default: png].
+    #[arg(long, value_name = "FORMAT", value_parser = still_format())]
+    pub frames: Option<&'static Format>,
     /// The key time at which a film or contact sheet begins [default: 0].
     #[arg(long, value_name = "KEY_TIME", requires = "file", conflicts_with_all = ["at", "keyframe"], allow_hyphen_values = true, value_parser = key_time)]
     pub from: Option<f64>,
@@ -225,8 +230,8 @@ pub struct RenderArguments {
     /// Which eye sees it: one of the scene's, by its path, or turntable, which goes once around the world's centre in a film [default: the scene's first].
     #[arg(long, value_name = "EYE|turntable")]
     pub camera: Option<String>,
-    /// What is behind everything: sky, a colour, or transparent (in films: GIF and APNG).
-    #[arg(long, value_name = "sky|#rrggbb|transparent", default_value = "sky", value_parser = background)]
+    /// What is behind everything.
+    #[arg(long, value_name = "sky|#rrggbb|transparent", default_value = "sky", value_parser = background, help = help::background())]
     pub background: Background,
     /// How far the keys at their own times are, in seconds; in films, where they begin.
     #[arg(long, value_name = "S", default_value_t = 0.0, allow_negative_numbers = true, value_parser = seconds)]
@@ -422,6 +427,11 @@ fn size(text: &str) -> Result<Size, String> {
 fn interpolation() -> impl TypedValueParser<Value = Interpolation> {
     PossibleValuesParser::new(Interpolation::ALL.map(Interpolation::name))
         .try_map(|name| Interpolation::from_name(&name).ok_or("unknown interpolation"))
+}
+
+fn still_format() -> impl TypedValueParser<Value = &'static Format> {
+    PossibleValuesParser::new(stills().map(|format| format.ending))
+        .try_map(|ending| format_of_ending(&ending).ok_or("unknown format"))
 }
 
 fn layout() -> impl TypedValueParser<Value = Layout> {

@@ -6,8 +6,7 @@ use std::path::{Path, PathBuf};
 use thiserror::Error;
 
 use crate::editor::CommandError;
-use crate::export::ExportError;
-use crate::film::FilmError;
+use crate::export::{ErrorKind, ExportError};
 use crate::render::GpuError;
 use crate::storage::StorageError;
 use crate::window::WindowError;
@@ -54,15 +53,6 @@ pub enum CliError {
     /// A picture could not be made a PNG.
     #[error("the picture cannot be encoded: {0}")]
     Png(#[from] png::EncodingError),
-    /// A film could not be written.
-    #[error("{}: {reason}", path.display())]
-    Film {
-        /// Which file.
-        path: PathBuf,
-        /// Why.
-        #[source]
-        reason: FilmError,
-    },
     /// Ctrl+C, or the system asked the program to end.
     #[error("interrupted: what was not finished is not kept")]
     Interrupted,
@@ -94,7 +84,6 @@ impl CliError {
             | Self::ScriptEnded(_)
             | Self::Window(WindowError::Ended { .. })
             | Self::Png(_)
-            | Self::Film { .. }
             | Self::StandardOutput(_) => 1,
         }
     }
@@ -103,13 +92,12 @@ impl CliError {
 impl From<ExportError> for CliError {
     fn from(error: ExportError) -> Self {
         match error {
-            ExportError::Misuse(sentence) => super::misuse(&sentence),
-            ExportError::BadInput { place, problem } => Self::bad_input(place, problem),
             ExportError::Gpu(error) => Self::Gpu(error),
-            ExportError::Png(error) => Self::Png(error),
-            ExportError::Unwritten { path, reason } => Self::Unwritten { path, reason },
-            ExportError::Film { path, reason } => Self::Film { path, reason },
-            ExportError::Cancelled => Self::Interrupted,
+            error => match error.kind() {
+                ErrorKind::Usage => super::misuse(&error.to_string()),
+                ErrorKind::Cancelled => Self::Interrupted,
+                ErrorKind::Input | ErrorKind::Gpu => Self::BadInput { sentences: vec![error.to_string()] },
+            },
         }
     }
 }

@@ -4,7 +4,8 @@ use std::path::PathBuf;
 
 use glam::{Quat, Vec3};
 
-use super::{ExportOptions, KeyAt, PlayMode, SceneEdit};
+use super::{KeyAt, PlayMode, SceneEdit};
+use crate::film::ExportOptions;
 use crate::interpolation::Interpolation;
 use crate::keyframe::{Easing, KeyframeIndex, KeyframesText};
 use crate::pose::RbtIndex;

@@ -2,15 +2,35 @@
 
 use std::io::{self, Write};
 use std::path::Path;
-use std::process::{Child, ChildStdin, Command, Stdio};
+use std::process::{Child, ChildStdin, Command, ExitStatus, Stdio};
 
-use super::ExportError;
+use thiserror::Error;
 
-/// Whether there is an ffmpeg to make an MP4.
+/// Why ffmpeg made no film.
+#[derive(Debug, Error)]
+pub enum FfmpegError {
+    /// It is not installed.
+    #[error(
+        "an MP4 is encoded by ffmpeg, and there is none on the PATH: install it (Debian: apt-get install ffmpeg), or write .gif, .apng \
+         or .y4m"
+    )]
+    Missing,
+    /// It does not start.
+    #[error("ffmpeg cannot be started: {0}")]
+    Start(#[source] io::Error),
+    /// It ended before its time; it has said why on standard error.
+    #[error("ffmpeg ended with {0}")]
+    Ended(ExitStatus),
+    /// The system does not tell how it ended.
+    #[error("ffmpeg cannot be waited for: {0}")]
+    Wait(#[source] io::Error),
+}
+
+/// Whether there is an ffmpeg.
 ///
 /// # Errors
-/// [`ExportError::BadInput`] with what to do.
-pub fn find_ffmpeg(path: &Path) -> Result<(), ExportError> {
+/// [`FfmpegError::Missing`] with what to do.
+pub fn find_ffmpeg() -> Result<(), FfmpegError> {
     let found = Command::new("ffmpeg")
         .arg("-version")
         .stdin(Stdio::null())
@@ -18,10 +38,8 @@ pub fn find_ffmpeg(path: &Path) -> Result<(), ExportError> {
         .stderr(Stdio::null())
         .status()
         .is_ok_and(|status| status.success());
-    if found { Ok(()) } else { Err(ExportError::bad_input(path.display(), NO_FFMPEG)) }
+    if found { Ok(()) } else { Err(FfmpegError::Missing) }
 }
-
-const NO_FFMPEG: &str = "an MP4 is encoded by ffmpeg, and there is none on the PATH: install it (Debian: apt-get install ffmpeg), or write .gif, .apng or .y4m";
 
 /// The user's ffmpeg, which takes a Y4M on its standard input.
 pub struct Ffmpeg {
@@ -30,11 +48,11 @@ pub struct Ffmpeg {
 }
 
 impl Ffmpeg {
-    /// Starts it; it writes to `output`. `path` is what errors name.
+    /// Starts it; it writes to `output`.
     ///
     /// # Errors
-    /// [`ExportError::BadInput`]
-    pub fn start(path: &Path, output: &Path) -> Result<Self, ExportError> {
+    /// [`FfmpegError::Start`]
+    pub fn start(output: &Path) -> Result<Self, FfmpegError> {
         let mut child = Command::new("ffmpeg")
             .args(["-v", "error", "-y", "-f", "yuv4mpegpipe", "-i", "-", "-an", "-c:v", "libx264", "-crf", "18"])
             .args(["-pix_fmt", "yuv420p", "-colorspace", "smpte170m", "-color_primaries", "bt709"])
@@ -43,7 +61,7 @@ impl Ffmpeg {
             .stdin(Stdio::piped())
             .stdout(Stdio::null())
             .spawn()
-            .map_err(|error| ExportError::bad_input(path.display(), format!("ffmpeg cannot be started: {error}")))?;
+            .map_err(FfmpegError::Start)?;
         let input = child.stdin.take();
         Ok(Self { child, input })
     }
@@ -56,17 +74,16 @@ impl Ffmpeg {
         let _ = self.child.wait();
     }
 
-    /// Waits for ffmpeg to end by itself; it says on standard error what goes wrong.
+    /// Waits for it to end by itself; it says on standard error what goes wrong.
     ///
     /// # Errors
-    /// [`ExportError::BadInput`]: it did not end well.
-    pub fn finish(&mut self, path: &Path) -> Result<(), ExportError> {
+    /// [`FfmpegError::Ended`], [`FfmpegError::Wait`]
+    pub fn finish(&mut self) -> Result<(), FfmpegError> {
         self.input = None;
-        let failed = |problem: String| Err(ExportError::bad_input(path.display(), problem));
         match self.child.wait() {
             Ok(status) if status.success() => Ok(()),
-            Ok(status) => failed(format!("ffmpeg ended with {status}")),
-            Err(error) => failed(format!("ffmpeg cannot be waited for: {error}")),
+            Ok(status) => Err(FfmpegError::Ended(status)),
+            Err(error) => Err(FfmpegError::Wait(error)),
         }
     }
 }

@@ -3,12 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::{
-    Animation, Drawing, ExportError, Moments, Painter, Size, Source, Span, Stage, Target, View, Watch, find_ffmpeg,
-    write_film, write_folder,
-};
+use super::{Animation, ExportError, Painter, RenderRequest, Size, Source, Span, Subject, Watch, check_format};
 use crate::colour::Colour;
-use crate::editor::{Editor, ExportBackground, ExportEnd, ExportOptions};
+use crate::film::{ExportBackground, ExportEnd, ExportOptions};
 use crate::render::{Background, Gpu};
 use crate::scene::SceneGraph;
 
@@ -23,16 +20,16 @@ pub struct Job {
 }
 
 impl Job {
-    /// An export of an editor's document. An empty list shows what the command line shows without a file: the rest pose.
+    /// An export of an animation in a scene; without one it is what the command line shows without a file, the rest pose. `file` is
+    /// the keyframe file, which errors name.
     #[must_use]
-    pub fn new(editor: &Editor, options: ExportOptions) -> Self {
-        let document = editor.document();
-        let animation = (!document.keyframes.is_empty()).then(|| Animation {
-            keyframes: document.keyframes.clone(),
-            interpolation: document.interpolation,
-            ms_between_keyframes: document.ms_between_keyframes,
-        });
-        Self { scene: Arc::clone(editor.scene()), animation, file: editor.path().to_owned(), options }
+    pub const fn new(
+        scene: Arc<SceneGraph>,
+        animation: Option<Animation>,
+        file: PathBuf,
+        options: ExportOptions,
+    ) -> Self {
+        Self { scene, animation, file, options }
     }
 
     /// Where it goes.
@@ -55,35 +52,31 @@ impl Job {
     /// Counts the frames that are in a folder in `in_folder`, and returns how many there are in all.
     fn write(&self, watch: &mut Watch<'_>, in_folder: &mut usize) -> Result<usize, ExportError> {
         let ExportOptions { path, format, size, fps, range, ghosts, camera, samples, background } = &self.options;
-        let is_seen_through = *background == ExportBackground::Transparent;
-        if let Some(problem) = format.problem(*size, Some(*fps), is_seen_through) {
-            return Err(ExportError::misuse(problem));
-        }
-        let target = Target::from(*format);
-        if target == Target::Mp4 {
-            find_ffmpeg(path)?;
-        }
+        let size = Size { width: size[0], height: size[1] };
+        let is_opaque = *background != ExportBackground::Transparent;
+        check_format(format, size, Some(*fps), is_opaque, path)?;
         let animation = self.animation.as_ref();
         let file = animation.is_some().then_some(self.file.as_path());
-        let source = Source { scene: &self.scene, animation, file };
-        let view = View::named(camera.as_deref(), &self.scene)?;
         let [from, to] = range.map_or([None; 2], |range| range.map(Some));
+        let request = RenderRequest {
+            source: Source { scene: &self.scene, animation, file },
+            subject: Subject::Film { fps: *fps },
+            span: Span { from, to, seconds: 0.0 },
+            camera: camera.as_deref(),
+            ghosts: *ghosts,
+            is_opaque,
+            format,
+            output: path,
+        };
         // What cannot be played is found out before anything is drawn.
-        let moments = Moments::of_film(Span { from, to, seconds: 0.0 }, source, view, *fps)?;
-        let size = Size { width: size[0], height: size[1] };
+        let planned = request.plan()?;
         let mut painter = Painter::on(Gpu::headless()?, size, *samples)?;
         painter.set_background(match background {
             ExportBackground::Sky => Background::Sky,
             ExportBackground::Colour(bytes) => Background::Colour(Colour::from_bytes(*bytes).to_linear()),
             ExportBackground::Transparent => Background::Transparent,
         });
-        let stage = Stage::new(source, view, *ghosts, painter.size_px());
-        let mut drawing = Drawing { stage: &stage, moments: &moments, painter: &mut painter, watch };
-        if target == Target::Folder {
-            write_folder(path, &mut drawing, &mut |_, _| *in_folder += 1)?;
-        } else {
-            write_film(path, target, moments.plan(size, *fps, !is_seen_through)?, &mut drawing)?;
-        }
-        Ok(moments.all.len())
+        planned.write(&mut painter, watch, &mut |_, _| *in_folder += 1)?;
+        Ok(planned.frame_count())
     }
 }

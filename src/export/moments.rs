@@ -7,7 +7,7 @@ use num_traits::FromPrimitive as _;
 
 use super::{Animation, ExportError, FrameTime, Size, View, frame_times};
 use crate::film::{Grid, Plan};
-use crate::keyframe::{KeyframeIndex, PlayRange};
+use crate::keyframe::{KeyframeIndex, KeyframeList, PlayRange, SampleError};
 use crate::scene::SceneGraph;
 
 /// How long the turntable takes where nothing else moves, in milliseconds.
@@ -81,36 +81,41 @@ pub struct Moments {
 }
 
 impl Source<'_> {
-    /// Bad input with the file's name, or the scene's where there is no file.
-    pub fn bad_input(&self, problem: impl std::fmt::Display) -> ExportError {
+    /// What errors name: the file, or the scene where there is no file.
+    pub(super) fn name(&self) -> String {
         match self.file {
-            Some(file) => ExportError::bad_input(file.display(), problem),
-            None => ExportError::bad_input(format!("scene \"{}\"", self.scene.name()), problem),
+            Some(file) => file.display().to_string(),
+            None => format!("scene \"{}\"", self.scene.name()),
         }
+    }
+
+    pub(super) fn unplayable(&self, cause: SampleError) -> ExportError {
+        ExportError::Unplayable { source_name: self.name(), cause }
+    }
+
+    pub(super) fn no_keyframe(&self, index: i64, keyframes: &KeyframeList) -> ExportError {
+        let last = keyframes.last().map(KeyframeIndex::get);
+        ExportError::NoKeyframe { source_name: self.name(), index, last }
     }
 
     /// The pose at a key time or of a keyframe; at the start of the playing range where neither is named.
     ///
     /// # Errors
-    /// [`ExportError::BadInput`]: it is not there.
+    /// [`ExportError`]: it is not there.
     pub fn shown(&self, at: Option<f64>, keyframe: Option<i64>) -> Result<Shown, ExportError> {
         let Some(animation) = self.animation else { return Ok(Shown::Rest) };
         if let Some(index) = keyframe {
-            let place = usize::try_from(index).ok().filter(|&place| place < animation.keyframes.len());
-            return place.map(|place| Shown::Keyframe(KeyframeIndex::new(place))).ok_or_else(|| {
-                self.bad_input(match animation.keyframes.last() {
-                    None => format!("there is no keyframe {index}: the list is empty"),
-                    Some(last) => format!("there is no keyframe {index}: they are 0 to {}", last.get()),
-                })
-            });
+            let known = usize::try_from(index).ok().filter(|&known| known < animation.keyframes.len());
+            let shown = known.map(|known| Shown::Keyframe(KeyframeIndex::new(known)));
+            return shown.ok_or_else(|| self.no_keyframe(index, &animation.keyframes));
         }
         let key_time = at.unwrap_or(0.0);
-        self.range(animation)?.check(key_time).map_err(|error| self.bad_input(error))?;
+        self.range(animation)?.check(key_time).map_err(|cause| self.unplayable(cause))?;
         Ok(Shown::KeyTime(key_time))
     }
 
     fn range<'b>(&self, animation: &'b Animation) -> Result<PlayRange<'b>, ExportError> {
-        PlayRange::new(&animation.keyframes).map_err(|error| self.bad_input(error))
+        PlayRange::new(&animation.keyframes).map_err(|cause| self.unplayable(cause))
     }
 
     /// The key times between which pictures are wanted.
@@ -119,19 +124,22 @@ impl Source<'_> {
         let range = self.range(animation)?;
         let key_times = [span.from.unwrap_or(0.0), span.to.unwrap_or(range.last_key_time() as f64)];
         for key_time in key_times {
-            range.check(key_time).map_err(|error| self.bad_input(error))?;
+            range.check(key_time).map_err(|cause| self.unplayable(cause))?;
         }
         if key_times[0] > key_times[1] {
-            return Err(ExportError::misuse(format!(
-                "it would end (key time {}) before it begins (key time {})",
-                key_times[1], key_times[0]
-            )));
+            return Err(ExportError::Backwards { from: key_times[0], to: key_times[1] });
         }
         Ok(key_times)
     }
 }
 
 impl Moments {
+    /// One picture.
+    #[must_use]
+    pub fn of_picture(shown: Shown, seconds: f64) -> Self {
+        Self { all: vec![Moment { shown, seconds, start_ms: 0.0, turn: 0.0 }], end_ms: 0.0 }
+    }
+
     /// The pictures of a film: picture k is k · 1000/fps ms after the start while that is short of the end, and the end.
     ///
     /// # Errors
@@ -164,7 +172,7 @@ impl Moments {
             // The end would be the start again.
             starts(f64::from(TURN_MS), fps).take((TURN_MS * fps / 1000) as usize).map(still).collect()
         } else {
-            return Err(source.bad_input("nothing moves: name a keyframe file, or --camera turntable"));
+            return Err(ExportError::NothingMoves { source_name: source.name() });
         };
         let count = to_f64(all.len());
         for (place, moment) in all.iter_mut().enumerate() {
@@ -212,10 +220,9 @@ impl Moments {
     /// What a film of these is.
     ///
     /// # Errors
-    /// Wrong usage: more pictures than a film can count.
+    /// [`ExportError::TooManyFrames`]
     pub fn plan(&self, size: Size, frames_per_second: u32, is_opaque: bool) -> Result<Plan, ExportError> {
-        let frames =
-            u32::try_from(self.all.len()).map_err(|_| ExportError::misuse("a film has fewer than 2^32 frames"))?;
+        let frames = u32::try_from(self.all.len()).map_err(|_| ExportError::TooManyFrames)?;
         Ok(Plan { width: size.width, height: size.height, frames, frames_per_second, is_opaque })
     }
 }

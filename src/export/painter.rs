@@ -3,8 +3,10 @@
 use glam::Vec2;
 
 use super::ExportError;
+use crate::film::StillEncoder;
 use crate::frame::Frame;
-use crate::render::{Background, Drawn, Gpu, GpuError, Image, Offscreen, PngRoom, Renderer, default_samples};
+use crate::picture::PngRoom;
+use crate::render::{Background, Drawn, Gpu, GpuError, Image, Offscreen, Renderer, default_samples};
 
 /// Width and height of a picture in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -70,15 +72,27 @@ impl Painter {
         was_under_way.then(|| self.offscreen.read(&self.gpu)).transpose()
     }
 
-    /// Draws a frame and encodes it: 8 bits a channel, not interlaced.
+    /// Draws a frame and encodes it as a PNG: 8 bits a channel, not interlaced.
     ///
     /// # Errors
     /// [`ExportError`]
     pub fn png(&mut self, frame: &Frame) -> Result<Vec<u8>, ExportError> {
+        self.encoded(frame, |size| Box::new(PngRoom::new(size[0], size[1])))
+    }
+
+    /// Draws a frame and encodes it. The encoder is made while the GPU draws.
+    ///
+    /// # Errors
+    /// [`ExportError`]
+    pub fn encoded(
+        &mut self,
+        frame: &Frame,
+        start: impl FnOnce([u32; 2]) -> Box<dyn StillEncoder>,
+    ) -> Result<Vec<u8>, ExportError> {
         let Self { offscreen, gpu, renderer, size, .. } = self;
-        let (drawn, mut room) = offscreen.draw_while(gpu, renderer, frame, || PngRoom::new(size.width, size.height))?;
-        drawn.rows().to_png_in(&mut room)?;
-        Ok(room.into_png())
+        let (drawn, mut encoder) = offscreen.draw_while(gpu, renderer, frame, || start([size.width, size.height]))?;
+        encoder.encode(&drawn.rows())?;
+        Ok(encoder.into_bytes())
     }
 
     /// What is behind everything from now on.

@@ -27,7 +27,7 @@ impl View {
     /// The view of that name; the scene's first eye where none is named.
     ///
     /// # Errors
-    /// [`ExportError::BadInput`]: there is no such eye.
+    /// [`ExportError::NoCamera`]
     pub fn named(name: Option<&str>, scene: &SceneGraph) -> Result<Self, ExportError> {
         let Some(name) = name else { return Ok(Self::Eye(scene.eyes()[0])) };
         if let Some(&eye) = scene.eyes().iter().find(|&&eye| scene.rbt_path(eye) == name) {
@@ -36,9 +36,8 @@ impl View {
         if name == "turntable" {
             return Ok(Self::Turntable);
         }
-        let eyes: Vec<&str> = scene.eyes().iter().map(|&eye| scene.rbt_path(eye)).collect();
-        let place = format!("camera \"{name}\"");
-        Err(ExportError::bad_input(place, format!("the scene's eyes are {}; or: turntable", eyes.join(", "))))
+        let eyes = scene.eyes().iter().map(|&eye| scene.rbt_path(eye).to_owned()).collect();
+        Err(ExportError::NoCamera { name: name.to_owned(), eyes })
     }
 }
 
@@ -66,7 +65,7 @@ impl<'a> Stage<'a> {
     /// The picture at a moment.
     ///
     /// # Errors
-    /// [`ExportError::BadInput`]: the moment is not there.
+    /// [`ExportError`]: the moment is not there.
     pub fn frame(&self, moment: &Moment) -> Result<Frame, ExportError> {
         let pose = self.pose(moment.shown)?;
         let camera = self.camera(&pose, moment);
@@ -85,11 +84,14 @@ impl<'a> Stage<'a> {
             Shown::Rest => Ok(scene.rest_pose().clone()),
             Shown::Keyframe(index) => {
                 let keyframe = animation.keyframes.get(index);
-                keyframe.map(|keyframe| keyframe.pose.clone()).ok_or_else(|| self.source.bad_input("no such keyframe"))
+                keyframe.map(|keyframe| keyframe.pose.clone()).ok_or_else(|| {
+                    let index = i64::try_from(index.get()).unwrap_or(i64::MAX);
+                    self.source.no_keyframe(index, &animation.keyframes)
+                })
             }
             Shown::KeyTime(key_time) => PlayRange::new(&animation.keyframes)
                 .and_then(|range| range.pose_at(key_time, animation.interpolation))
-                .map_err(|error| self.source.bad_input(error)),
+                .map_err(|cause| self.source.unplayable(cause)),
         }
     }
 

@@ -3,33 +3,35 @@
 use std::io::Write;
 use std::path::Path;
 
+use super::ExportError;
 use super::ffmpeg::Ffmpeg;
 use super::pipeline::Drawing;
-use super::{ExportError, Target};
-use crate::film::{Film, FilmError, Format, Palette, Plan};
-use crate::render::PngRoom;
-use crate::storage::{self, Draft, Foreign};
+use crate::film::{Film, FilmError, FilmFormat, Plan, StartStill};
+use crate::render::Image;
+use crate::storage::{self, Draft, Foreign, StorageError};
 
-/// Frames that stand for a film when its palette is chosen.
-const PALETTE_FRAMES: usize = 6;
+/// Is told of each picture that is written, and its bytes.
+pub type Written<'a> = dyn FnMut(&Path, &[u8]) + Send + 'a;
 
-/// Writes frame-00000.png and on into a folder, which is made where it is missing, and tells `note` of each.
+/// Writes frame-00000 and on, with an ending, into a folder, which is made where it is missing, and tells `written` of each.
 ///
 /// # Errors
 /// [`ExportError`]; frames that are written stay, each of them whole.
 pub fn write_folder(
     folder: &Path,
+    ending: &str,
+    start: StartStill,
     drawing: &mut Drawing<'_>,
-    note: &mut (dyn FnMut(&Path, &[u8]) + Send),
+    written: &mut Written<'_>,
 ) -> Result<(), ExportError> {
-    storage::create_folder(folder).map_err(|reason| ExportError::unwritten(folder, reason))?;
-    let mut room = PngRoom::default();
-    drawing.draw(|place, drawn| {
-        let path = folder.join(format!("frame-{place:05}.png"));
-        let png = drawn.rows().to_png_in(&mut room)?;
+    storage::create_folder(folder).map_err(|cause| unwritten(folder, cause))?;
+    let mut encoder = start(None);
+    drawing.draw(|index, drawn| {
+        let path = folder.join(format!("frame-{index:05}.{ending}"));
+        encoder.encode(&drawn.rows())?;
         drop(drawn);
-        storage::write_unsynced(&path, png).map_err(|reason| ExportError::unwritten(&path, reason))?;
-        note(&path, png);
+        storage::write_unsynced(&path, encoder.bytes()).map_err(|cause| unwritten(&path, cause))?;
+        written(&path, encoder.bytes());
         Ok(())
     })
 }
@@ -38,55 +40,66 @@ pub fn write_folder(
 ///
 /// # Errors
 /// [`ExportError`]; what stood there before is as it was.
-pub fn write_film(path: &Path, target: Target, plan: Plan, drawing: &mut Drawing<'_>) -> Result<(), ExportError> {
-    let unwritten = |reason| ExportError::unwritten(path, reason);
-    let Target::Film(format) = target else {
-        let foreign = Foreign::new(path).map_err(unwritten)?;
-        let mut ffmpeg = Ffmpeg::start(path, foreign.path())?;
-        let written = encode(path, Format::Y4m, plan, drawing, &mut ffmpeg);
-        // Where ffmpeg has ended early, what it says matters more than that it takes no more pictures.
-        if let Err(error @ (ExportError::Cancelled | ExportError::Gpu(_))) = written {
-            ffmpeg.stop();
-            return Err(error);
-        }
-        ffmpeg.finish(path)?;
-        written?;
-        return foreign.commit().map_err(unwritten);
-    };
-    let mut draft = Draft::new(path).map_err(unwritten)?;
+pub fn write_film(path: &Path, format: FilmFormat, plan: Plan, drawing: &mut Drawing<'_>) -> Result<(), ExportError> {
+    let mut draft = Draft::new(path).map_err(|cause| unwritten(path, cause))?;
     encode(path, format, plan, drawing, &mut draft)?;
-    draft.commit().map_err(unwritten)
+    draft.commit().map_err(|cause| unwritten(path, cause))
+}
+
+/// As [`write_film`], through the user's ffmpeg.
+///
+/// # Errors
+/// [`ExportError`]; what stood there before is as it was.
+pub fn write_through_ffmpeg(
+    path: &Path,
+    format: FilmFormat,
+    plan: Plan,
+    drawing: &mut Drawing<'_>,
+) -> Result<(), ExportError> {
+    let failed = |cause| ExportError::Ffmpeg { path: path.to_owned(), cause };
+    let foreign = Foreign::new(path).map_err(|cause| unwritten(path, cause))?;
+    let mut ffmpeg = Ffmpeg::start(foreign.path()).map_err(failed)?;
+    let encoded = encode(path, format, plan, drawing, &mut ffmpeg);
+    // Where ffmpeg has ended early, what it says matters more than that it takes no more pictures.
+    if let Err(error @ (ExportError::Cancelled | ExportError::Gpu(_))) = encoded {
+        ffmpeg.stop();
+        return Err(error);
+    }
+    ffmpeg.finish().map_err(failed)?;
+    encoded?;
+    foreign.commit().map_err(|cause| unwritten(path, cause))
 }
 
 fn encode(
     path: &Path,
-    format: Format,
+    format: FilmFormat,
     plan: Plan,
     drawing: &mut Drawing<'_>,
     output: &mut (dyn Write + Send),
 ) -> Result<(), ExportError> {
-    let failed = |reason: FilmError| ExportError::Film { path: path.to_owned(), reason };
-    let palette = if format == Format::Gif { palette(drawing)? } else { Palette::of(&[]) };
-    let mut film = Film::new(format, plan, palette, output).map_err(failed)?;
+    let failed = |cause: FilmError| ExportError::Film { path: path.to_owned(), cause };
+    let samples = samples(drawing, format.sample_frames)?;
+    let mut film = Film::new(format, plan, &samples, output).map_err(failed)?;
+    drop(samples);
     let moments = drawing.moments;
-    drawing.draw(|place, drawn| {
+    drawing.draw(|index, drawn| {
         let image = drawn.rows().to_image();
-        film.push(&image, moments.all[place].start_ms, moments.end_ms(place)).map_err(failed)
+        film.push(&image, moments.all[index].start_ms, moments.end_ms(index)).map_err(failed)
     })?;
     film.finish().map_err(failed)
 }
 
-/// The palette of a few frames, evenly spread over the film.
-fn palette(drawing: &mut Drawing<'_>) -> Result<Palette, ExportError> {
+/// A few frames, evenly spread over the film, and the last one; none where none are wanted.
+fn samples(drawing: &mut Drawing<'_>, count: usize) -> Result<Vec<Image>, ExportError> {
+    if count == 0 {
+        return Ok(Vec::new());
+    }
     let Drawing { stage, moments, painter, .. } = drawing;
-    let step = moments.all.len().div_ceil(PALETTE_FRAMES).max(1);
-    let pictures: Result<Vec<_>, ExportError> = moments
-        .all
-        .iter()
-        .skip(step / 2)
-        .step_by(step)
-        .chain(moments.all.last())
-        .map(|moment| Ok(painter.image(&stage.frame(moment)?)?))
-        .collect();
-    Ok(Palette::of(&pictures?))
+    let step = moments.all.len().div_ceil(count).max(1);
+    let spread = moments.all.iter().skip(step / 2).step_by(step).chain(moments.all.last());
+    spread.map(|moment| Ok(painter.image(&stage.frame(moment)?)?)).collect()
+}
+
+pub(super) fn unwritten(path: &Path, cause: StorageError) -> ExportError {
+    ExportError::Unwritten { path: path.to_owned(), cause }
 }

@@ -1,6 +1,6 @@
 //! The letters of captions: five pixels by seven, so that they are the same bytes everywhere.
 
-use crate::render::Image;
+use crate::picture::Image;
 
 /// Height of a letter in pixels, at scale 1.
 pub const HEIGHT: u32 = 7;

@@ -2,7 +2,7 @@
 
 use super::letters::{HEIGHT, text_width, write_text};
 use crate::colour::Colour;
-use crate::render::Image;
+use crate::picture::Image;
 
 /// Pixels between pictures and around them.
 const GAP: u32 = 4;

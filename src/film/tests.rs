@@ -2,7 +2,9 @@
 
 use std::io::Cursor;
 
+use super::formats::Palette;
 use super::*;
+use crate::picture::Image;
 
 /// A gradient with a block so many pixels from the left, of full opacity or none around the block.
 fn picture(left: u32, is_opaque: bool) -> Image {
@@ -22,11 +24,18 @@ fn picture(left: u32, is_opaque: bool) -> Image {
     Image { width, height, rgba }
 }
 
-fn film(format: Format, is_opaque: bool) -> Vec<u8> {
+fn encoder(format: &Format) -> FilmFormat {
+    match format.encoder {
+        Encoder::Film(film) | Encoder::Ffmpeg(film) => film,
+        Encoder::Still(_) => panic!("{format:?} is of single pictures"),
+    }
+}
+
+fn film(format: &Format, is_opaque: bool) -> Vec<u8> {
     let plan = Plan { width: 31, height: 18, frames: 4, frames_per_second: 30, is_opaque };
     let pictures: Vec<Image> = [2, 5, 5, 9].map(|left| picture(left, is_opaque)).into();
     let mut bytes = Vec::new();
-    let mut film = Film::new(format, plan, Palette::of(&pictures), &mut bytes).unwrap();
+    let mut film = Film::new(encoder(format), plan, &pictures, &mut bytes).unwrap();
     for (place, picture) in pictures.iter().enumerate() {
         let ms = |place: usize| f64::from(u32::try_from(place).unwrap()) * 1000.0 / 30.0;
         film.push(picture, ms(place), ms(place + 1)).unwrap();
@@ -61,8 +70,8 @@ fn gif_pictures(bytes: &[u8]) -> (Vec<Vec<u8>>, Vec<u16>) {
 
 #[test]
 fn a_gif_shows_the_pictures_and_what_does_not_move_does_not_flicker() {
-    let bytes = film(Format::Gif, true);
-    assert_eq!(bytes, film(Format::Gif, true));
+    let bytes = film(&GIF, true);
+    assert_eq!(bytes, film(&GIF, true));
     let (pictures, delays) = gif_pictures(&bytes);
     assert_eq!(delays, [3, 4, 3, 3]);
     assert_eq!(pictures[1], pictures[2]);
@@ -79,7 +88,7 @@ fn a_gif_shows_the_pictures_and_what_does_not_move_does_not_flicker() {
 
 #[test]
 fn a_gif_keeps_what_is_transparent() {
-    let (pictures, _) = gif_pictures(&film(Format::Gif, false));
+    let (pictures, _) = gif_pictures(&film(&GIF, false));
     for (found, left) in pictures.iter().zip([2, 5, 5, 9]) {
         let expected = picture(left, false);
         assert!(found.chunks_exact(4).zip(expected.rgba.chunks_exact(4)).all(|(a, b)| a[3] == b[3]));
@@ -93,7 +102,7 @@ fn few_colours_are_kept_exactly() {
     assert_eq!(palette.colours(), [[1, 2, 3], [250, 251, 252]]);
     let plan = Plan { width: 2, height: 1, frames: 1, frames_per_second: 25, is_opaque: true };
     let mut bytes = Vec::new();
-    let mut film = Film::new(Format::Gif, plan, palette, &mut bytes).unwrap();
+    let mut film = Film::new(encoder(&GIF), plan, std::slice::from_ref(&two), &mut bytes).unwrap();
     film.push(&two, 0.0, 40.0).unwrap();
     film.finish().unwrap();
     let (pictures, delays) = gif_pictures(&bytes);
@@ -103,7 +112,7 @@ fn few_colours_are_kept_exactly() {
 #[test]
 fn an_apng_holds_every_picture_to_the_bit() {
     for is_opaque in [true, false] {
-        let bytes = film(Format::Apng, is_opaque);
+        let bytes = film(&APNG, is_opaque);
         let mut reader = png::Decoder::new(Cursor::new(&bytes)).read_info().unwrap();
         assert_eq!(
             reader.info().animation_control.map(|control| (control.num_frames, control.num_plays)),
@@ -123,14 +132,14 @@ fn an_apng_holds_every_picture_to_the_bit() {
 
 #[test]
 fn a_y4m_has_its_header_and_so_many_bytes_a_picture() {
-    let bytes = film(Format::Y4m, true);
+    let bytes = film(&Y4M, true);
     let header = b"YUV4MPEG2 W31 H18 F30:1 Ip A1:1 C420jpeg XCOLORRANGE=LIMITED\n";
     assert!(bytes.starts_with(header));
     assert_eq!(bytes.len(), header.len() + 4 * (6 + 31 * 18 + 2 * 16 * 9));
     let grey = |level: u8| {
         let plan = Plan { width: 2, height: 2, frames: 1, frames_per_second: 1, is_opaque: true };
         let mut bytes = Vec::new();
-        let mut film = Film::new(Format::Y4m, plan, Palette::of(&[]), &mut bytes).unwrap();
+        let mut film = Film::new(encoder(&Y4M), plan, &[], &mut bytes).unwrap();
         film.push(&Image { width: 2, height: 2, rgba: [level, level, level, 255].repeat(4) }, 0.0, 1.0).unwrap();
         film.finish().unwrap();
         bytes[bytes.len() - 6..].to_vec()
@@ -151,7 +160,8 @@ fn a_contact_sheet_has_its_pictures_in_rows() {
 #[test]
 fn a_picture_of_another_size_is_refused() {
     let plan = Plan { width: 3, height: 3, frames: 1, frames_per_second: 1, is_opaque: true };
-    let mut film = Film::new(Format::Y4m, plan, Palette::of(&[]), Vec::new()).unwrap();
+    let mut bytes = Vec::new();
+    let mut film = Film::new(encoder(&Y4M), plan, &[], &mut bytes).unwrap();
     let error = film.push(&picture(1, true), 0.0, 1.0).unwrap_err();
     assert_eq!(error.to_string(), "a picture of 31x18 pixels in a film of 3x3");
 }

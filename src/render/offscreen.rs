@@ -1,8 +1,8 @@
 //! A target that is no window's.
 
 use crate::frame::Frame;
+use crate::picture::Image;
 use crate::render::gpu::{Gpu, GpuError};
-use crate::render::image::Image;
 use crate::render::read_back::{Drawn, ReadBack};
 use crate::render::renderer::{Renderer, Viewport};
 

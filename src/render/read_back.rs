@@ -3,8 +3,8 @@
 use std::collections::VecDeque;
 use std::sync::mpsc;
 
+use crate::picture::Rows;
 use crate::render::gpu::{Gpu, GpuError};
-use crate::render::image::Rows;
 
 /// Brings textures of one size and 4 bytes a pixel back. It keeps a buffer for each picture that is on its way or being read, and
 /// allocates nothing more.

@@ -12,7 +12,10 @@ use super::dialogs::primary;
 use super::icons::was_pressed;
 use super::theme::{CORNER, GRID, ROW, Tokens};
 use super::words::Words;
-use crate::editor::{Command, Editor, ExportBackground, ExportFormat, ExportOptions, FileCommand};
+use crate::editor::{Command, Editor, FileCommand};
+use crate::film::{
+    Encoder, ExportBackground, ExportOptions, FORMATS, Format, FormatProblem, listed, opaque, translucent,
+};
 use crate::frame::MOST_GHOSTS;
 use crate::keyframe::{PlayRange, to_f64};
 
@@ -76,7 +79,7 @@ impl ExportDialog {
         ui.add_space(2.0 * GRID);
         Grid::new("export").num_columns(2).min_col_width(LABELS).spacing(vec2(2.0 * GRID, 1.5 * GRID)).show(ui, |ui| {
             row(ui, words.say("Format"), |ui| format(ui, options, typed, words));
-            let is_folder = options.format == ExportFormat::Frames;
+            let is_folder = options.format.is_still();
             let label = if is_folder { words.say("Folder") } else { words.say("File") };
             row(ui, label, |ui| {
                 let browse = Button::new(words.say("Browse…"));
@@ -94,8 +97,7 @@ impl ExportDialog {
             });
             row(ui, words.say("Size"), |ui| size(ui, options, words));
             row(ui, words.say("Frames a second"), |ui| {
-                let most = if options.format == ExportFormat::Gif { 50 } else { ExportOptions::MOST_FPS };
-                number(ui, &mut options.fps, 1..=most, words.say("Frames a second"));
+                number(ui, &mut options.fps, 1..=options.format.most_frames_per_second, words.say("Frames a second"));
             });
             row(ui, words.say("Key times"), |ui| range(ui, options, shown.editor, words));
             row(ui, words.say("Camera"), |ui| camera(ui, options, shown.editor, words));
@@ -122,7 +124,7 @@ impl ExportDialog {
             is_cancelled = ui.button(words.say("Cancel")).clicked();
         });
         if is_confirmed {
-            options.path = options.format.path(Path::new(typed.trim()));
+            options.path = options.format.film_path(Path::new(typed.trim()));
             commands.push(Command::File(FileCommand::Export(Box::new(options.clone()))));
         }
         is_confirmed || is_cancelled
@@ -134,7 +136,7 @@ fn proposed(last: Option<(PathBuf, ExportOptions)>, keyframe_file: &Path) -> Exp
     let beside = ExportOptions::beside(keyframe_file);
     match last {
         Some((of, options)) if of == keyframe_file => options,
-        Some((_, options)) => ExportOptions { path: options.format.path(&beside.path), range: None, ..options },
+        Some((_, options)) => ExportOptions { path: options.format.film_path(&beside.path), range: None, ..options },
         None => beside,
     }
 }
@@ -181,19 +183,18 @@ fn choose<T: PartialEq + Copy>(ui: &mut Ui, name: &str, value: &mut T, all: &[(T
 }
 
 fn format(ui: &mut Ui, options: &mut ExportOptions, typed: &mut String, words: Words) {
-    let label = |format: ExportFormat| match format {
-        ExportFormat::Frames => words.say("PNG frames in a folder"),
-        ExportFormat::Gif => "GIF",
-        ExportFormat::Apng => "APNG",
-        ExportFormat::Y4m => "Y4M",
-        ExportFormat::Mp4 => words.say("MP4 (through ffmpeg)"),
+    let label = |format: &Format| match format.encoder {
+        Encoder::Still(_) => words.fill("{} frames in a folder", &[format.name]),
+        Encoder::Film(_) => format.name.to_owned(),
+        Encoder::Ffmpeg(_) => words.fill("{} (through ffmpeg)", &[format.name]),
     };
     let before = options.format;
-    let all = ExportFormat::ALL.map(|format| (format, label(format)));
+    let labels = FORMATS.map(|format| (format, label(format)));
+    let all: Vec<(&'static Format, &str)> = labels.iter().map(|(format, label)| (*format, label.as_str())).collect();
     if choose(ui, words.say("Format"), &mut options.format, &all) {
-        *typed = options.format.path(Path::new(typed.trim())).to_string_lossy().into_owned();
-        if options.fps == before.usual_frames_per_second() {
-            options.fps = options.format.usual_frames_per_second();
+        *typed = options.format.film_path(Path::new(typed.trim())).to_string_lossy().into_owned();
+        if options.fps == before.usual_frames_per_second {
+            options.fps = options.format.usual_frames_per_second;
         }
     }
 }
@@ -282,7 +283,14 @@ fn problem(options: &ExportOptions, editor: &Editor, is_busy: bool, words: Words
     }
     let is_seen_through = options.background == ExportBackground::Transparent;
     let problem = options.format.problem(options.size, Some(options.fps), is_seen_through)?;
-    let said = words.say(problem);
+    let said = match problem {
+        FormatProblem::NoOpacity => {
+            let [opaque, translucent] = [opaque(), translucent()].map(|names| listed(&names, words.say(" and ")));
+            words.fill("{} have no opacity: a transparent background is for {}", &[&opaque, &translucent])
+        }
+        FormatProblem::Limit(limit) => words.say(limit).to_owned(),
+        FormatProblem::NoPicture => problem.to_string(),
+    };
     let mut letters = said.chars();
     letters.next().map(|first| format!("{}{}.", first.to_uppercase(), letters.as_str().trim_end_matches('.')))
 }

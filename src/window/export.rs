@@ -8,8 +8,9 @@ use std::thread::{self, JoinHandle};
 
 use super::Happening;
 use super::shell::Shell;
-use crate::editor::{ExportEnd, ExportOptions, Severity};
+use crate::editor::Severity;
 use crate::export::Job;
+use crate::film::{ExportEnd, ExportOptions};
 use crate::ui::Exporting;
 
 /// How often the window hears of progress, at most.
@@ -40,7 +41,8 @@ impl Shell {
             self.editor.say_of(Severity::Error, text);
             return;
         }
-        let job = Job::new(&self.editor, options);
+        let editor = &self.editor;
+        let job = Job::new(Arc::clone(editor.scene()), editor.animation(), editor.path().to_owned(), options);
         let path = job.path().to_owned();
         let is_ending = Arc::new(AtomicBool::new(false));
         let (asked, proxy) = (Arc::clone(&is_ending), self.proxy.clone());

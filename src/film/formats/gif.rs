@@ -3,20 +3,42 @@
 use std::borrow::Cow;
 use std::io::Write;
 
-use gif::{DisposalMethod, Encoder, Frame, Repeat};
+use gif::{DisposalMethod, Frame, Repeat};
 
-use super::palette::{MOST_COLOURS, Mapping};
-use super::{FilmError, Palette, Plan};
-use crate::render::Image;
+use super::palette::{MOST_COLOURS, Mapping, Palette};
+use crate::film::{Encoder, FilmEncoder, FilmError, FilmFormat, Format, Plan};
+use crate::picture::Image;
+
+/// Frames by which the palette is chosen.
+const PALETTE_FRAMES: usize = 6;
+/// A picture lasts two hundredths of a second at least.
+const MOST_FRAMES_PER_SECOND: u32 = 50;
+
+/// Animated GIF: 255 colours, shown everywhere; times are whole hundredths of a second.
+pub static GIF: Format = Format {
+    name: "GIF",
+    ending: "gif",
+    has_opacity: true,
+    // Four hundredths of a second exactly.
+    usual_frames_per_second: 25,
+    most_frames_per_second: MOST_FRAMES_PER_SECOND,
+    limit: |_, fps| {
+        fps.is_some_and(|fps| fps > MOST_FRAMES_PER_SECOND).then_some("a GIF shows at most 50 frames a second")
+    },
+    encoder: Encoder::Film(FilmFormat {
+        sample_frames: PALETTE_FRAMES,
+        start: |plan, samples, output| Ok(Box::new(GifFilm::new(plan, Palette::of(samples), output)?)),
+    }),
+};
 
 /// The shortest time that programs show a picture for, in hundredths of a second: less they take for ten.
 const SHORTEST: u32 = 2;
 
 /// A GIF that is being written.
-pub struct GifFilm<W: Write> {
+struct GifFilm<W: Write> {
     plan: Plan,
     sides: [u16; 2],
-    encoder: Encoder<W>,
+    encoder: gif::Encoder<W>,
     mapping: Mapping,
     /// The picture so far, as places in the palette.
     shown: Vec<u8>,
@@ -26,22 +48,20 @@ pub struct GifFilm<W: Write> {
 }
 
 impl<W: Write> GifFilm<W> {
-    pub(super) fn new(plan: Plan, palette: Palette, output: W) -> Result<Self, FilmError> {
+    fn new(plan: Plan, palette: Palette, output: W) -> Result<Self, FilmError> {
         let too_large = |_| FilmError::TooLarge { width: plan.width, height: plan.height };
         let sides = [u16::try_from(plan.width).map_err(too_large)?, u16::try_from(plan.height).map_err(too_large)?];
         let mut colours: Vec<u8> = palette.colours().concat();
         colours.resize(3 * (MOST_COLOURS + 1), 0);
-        let mut encoder = Encoder::new(output, sides[0], sides[1], &colours)?;
+        let mut encoder = gif::Encoder::new(output, sides[0], sides[1], &colours)?;
         encoder.set_repeat(Repeat::Infinite)?;
         let mapping = Mapping::new(palette);
         Ok(Self { plan, sides, encoder, mapping, shown: Vec::new(), next: Vec::new(), given: 0 })
     }
+}
 
-    pub(super) fn plan(&self) -> Plan {
-        self.plan
-    }
-
-    pub(super) fn push(&mut self, image: &Image, _start_ms: f64, end_ms: f64) -> Result<(), FilmError> {
+impl<W: Write + Send> FilmEncoder for GifFilm<W> {
+    fn push(&mut self, image: &Image, _start_ms: f64, end_ms: f64) -> Result<(), FilmError> {
         self.mapping.places(image, &mut self.next);
         let transparent = u8::MAX;
         let (rectangle, buffer) = if self.shown.is_empty() || !self.plan.is_opaque {
@@ -74,7 +94,7 @@ impl<W: Write> GifFilm<W> {
         Ok(())
     }
 
-    pub(super) fn finish(self) -> Result<(), FilmError> {
+    fn finish(self: Box<Self>) -> Result<(), FilmError> {
         self.encoder.into_inner()?.flush()?;
         Ok(())
     }

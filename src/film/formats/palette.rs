@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 
 use color_quant::NeuQuant;
 
-use crate::render::Image;
+use crate::picture::Image;
 
 /// Colours in a palette; the one after them is transparent.
 pub const MOST_COLOURS: usize = 255;

@@ -2,30 +2,43 @@
 
 use std::io::Write;
 
-use super::{FilmError, Plan};
-use crate::render::Image;
+use super::{MOST_FRAMES_PER_SECOND, no_limit};
+use crate::film::{Encoder, FilmEncoder, FilmError, FilmFormat, Format, Plan};
+use crate::picture::Image;
+
+/// Uncompressed YUV 4:2:0 (YUV4MPEG2), which other programs encode.
+pub static Y4M: Format = Format {
+    name: "Y4M",
+    ending: "y4m",
+    has_opacity: false,
+    usual_frames_per_second: 30,
+    most_frames_per_second: MOST_FRAMES_PER_SECOND,
+    limit: no_limit,
+    encoder: Encoder::Film(STREAM),
+};
+
+/// How the stream is begun, for a file or for ffmpeg.
+pub(super) const STREAM: FilmFormat =
+    FilmFormat { sample_frames: 0, start: |plan, _, output| Ok(Box::new(Y4mFilm::new(plan, output)?)) };
 
 /// A Y4M stream that is being written.
-pub struct Y4mFilm<W: Write> {
-    plan: Plan,
+struct Y4mFilm<W: Write> {
     output: W,
     bytes: Vec<u8>,
 }
 
 impl<W: Write> Y4mFilm<W> {
-    pub(super) fn new(plan: Plan, mut output: W) -> Result<Self, FilmError> {
+    fn new(plan: Plan, mut output: W) -> Result<Self, FilmError> {
         let Plan { width, height, frames_per_second, .. } = plan;
         let header =
             format!("YUV4MPEG2 W{width} H{height} F{frames_per_second}:1 Ip A1:1 C420jpeg XCOLORRANGE=LIMITED\n");
         output.write_all(header.as_bytes())?;
-        Ok(Self { plan, output, bytes: Vec::new() })
+        Ok(Self { output, bytes: Vec::new() })
     }
+}
 
-    pub(super) fn plan(&self) -> Plan {
-        self.plan
-    }
-
-    pub(super) fn push(&mut self, image: &Image) -> Result<(), FilmError> {
+impl<W: Write + Send> FilmEncoder for Y4mFilm<W> {
+    fn push(&mut self, image: &Image, _start_ms: f64, _end_ms: f64) -> Result<(), FilmError> {
         self.bytes.clear();
         self.bytes.extend_from_slice(b"FRAME\n");
         self.bytes.extend(image.rgba.chunks_exact(4).map(|pixel| luma(rgb(pixel))));
@@ -46,7 +59,7 @@ impl<W: Write> Y4mFilm<W> {
         Ok(())
     }
 
-    pub(super) fn finish(mut self) -> Result<(), FilmError> {
+    fn finish(mut self: Box<Self>) -> Result<(), FilmError> {
         Ok(self.output.flush()?)
     }
 }

@@ -1,6 +1,12 @@
-//! A finished picture on the CPU, and its PNG.
+//! A finished picture on the CPU, its PNG, and pictures out of PNG files.
+//!
+//! Pixels and bytes only: nothing here draws or touches a file.
+
+mod read;
 
 use std::io::Write;
+
+pub use read::ImageReadError;
 
 /// Rows of pixels from the top, tightly packed.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -30,21 +36,27 @@ impl Image {
     ///
     /// [`png::EncodingError`] where the sides and the bytes do not agree, or a side is 0.
     pub fn to_png(&self) -> Result<Vec<u8>, png::EncodingError> {
+        self.rows().to_png()
+    }
+
+    /// Its rows.
+    #[must_use]
+    pub fn rows(&self) -> Rows<'_> {
         let row_bytes = 4 * self.width as usize;
-        Rows { width: self.width, height: self.height, row_bytes, bytes: &self.rgba }.to_png()
+        Rows { width: self.width, height: self.height, row_bytes, bytes: &self.rgba }
     }
 }
 
-/// Rows of pixels from the top, each followed by what is no pixel, wherever they are.
+/// Borrowed rows of pixels from the top, each padded to `row_bytes`.
 #[derive(Clone, Copy, Debug)]
 pub struct Rows<'a> {
     /// Width in pixels.
     pub width: u32,
     /// Height in pixels.
     pub height: u32,
-    /// From a row's start to the next one's.
+    /// Bytes from a row's start to the next one's.
     pub row_bytes: usize,
-    /// Four a pixel: for all that is made of them here, red, green, blue in sRGB and opacity.
+    /// Four a pixel: red, green, blue in sRGB and opacity.
     pub bytes: &'a [u8],
 }
 
@@ -129,6 +141,12 @@ impl PngRoom {
 
     /// The PNG that was made in it last.
     #[must_use]
+    pub fn png(&self) -> &[u8] {
+        &self.bytes
+    }
+
+    /// The PNG that was made in it last.
+    #[must_use]
     pub fn into_png(self) -> Vec<u8> {
         self.bytes
     }
@@ -162,13 +180,7 @@ mod tests {
         };
         let mut room = PngRoom::new(8, 8);
         for image in [image(30, 20, 255), image(30, 20, 40), image(5, 3, 255), image(64, 31, 0), image(30, 20, 255)] {
-            let rows = Rows {
-                width: image.width,
-                height: image.height,
-                row_bytes: 4 * image.width as usize,
-                bytes: &image.rgba,
-            };
-            assert_eq!(rows.to_png_in(&mut room).expect("a PNG"), image.to_png().expect("a PNG"));
+            assert_eq!(image.rows().to_png_in(&mut room).expect("a PNG"), image.to_png().expect("a PNG"));
         }
     }
 }

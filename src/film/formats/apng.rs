@@ -2,33 +2,46 @@
 
 use std::io::Write;
 
-use png::{BlendOp, DisposeOp, Encoder, Writer};
+use png::{BlendOp, DisposeOp, Writer};
 
-use super::{FilmError, Plan};
-use crate::render::{Image, set_up_png};
+use super::{MOST_FRAMES_PER_SECOND, no_limit};
+use crate::film::{Encoder, FilmEncoder, FilmError, FilmFormat, Format, Plan};
+use crate::picture::{Image, set_up_png};
+
+/// Animated PNG: every colour and opacity as drawn.
+pub static APNG: Format = Format {
+    name: "APNG",
+    ending: "apng",
+    has_opacity: true,
+    usual_frames_per_second: 30,
+    most_frames_per_second: MOST_FRAMES_PER_SECOND,
+    limit: no_limit,
+    encoder: Encoder::Film(FilmFormat {
+        sample_frames: 0,
+        start: |plan, _, output| Ok(Box::new(ApngFilm::new(plan, output)?)),
+    }),
+};
 
 /// An animated PNG that is being written.
-pub struct ApngFilm<W: Write> {
+struct ApngFilm<W: Write> {
     plan: Plan,
     writer: Writer<W>,
     rgb: Vec<u8>,
 }
 
 impl<W: Write> ApngFilm<W> {
-    pub(super) fn new(plan: Plan, output: W) -> Result<Self, FilmError> {
-        let mut encoder = Encoder::new(output, plan.width, plan.height);
+    fn new(plan: Plan, output: W) -> Result<Self, FilmError> {
+        let mut encoder = png::Encoder::new(output, plan.width, plan.height);
         set_up_png(&mut encoder, plan.is_opaque);
         encoder.set_animated(plan.frames, 0)?;
         encoder.set_blend_op(BlendOp::Source)?;
         encoder.set_dispose_op(DisposeOp::None)?;
         Ok(Self { plan, writer: encoder.write_header()?, rgb: Vec::new() })
     }
+}
 
-    pub(super) fn plan(&self) -> Plan {
-        self.plan
-    }
-
-    pub(super) fn push(&mut self, image: &Image, start_ms: f64, end_ms: f64) -> Result<(), FilmError> {
+impl<W: Write + Send> FilmEncoder for ApngFilm<W> {
+    fn push(&mut self, image: &Image, start_ms: f64, end_ms: f64) -> Result<(), FilmError> {
         let whole = 1000.0 / f64::from(self.plan.frames_per_second);
         let (numerator, denominator) = if (end_ms - start_ms - whole).abs() < 1e-6 {
             (1, u16::try_from(self.plan.frames_per_second).unwrap_or(u16::MAX))
@@ -51,7 +64,7 @@ impl<W: Write> ApngFilm<W> {
         Ok(())
     }
 
-    pub(super) fn finish(self) -> Result<(), FilmError> {
+    fn finish(self: Box<Self>) -> Result<(), FilmError> {
         Ok(self.writer.finish()?)
     }
 }

@@ -1,0 +1,68 @@
+//! What is to be written, by the ending of its name.
+
+use super::super::arguments::RenderArguments;
+use super::super::{CliError, misuse};
+use crate::film::{Format, NOT_WRITTEN, PNG, format_of_ending, listed, still_names, written_endings};
+use crate::storage;
+
+/// What is to be written.
+#[derive(Clone, Copy)]
+pub struct Output {
+    /// The format of the file or of a folder's files.
+    pub format: &'static Format,
+    /// Whether it is one image; else it is a film, or a folder of numbered images.
+    pub is_one_image: bool,
+}
+
+impl Output {
+    /// What the arguments ask for.
+    ///
+    /// # Errors
+    /// Wrong usage: an ending that is not written, or options that do not go with it.
+    pub fn of(arguments: &RenderArguments) -> Result<Self, CliError> {
+        let path = &arguments.output;
+        let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
+        let ending = ending.as_deref().unwrap_or_default();
+        let is_folder = storage::is_folder(path) || path.to_string_lossy().ends_with(std::path::is_separator);
+        let of_folder = arguments.frames.unwrap_or(&PNG);
+        let output = match format_of_ending(ending) {
+            _ if is_folder => Self { format: of_folder, is_one_image: false },
+            Some(format) if !format.is_still() => Self { format, is_one_image: false },
+            Some(_) if arguments.fps.is_some() => {
+                return Err(misuse("with --fps, --output names a film or a folder for the numbered images"));
+            }
+            Some(format) => Self { format, is_one_image: true },
+            None if NOT_WRITTEN.contains(&ending) => return Err(misuse(&not_written(ending))),
+            None if arguments.fps.is_some() => Self { format: of_folder, is_one_image: false },
+            None => Self { format: &PNG, is_one_image: true },
+        };
+        output.check(arguments)?;
+        Ok(output)
+    }
+
+    /// Whether the options go with it.
+    fn check(self, arguments: &RenderArguments) -> Result<(), CliError> {
+        if !self.is_one_image {
+            if arguments.at.is_some() || arguments.keyframe.is_some() || arguments.sheet.is_some() || arguments.id {
+                let names = listed(&still_names(), " or ");
+                return Err(misuse(&format!(
+                    "--at, --keyframe, --sheet and --id make one image: --output names a {names}"
+                )));
+            }
+        } else if arguments.sheet.is_none() && (arguments.from.is_some() || arguments.to.is_some()) {
+            return Err(misuse("--from and --to are for films, folders and contact sheets; --at is for one image"));
+        }
+        if arguments.id && self.format != &PNG {
+            return Err(misuse("--id writes a 16-bit grey PNG: --output names a PNG"));
+        }
+        if arguments.frames.is_some() && (self.is_one_image || !self.format.is_still()) {
+            return Err(misuse("--frames is for a folder of numbered images"));
+        }
+        Ok(())
+    }
+}
+
+fn not_written(ending: &str) -> String {
+    let written: Vec<String> = written_endings().concat().iter().map(|ending| format!(".{ending}")).collect();
+    format!("--output ends in .{ending}: {} and folders can be written", written.join(", "))
+}

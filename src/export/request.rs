@@ -1,0 +1,176 @@
+//! A request for a picture or film, from what is asked for to its file: what the Export dialog and `inbetween render` both come to.
+
+use std::path::Path;
+
+use super::ffmpeg::find_ffmpeg;
+use super::write::{Written, unwritten, write_film, write_folder, write_through_ffmpeg};
+use super::{Drawing, ExportError, Moments, Painter, Size, Source, Span, Stage, View, Watch};
+use crate::film::{Cell, Encoder, Format, FormatProblem, Grid, StartStill, contact_sheet};
+use crate::frame::Frame;
+use crate::storage;
+
+/// What is made.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Subject {
+    /// One picture, of a key time or of a keyframe of the list; of the playing range's start where neither is named.
+    Picture {
+        /// The key time.
+        at: Option<f64>,
+        /// The keyframe's index.
+        keyframe: Option<i64>,
+    },
+    /// Pictures side by side, as one.
+    Sheet(Grid),
+    /// A film, or a folder of numbered pictures where the format is of single ones.
+    Film {
+        /// Frames a second.
+        fps: u32,
+    },
+}
+
+/// What is asked for.
+#[derive(Clone, Copy)]
+pub struct RenderRequest<'a> {
+    /// The scene and its animation.
+    pub source: Source<'a>,
+    /// What is made of it.
+    pub subject: Subject,
+    /// Which part of the animation, for films and contact sheets. Its seconds count for pictures too.
+    pub span: Span,
+    /// An eye of the scene by its path, or `turntable`; `None`: the scene's first eye.
+    pub camera: Option<&'a str>,
+    /// Neighbouring keyframes on each side that are shown as ghosts.
+    pub ghosts: u8,
+    /// Whether the background is opaque.
+    pub is_opaque: bool,
+    /// The format of the file or, of single pictures, of the folder's files.
+    pub format: &'static Format,
+    /// The file or folder.
+    pub output: &'a Path,
+}
+
+/// A request whose moments are known: all that can be wrong with the animation was found.
+pub struct PlannedRender<'a> {
+    request: RenderRequest<'a>,
+    view: View,
+    moments: Moments,
+}
+
+/// Finds out, before any file is read, whether a format can hold what is asked for, and whether its encoder is there.
+///
+/// # Errors
+/// [`ExportError::Format`], [`ExportError::Ffmpeg`]
+pub fn check_format(
+    format: &Format,
+    size: Size,
+    fps: Option<u32>,
+    is_opaque: bool,
+    output: &Path,
+) -> Result<(), ExportError> {
+    if let Some(problem) = format.problem([size.width, size.height], fps, !is_opaque) {
+        return Err(problem.into());
+    }
+    match format.encoder {
+        Encoder::Ffmpeg(_) => find_ffmpeg().map_err(|cause| ExportError::Ffmpeg { path: output.to_owned(), cause }),
+        Encoder::Still(_) | Encoder::Film(_) => Ok(()),
+    }
+}
+
+impl<'a> RenderRequest<'a> {
+    /// Finds the moments.
+    ///
+    /// # Errors
+    /// [`ExportError`]: an eye, a key time or a keyframe that is not there, or nothing that moves.
+    pub fn plan(self) -> Result<PlannedRender<'a>, ExportError> {
+        let view = View::named(self.camera, self.source.scene)?;
+        let moments = match self.subject {
+            Subject::Picture { at, keyframe } => {
+                Moments::of_picture(self.source.shown(at, keyframe)?, self.span.seconds)
+            }
+            Subject::Sheet(grid) => Moments::of_sheet(self.span, self.source, grid)?,
+            Subject::Film { fps } => Moments::of_film(self.span, self.source, view, fps)?,
+        };
+        Ok(PlannedRender { request: self, view, moments })
+    }
+}
+
+impl PlannedRender<'_> {
+    /// Frames in all.
+    #[must_use]
+    pub fn frame_count(&self) -> usize {
+        self.moments.all.len()
+    }
+
+    /// The first frame, for pictures `painter` is as large as.
+    ///
+    /// # Errors
+    /// [`ExportError`]
+    pub fn first_frame(&self, painter: &Painter) -> Result<Frame, ExportError> {
+        self.stage(painter).frame(&self.moments.all[0])
+    }
+
+    /// Draws and writes it all. `watch` is told of each frame of a film or contact sheet, and may end the work; `written` is told of each
+    /// single picture, a film's frames in a folder included.
+    ///
+    /// # Errors
+    /// [`ExportError`]
+    pub fn write(
+        &self,
+        painter: &mut Painter,
+        watch: &mut Watch<'_>,
+        written: &mut Written<'_>,
+    ) -> Result<(), ExportError> {
+        let RenderRequest { subject, format, output, is_opaque, .. } = self.request;
+        let (stage, size) = (self.stage(painter), painter.size());
+        let mut drawing = Drawing { stage: &stage, moments: &self.moments, painter, watch };
+        match (subject, &format.encoder) {
+            (Subject::Film { .. }, Encoder::Still(start)) => {
+                write_folder(output, format.ending, *start, &mut drawing, written)
+            }
+            (Subject::Film { fps }, Encoder::Film(film)) => {
+                write_film(output, *film, self.moments.plan(size, fps, is_opaque)?, &mut drawing)
+            }
+            (Subject::Film { fps }, Encoder::Ffmpeg(film)) => {
+                write_through_ffmpeg(output, *film, self.moments.plan(size, fps, is_opaque)?, &mut drawing)
+            }
+            (Subject::Sheet(grid), Encoder::Still(start)) => {
+                let bytes = sheet(grid, *start, &mut drawing)?;
+                write_picture(output, &bytes, written)
+            }
+            (Subject::Picture { .. }, Encoder::Still(start)) => {
+                let frame = stage.frame(&self.moments.all[0])?;
+                let bytes = drawing.painter.encoded(&frame, |size| start(Some(size)))?;
+                write_picture(output, &bytes, written)
+            }
+            (Subject::Picture { .. } | Subject::Sheet(_), Encoder::Film(_) | Encoder::Ffmpeg(_)) => {
+                Err(FormatProblem::NoPicture.into())
+            }
+        }
+    }
+
+    fn stage(&self, painter: &Painter) -> Stage<'_> {
+        Stage::new(self.request.source, self.view, self.request.ghosts, painter.size_px())
+    }
+}
+
+/// Writes one picture to its file.
+///
+/// # Errors
+/// [`ExportError::Unwritten`]
+pub fn write_picture(path: &Path, bytes: &[u8], written: &mut Written<'_>) -> Result<(), ExportError> {
+    storage::write_unsynced(path, bytes).map_err(|cause| unwritten(path, cause))?;
+    written(path, bytes);
+    Ok(())
+}
+
+fn sheet(grid: Grid, start: StartStill, drawing: &mut Drawing<'_>) -> Result<Vec<u8>, ExportError> {
+    let mut cells = Vec::new();
+    let moments = drawing.moments;
+    drawing.draw(|index, drawn| {
+        cells.push(Cell { picture: drawn.rows().to_image(), caption: moments.all[index].caption() });
+        Ok(())
+    })?;
+    let mut encoder = start(None);
+    encoder.encode(&contact_sheet(grid, &cells).rows())?;
+    Ok(encoder.into_bytes())
+}

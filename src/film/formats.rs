@@ -1,0 +1,147 @@
+//! The table of formats: a file and a row each.
+
+mod apng;
+mod gif;
+mod mp4;
+mod palette;
+mod png;
+mod y4m;
+
+use super::{Encoder, Format};
+
+pub use apng::APNG;
+pub use gif::GIF;
+pub use mp4::MP4;
+pub use palette::Palette;
+pub use png::PNG;
+pub use y4m::Y4M;
+
+/// All formats, in the order in which they are proposed: films, then those of single pictures.
+pub static FORMATS: [&Format; 5] = [&GIF, &APNG, &MP4, &Y4M, &PNG];
+
+/// The most frames a second of formats with no limit of their own.
+pub const MOST_FRAMES_PER_SECOND: u32 = 1000;
+
+/// Endings of pictures and films that other programs write, which are refused rather than taken for a PNG's name.
+pub const NOT_WRITTEN: [&str; 10] = ["jpg", "jpeg", "webp", "webm", "avi", "mov", "mkv", "bmp", "tif", "tiff"];
+
+/// The format whose files end so, in lower case and without the dot.
+#[must_use]
+pub fn format_of_ending(ending: &str) -> Option<&'static Format> {
+    FORMATS.into_iter().find(|format| format.ending == ending)
+}
+
+/// The formats of single pictures.
+pub fn stills() -> impl Iterator<Item = &'static Format> {
+    FORMATS.into_iter().filter(|format| format.is_still())
+}
+
+/// The formats of films.
+pub fn films() -> impl Iterator<Item = &'static Format> {
+    FORMATS.into_iter().filter(|format| !format.is_still())
+}
+
+/// The endings that are written, without the dot: of single pictures, of films, of films through ffmpeg.
+#[must_use]
+pub fn written_endings() -> [Vec<&'static str>; 3] {
+    let of = |is_kind: fn(&Encoder) -> bool| {
+        let kind = FORMATS.into_iter().filter(|format| is_kind(&format.encoder));
+        kind.map(|format| format.ending).collect()
+    };
+    [
+        of(|encoder| matches!(encoder, Encoder::Still(_))),
+        of(|encoder| matches!(encoder, Encoder::Film(_))),
+        of(|encoder| matches!(encoder, Encoder::Ffmpeg(_))),
+    ]
+}
+
+/// Names of the formats of single pictures.
+#[must_use]
+pub fn still_names() -> Vec<&'static str> {
+    stills().map(|format| format.name).collect()
+}
+
+/// Names of formats that keep no opacity.
+#[must_use]
+pub fn opaque() -> Vec<&'static str> {
+    FORMATS.into_iter().filter(|format| !format.has_opacity).map(|format| format.name).collect()
+}
+
+/// Names of formats that keep opacity, those of single pictures first.
+#[must_use]
+pub fn translucent() -> Vec<&'static str> {
+    stills().chain(films()).filter(|format| format.has_opacity).map(|format| format.name).collect()
+}
+
+/// Names as a sentence lists them: `and` stands before the last.
+#[must_use]
+pub fn listed(names: &[&str], and: &str) -> String {
+    match names {
+        [] => String::new(),
+        [only] => (*only).to_owned(),
+        [others @ .., last] => format!("{}{and}{last}", others.join(", ")),
+    }
+}
+
+/// For formats with no limits of their own.
+const fn no_limit(_: [u32; 2], _: Option<u32>) -> Option<&'static str> {
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::super::FormatProblem;
+    use super::*;
+
+    #[test]
+    fn no_two_formats_share_a_name_or_an_ending() {
+        for (index, format) in FORMATS.iter().enumerate() {
+            assert!(
+                FORMATS[..index].iter().all(|other| other != format && other.ending != format.ending),
+                "{format:?}"
+            );
+            assert_eq!(format_of_ending(format.ending), Some(*format));
+            assert!(!NOT_WRITTEN.contains(&format.ending), "{format:?} is written");
+            assert_eq!(format.ending, format.ending.to_lowercase());
+        }
+    }
+
+    #[test]
+    fn paths_end_as_the_format_does() {
+        let path = |format: &Format, path: &str| format.film_path(Path::new(path)).to_string_lossy().into_owned();
+        assert_eq!(path(&GIF, "a/walk"), "a/walk.gif");
+        assert_eq!(path(&GIF, "a/walk.GIF"), "a/walk.gif");
+        assert_eq!(path(&MP4, "a/walk.gif"), "a/walk.mp4");
+        assert_eq!(path(&APNG, "v1.2"), "v1.2.apng");
+        assert_eq!(path(&PNG, "a/walk.gif"), "a/walk");
+    }
+
+    #[test]
+    fn what_cannot_be_is_said() {
+        let problem = |format: &Format, size, fps, is_seen_through| {
+            format.problem(size, Some(fps), is_seen_through).map(|problem| problem.to_string())
+        };
+        assert_eq!(MP4.problem([640, 480], Some(60), true), Some(FormatProblem::NoOpacity));
+        assert_eq!(Y4M.problem([641, 480], Some(60), true), Some(FormatProblem::NoOpacity));
+        for format in stills().chain([&APNG]) {
+            assert_eq!(format.problem([641, 480], Some(1000), true), None);
+        }
+        assert_eq!(problem(&MP4, [641, 480], 60, false).unwrap(), "an MP4 needs an even width and height");
+        assert_eq!(problem(&MP4, [640, 480], 60, false), None);
+        for format in FORMATS {
+            assert_eq!(format.problem([640, 480], Some(format.most_frames_per_second), false), None, "{format:?}");
+        }
+        assert_eq!(problem(&GIF, [641, 480], 51, true).unwrap(), "a GIF shows at most 50 frames a second");
+    }
+
+    #[test]
+    fn lists_read_as_sentences_do() {
+        let list = |names: &[&str]| listed(names, " and ");
+        assert_eq!(
+            [list(&[]), list(&["a"]), list(&["a", "b"]), list(&["a", "b", "c"])],
+            ["", "a", "a and b", "a, b and c"]
+        );
+    }
+}
