@@ -1,6 +1,7 @@
 //! What only the window shows: sentences of settings and hotkeys, and the editor's where no script can lead to them.
 
 use std::collections::BTreeMap;
+use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -19,6 +20,9 @@ pub fn settings(bytes: &[u8]) -> String {
         Err(error) => format!("> {error}\n"),
     }
 }
+
+/// Tells the editor how the writing of a file ended, and where the file's former content is kept.
+type Effect = fn(&mut Editor, &Path, Result<Option<PathBuf>, String>);
 
 /// What the editor says to commands that no script line can give, and of effects that only a window has.
 pub fn editor() -> String {
@@ -53,24 +57,24 @@ pub fn editor() -> String {
     for command in commands {
         let shown = format!("{command:?}");
         let _ = editor.apply(command);
-        text += &format!("{shown}\t{}\n", editor.message().text);
+        let _ = writeln!(text, "{shown}\t{}", editor.message().text);
     }
     let path = Path::new("folder/walk.json");
     let kept = || Ok(Some(PathBuf::from("folder/walk.json~")));
     let failed = || "No space left on device (os error 28)".to_owned();
-    let effects: [(&str, fn(&mut Editor, &Path, Result<Option<PathBuf>, String>)); 2] = [
+    let effects: [(&str, Effect); 2] = [
         ("keyframes written", |editor, path, outcome| drop(editor.keyframes_written(path, outcome))),
         ("scene written", |editor, path, outcome| drop(editor.scene_written(path, outcome))),
     ];
     for (name, effect) in effects {
         for outcome in [Ok(None), kept(), Err(failed())] {
             effect(&mut editor, path, outcome);
-            text += &format!("{name}\t{}\n", editor.message().text);
+            let _ = writeln!(text, "{name}\t{}", editor.message().text);
         }
     }
     for outcome in [Ok(()), Err(failed())] {
         let _ = editor.screenshot_taken(Path::new("folder/shot.png"), outcome);
-        text += &format!("screenshot\t{}\n", editor.message().text);
+        let _ = writeln!(text, "screenshot\t{}", editor.message().text);
     }
     let ends = [
         ExportEnd::Written(1),
@@ -82,7 +86,7 @@ pub fn editor() -> String {
     for end in ends {
         let shown = format!("{end:?}");
         editor.exported(Path::new("folder/walk.gif"), end);
-        text += &format!("{shown}\t{}\n", editor.message().text);
+        let _ = writeln!(text, "{shown}\t{}", editor.message().text);
     }
     text
 }
@@ -107,11 +111,12 @@ pub fn keymap() -> String {
         let mut editor = Editor::new(scene, PathBuf::from("animation.json"));
         editor.set_keymap(keymap.clone());
         let _ = editor.apply(Command::Edit(Edit::DisplayCurrent));
-        text += &format!("{name} {chord:?}\t{}\t{}\n", errors.join(" "), editor.message().text);
+        let _ = writeln!(text, "{name} {chord:?}\t{}\t{}", errors.join(" "), editor.message().text);
         if let Some(chord) = Chord::parse(chord) {
             let set = keymap.clone().set(name, vec![chord]);
-            text += &format!(
-                "set {name} {}\t{}\n",
+            let _ = writeln!(
+                text,
+                "set {name} {}\t{}",
                 chord.label(),
                 set.err().map_or_else(String::new, |error| error.to_string())
             );

@@ -4,6 +4,7 @@
 //! after `> `. Then come the files that were written, with the beginning of their SHA-256; short CSV files with their text.
 
 use std::collections::BTreeMap;
+use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::Mutex;
@@ -69,7 +70,7 @@ fn section(case: &Case, root: &Path) -> String {
         let arguments: Vec<String> =
             run.split_whitespace().map(|argument| argument.replace("{}", &case.file)).collect();
         if run != crate::cases::RUN_SCRIPT {
-            text += &format!("$ {}\n", arguments.join(" "));
+            let _ = writeln!(text, "$ {}", arguments.join(" "));
         }
         if arguments[0] == "settings" {
             text += &library::settings(&case.bytes);
@@ -84,7 +85,7 @@ fn section(case: &Case, root: &Path) -> String {
             .output()
             .unwrap();
         let status = output.status.code().unwrap_or_else(|| panic!("{} was killed: {output:?}", case.name));
-        text += &format!("! {status}\n");
+        let _ = writeln!(text, "! {status}");
         let stdout = String::from_utf8(output.stdout).unwrap();
         if arguments.iter().any(|argument| argument == "--trace") {
             text += &trace::compact(&stdout, &String::from_utf8_lossy(&case.bytes));
@@ -108,8 +109,8 @@ fn written(case: &Case, folder: &Path) -> String {
         if was_given == Some(&bytes) {
             continue;
         }
-        text += &format!("# {name} {}\n", hash(&bytes));
-        if name.ends_with(".csv") && bytes.len() <= LONGEST {
+        let _ = writeln!(text, "# {name} {}", hash(&bytes));
+        if Path::new(&name).extension().is_some_and(|ending| ending == "csv") && bytes.len() <= LONGEST {
             text += &shown(&String::from_utf8_lossy(&bytes), "= ");
         }
     }
@@ -141,12 +142,12 @@ fn shown(text: &str, mark: &str) -> String {
             let lines: Vec<&str> = text.lines().collect();
             for last in &lines[lines.len().saturating_sub(3)..] {
                 let short: String = last.chars().take(200).collect();
-                shown += &format!("{mark}… {short}\n");
+                let _ = writeln!(shown, "{mark}… {short}");
             }
             return shown + &format!("{mark}({} bytes in all, {})\n", text.len(), hash(text.as_bytes()));
         }
         let end = if line.ends_with('\n') { "" } else { "\\\n" };
-        shown += &format!("{mark}{line}{end}");
+        let _ = write!(shown, "{mark}{line}{end}");
     }
     shown
 }

@@ -7,6 +7,7 @@
 //! are marked with `~`. [`repeats`] decides which they are, and `main.rs` counts them as nothing said.
 
 use serde_json::Value;
+use std::fmt::Write as _;
 
 /// A trace in few bytes.
 pub fn compact(trace: &str, script: &str) -> String {
@@ -29,7 +30,7 @@ pub fn compact(trace: &str, script: &str) -> String {
         assert!(!message.contains(['\n', '\t', '~']));
         let mark = if repeats(command, message) { "~" } else { "" };
         let said = if shown == state { String::new() } else { format!(" {shown}") };
-        text += &format!("{number}{said}\t{mark}{message}\n");
+        let _ = writeln!(text, "{number}{said}\t{mark}{message}");
         state = shown;
     }
     text
