@@ -1,0 +1,126 @@
+//! What only the window shows: sentences of settings and hotkeys, and the editor's where no script can lead to them.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use glam::Vec3;
+use inbetween::editor::keymap::{Chord, Keymap};
+use inbetween::editor::{Command, Edit, Editor, ExportEnd, PlaybackCommand, SceneEdit, TimelineEdit, ViewCommand};
+use inbetween::keyframe::KeyframeIndex;
+use inbetween::pose::RbtIndex;
+use inbetween::scene::{DEFAULT_SCENE, built_in_scene};
+use inbetween::settings::Settings;
+
+/// What a settings file gives: itself as the program writes it, or what is wrong with it.
+pub fn settings(bytes: &[u8]) -> String {
+    match Settings::from_json(bytes) {
+        Ok(settings) => settings.to_json().lines().map(|line| format!("| {line}\n")).collect(),
+        Err(error) => format!("> {error}\n"),
+    }
+}
+
+/// Tells the editor how the writing of a file ended, and where the file's former content is kept.
+type Effect = fn(&mut Editor, &Path, Result<Option<PathBuf>, String>);
+
+/// What the editor says to commands that no script line can give, and of effects that only a window has.
+pub fn editor() -> String {
+    let scene = Arc::new(built_in_scene(DEFAULT_SCENE).expect("it is built in"));
+    let mut editor = Editor::new(scene, PathBuf::from("animation.json"));
+    let mut text = String::new();
+    let robot = RbtIndex::new(2);
+    let beyond = RbtIndex::new(99);
+    let nan = Vec3::splat(f32::NAN);
+    for _ in 0..4 {
+        let _ = editor.apply(Command::Edit(Edit::CreateKeyframe));
+    }
+    let first = KeyframeIndex::new(0);
+    let commands = [
+        Command::View(ViewCommand::SetEye(9)),
+        Command::View(ViewCommand::Choose(Some(beyond))),
+        Command::Edit(Edit::SetTranslation(beyond, Vec3::ZERO)),
+        Command::Edit(Edit::SetTranslation(robot, nan)),
+        Command::Edit(Edit::Timeline(TimelineEdit::SetTranslationInKeyframe(first, beyond, Vec3::ZERO))),
+        Command::Edit(Edit::Timeline(TimelineEdit::SetTranslationInKeyframe(first, robot, nan))),
+        Command::Edit(Edit::Timeline(TimelineEdit::SetDuration {
+            keyframe: first,
+            duration: f64::NAN,
+            ripple_free: false,
+        })),
+        Command::Playback(PlaybackCommand::Scrub(f64::NAN)),
+        Command::View(ViewCommand::ScrubSeconds(f64::INFINITY)),
+        Command::Edit(Edit::Scene(SceneEdit::DeleteKeys(Vec::new()))),
+        Command::Edit(Edit::Scene(SceneEdit::MoveKeys { keys: Vec::new(), by: 1.0 })),
+        Command::Edit(Edit::Scene(SceneEdit::AddKeys(Vec::new()))),
+    ];
+    for command in commands {
+        let shown = format!("{command:?}");
+        let _ = editor.apply(command);
+        let _ = writeln!(text, "{shown}\t{}", editor.message().text);
+    }
+    let path = Path::new("folder/walk.json");
+    let kept = || Ok(Some(PathBuf::from("folder/walk.json~")));
+    let failed = || "No space left on device (os error 28)".to_owned();
+    let effects: [(&str, Effect); 2] = [
+        ("keyframes written", |editor, path, outcome| drop(editor.keyframes_written(path, outcome))),
+        ("scene written", |editor, path, outcome| drop(editor.scene_written(path, outcome))),
+    ];
+    for (name, effect) in effects {
+        for outcome in [Ok(None), kept(), Err(failed())] {
+            effect(&mut editor, path, outcome);
+            let _ = writeln!(text, "{name}\t{}", editor.message().text);
+        }
+    }
+    for outcome in [Ok(()), Err(failed())] {
+        let _ = editor.screenshot_taken(Path::new("folder/shot.png"), outcome);
+        let _ = writeln!(text, "screenshot\t{}", editor.message().text);
+    }
+    let ends = [
+        ExportEnd::Written(1),
+        ExportEnd::Written(25),
+        ExportEnd::Cancelled(0),
+        ExportEnd::Cancelled(7),
+        ExportEnd::Failed("there is no ffmpeg".to_owned()),
+    ];
+    for end in ends {
+        let shown = format!("{end:?}");
+        editor.exported(Path::new("folder/walk.gif"), end);
+        let _ = writeln!(text, "{shown}\t{}", editor.message().text);
+    }
+    text
+}
+
+/// What is wrong with changes of hotkeys, and the sentences that name another key then.
+pub fn keymap() -> String {
+    let changes = [
+        ("New keyframe", "y"),
+        ("New keyframe", "Ctrl+K"),
+        ("Arcball", "Hyper+q"),
+        ("Fly", "f"),
+        ("Cancel", "x"),
+        ("Undo", ""),
+    ];
+    let mut text = String::new();
+    for (name, chord) in changes {
+        let chords: Vec<String> =
+            Some(chord).filter(|chord| !chord.is_empty()).map(str::to_owned).into_iter().collect();
+        let (keymap, errors) = Keymap::with_changes(&BTreeMap::from([(name.to_owned(), chords)]));
+        let errors: Vec<String> = errors.iter().map(ToString::to_string).collect();
+        let scene = Arc::new(built_in_scene(DEFAULT_SCENE).expect("it is built in"));
+        let mut editor = Editor::new(scene, PathBuf::from("animation.json"));
+        editor.set_keymap(keymap.clone());
+        let _ = editor.apply(Command::Edit(Edit::DisplayCurrent));
+        let _ = writeln!(text, "{name} {chord:?}\t{}\t{}", errors.join(" "), editor.message().text);
+        if let Some(chord) = Chord::parse(chord) {
+            let set = keymap.clone().set(name, vec![chord]);
+            let _ = writeln!(
+                text,
+                "set {name} {}\t{}",
+                chord.label(),
+                set.err().map_or_else(String::new, |error| error.to_string())
+            );
+        }
+    }
+    text
+}

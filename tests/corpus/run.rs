@@ -1,0 +1,153 @@
+//! Runs cases, and puts what they left into text.
+//!
+//! A case's section holds for each run `$ ARGUMENTS`, `! STATUS`, the lines of standard output after `| ` and those of standard error
+//! after `> `. Then come the files that were written, with the beginning of their SHA-256; short CSV files with their text.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread;
+
+use sha2::{Digest as _, Sha256};
+
+use crate::cases::Case;
+use crate::{bases, library, trace};
+
+/// What is longer is cut and told by its SHA-256.
+const LONGEST: usize = 900;
+
+/// A folder for all cases, and in `shared` the files that several of them read.
+pub struct Shared(tempfile::TempDir);
+
+impl Shared {
+    pub fn new() -> Self {
+        let shared = Self(tempfile::tempdir().unwrap());
+        let folder = shared.0.path().join("shared");
+        std::fs::create_dir(&folder).unwrap();
+        for (name, base) in bases::SHARED {
+            std::fs::write(folder.join(name), bases::base(base)).unwrap();
+        }
+        shared
+    }
+}
+
+/// The sections of all cases, in their order.
+pub fn all(cases: &[Case], shared: &Shared) -> Vec<(String, String)> {
+    let next = AtomicUsize::new(0);
+    let sections: Mutex<BTreeMap<usize, String>> = Mutex::default();
+    thread::scope(|scope| {
+        for _ in 0..thread::available_parallelism().map_or(2, usize::from) {
+            scope.spawn(|| {
+                loop {
+                    let place = next.fetch_add(1, Ordering::Relaxed);
+                    let Some(case) = cases.get(place) else { break };
+                    let section = section(case, shared.0.path());
+                    sections.lock().unwrap().insert(place, section);
+                }
+            });
+        }
+    });
+    let sections = sections.into_inner().unwrap();
+    sections.into_iter().map(|(place, section)| (cases[place].name.clone(), section)).collect()
+}
+
+fn binary() -> PathBuf {
+    std::env::var_os("CORPUS_BINARY").map_or_else(|| env!("CARGO_BIN_EXE_inbetween").into(), PathBuf::from)
+}
+
+fn section(case: &Case, root: &Path) -> String {
+    let folder = root.join(&case.name);
+    std::fs::create_dir(&folder).unwrap();
+    std::fs::write(folder.join(&case.file), &case.bytes).unwrap();
+    for (name, bytes) in &case.with {
+        std::fs::write(folder.join(name), bytes).unwrap();
+    }
+    let mut text = String::new();
+    for run in &case.runs {
+        let arguments: Vec<String> =
+            run.split_whitespace().map(|argument| argument.replace("{}", &case.file)).collect();
+        if run != crate::cases::RUN_SCRIPT {
+            let _ = writeln!(text, "$ {}", arguments.join(" "));
+        }
+        if arguments[0] == "settings" {
+            text += &library::settings(&case.bytes);
+            continue;
+        }
+        let output = Command::new(binary())
+            .current_dir(&folder)
+            .args(&arguments)
+            .stdin(Stdio::null())
+            .env_remove("DISPLAY")
+            .env_remove("WAYLAND_DISPLAY")
+            .output()
+            .unwrap();
+        let status = output.status.code().unwrap_or_else(|| panic!("{} was killed: {output:?}", case.name));
+        let _ = writeln!(text, "! {status}");
+        let stdout = String::from_utf8(output.stdout).unwrap();
+        if arguments.iter().any(|argument| argument == "--trace") {
+            text += &trace::compact(&stdout, &String::from_utf8_lossy(&case.bytes));
+        } else {
+            text += &shown(&stdout, "| ");
+        }
+        text += &shown(&String::from_utf8(output.stderr).unwrap(), "> ");
+    }
+    text + &written(case, &folder)
+}
+
+/// The files of a folder that were not there before, or are not as they were.
+fn written(case: &Case, folder: &Path) -> String {
+    let mut files = Vec::new();
+    list(folder, folder, &mut files);
+    let mut text = String::new();
+    for (name, bytes) in files {
+        let was_given = (name == case.file).then_some(&case.bytes);
+        let was_given =
+            was_given.or_else(|| case.with.iter().find(|(given, _)| *given == name).map(|(_, bytes)| bytes));
+        if was_given == Some(&bytes) {
+            continue;
+        }
+        let _ = writeln!(text, "# {name} {}", hash(&bytes));
+        if Path::new(&name).extension().is_some_and(|ending| ending == "csv") && bytes.len() <= LONGEST {
+            text += &shown(&String::from_utf8_lossy(&bytes), "= ");
+        }
+    }
+    text
+}
+
+fn list(root: &Path, folder: &Path, files: &mut Vec<(String, Vec<u8>)>) {
+    let mut entries: Vec<PathBuf> = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    entries.sort();
+    for path in entries {
+        if path.is_dir() {
+            list(root, &path, files);
+        } else {
+            let name = path.strip_prefix(root).unwrap().to_string_lossy().into_owned();
+            files.push((name, std::fs::read(&path).unwrap()));
+        }
+    }
+}
+
+fn hash(bytes: &[u8]) -> String {
+    Sha256::digest(bytes).iter().take(6).map(|byte| format!("{byte:02x}")).collect()
+}
+
+/// The lines of a text with a mark before each; of a long one the first lines, the last three and its SHA-256.
+fn shown(text: &str, mark: &str) -> String {
+    let mut shown = String::new();
+    for line in text.split_inclusive('\n') {
+        if shown.len() + line.len() > LONGEST {
+            let lines: Vec<&str> = text.lines().collect();
+            for last in &lines[lines.len().saturating_sub(3)..] {
+                let short: String = last.chars().take(200).collect();
+                let _ = writeln!(shown, "{mark}… {short}");
+            }
+            return shown + &format!("{mark}({} bytes in all, {})\n", text.len(), hash(text.as_bytes()));
+        }
+        let end = if line.ends_with('\n') { "" } else { "\\\n" };
+        let _ = write!(shown, "{mark}{line}{end}");
+    }
+    shown
+}
