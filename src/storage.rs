@@ -1,14 +1,19 @@
 //! The file system: the only place that touches it.
 
+mod draft;
+mod place;
+mod stamp;
 mod walk;
 
 use std::fs;
 use std::io::{self, Read as _, Write as _};
 use std::path::{Path, PathBuf};
 
-use atomic_write_file::AtomicWriteFile;
 use thiserror::Error;
 
+pub use draft::{Committed, Draft, Foreign};
+pub use place::is_stream;
+pub use stamp::{Stamp, Stamping};
 pub use walk::{Entry, EntryKind, entries as list, inside, kind};
 
 /// Why a file was not read or written. The message does not name the file; whoever says it does.
@@ -17,6 +22,9 @@ pub enum StorageError {
     /// The system refused.
     #[error("{}", system_sentence(.0))]
     System(#[from] io::Error),
+    /// The file's mode has no write bit: its owner wants it kept, even from root.
+    #[error("it is read-only")]
+    ReadOnly,
     /// The file is larger than what is read.
     #[error("the file has {found} bytes, and at most {limit} are read")]
     TooLarge {
@@ -66,42 +74,53 @@ pub fn read_stream(stream: impl io::Read, limit: u64, expected: u64) -> Result<V
 }
 
 /// Writes a whole file so that it holds either all of `bytes` or what it held before: beside it, synced, renamed over it.
-/// A symbolic link stays one; the file it leads to is written.
+/// A symbolic link stays one; the file it leads to is written. What is no regular file is written into.
 ///
 /// # Errors
-/// [`StorageError::System`]; the file is as it was then.
+/// [`StorageError`]; a regular file is as it was then.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<(), StorageError> {
-    write_with(path, |file| file.write_all(bytes))
+    let mut draft = Draft::new(path)?;
+    draft.write_all(bytes)?;
+    draft.commit()?;
+    Ok(())
 }
 
 /// The same for content that is made while it is written.
 ///
 /// # Errors
-/// [`StorageError::System`]; the file is as it was then.
+/// [`StorageError`]; a regular file is as it was then.
 pub fn write_with(path: &Path, write: impl FnOnce(&mut dyn io::Write) -> io::Result<()>) -> Result<(), StorageError> {
-    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
-    if target.is_dir() {
-        return Err(io::Error::from(io::ErrorKind::IsADirectory).into());
-    }
-    let mut file = AtomicWriteFile::open(target)?;
-    let mut buffered = io::BufWriter::with_capacity(1 << 16, &mut file);
-    write(&mut buffered)?;
-    buffered.flush()?;
-    drop(buffered);
-    file.commit()?;
+    let mut draft = Draft::new(path)?;
+    write(&mut draft)?;
+    draft.commit()?;
     Ok(())
 }
 
-/// As [`write`], but without waiting for the disk: for pictures that can be made again. After a power cut they may be gone; an
+/// The same, and says what the file holds now and what became of the one that stood there.
+///
+/// # Errors
+/// [`StorageError`]; a regular file is as it was then.
+pub fn write_stamped(
+    path: &Path,
+    write: impl FnOnce(&mut dyn io::Write) -> io::Result<()>,
+) -> Result<(Stamp, Committed), StorageError> {
+    let mut stamping = io::BufWriter::with_capacity(1 << 16, Stamping::new(Draft::new(path)?));
+    write(&mut stamping)?;
+    let (draft, stamp) = stamping.into_inner().map_err(io::IntoInnerError::into_error)?.finish();
+    let committed = draft.put()?;
+    Ok((stamp.placed_at(path), committed))
+}
+
+/// As [`write()`], but without waiting for the disk: for pictures that can be made again. After a power cut they may be gone; an
 /// interrupted program leaves them whole or not at all.
 ///
 /// # Errors
-/// [`StorageError::System`]; the file is as it was then.
+/// [`StorageError`]; a regular file is as it was then.
 pub fn write_unsynced(path: &Path, bytes: &[u8]) -> Result<(), StorageError> {
-    let (foreign, mut file) = Foreign::open(path)?;
-    file.write_all(bytes)?;
-    drop(file);
-    foreign.put()
+    let mut draft = Draft::new(path)?.unsynced();
+    draft.write_all(bytes)?;
+    draft.commit()?;
+    Ok(())
 }
 
 /// Copies a file, if it exists, to the first free name of `NAME.bak`, `NAME.bak2` and on, and says which.
@@ -164,106 +183,6 @@ pub fn exists(path: &Path) -> bool {
     path.exists()
 }
 
-/// A file that is being written, piece by piece, beside the one whose place it takes at the end. Dropped before, it leaves nothing.
-#[derive(Debug)]
-pub struct Draft {
-    file: io::BufWriter<AtomicWriteFile>,
-}
-
-impl Draft {
-    /// An empty file for that place. A symbolic link stays one; the file it leads to is replaced.
-    ///
-    /// # Errors
-    /// [`StorageError::System`]
-    pub fn new(path: &Path) -> Result<Self, StorageError> {
-        let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
-        if target.is_dir() {
-            return Err(io::Error::from(io::ErrorKind::IsADirectory).into());
-        }
-        Ok(Self { file: io::BufWriter::with_capacity(1 << 18, AtomicWriteFile::open(target)?) })
-    }
-
-    /// Syncs what was written and puts it in its place.
-    ///
-    /// # Errors
-    /// [`StorageError::System`]; what stood there before is as it was.
-    pub fn commit(self) -> Result<(), StorageError> {
-        Ok(self.file.into_inner().map_err(io::IntoInnerError::into_error)?.commit()?)
-    }
-}
-
-impl io::Write for Draft {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.file.write(bytes)
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        self.file.flush()
-    }
-}
-
-/// A file that another program writes beside the one whose place it takes at the end. Dropped before, it is removed.
-#[derive(Debug)]
-pub struct Foreign {
-    beside: PathBuf,
-    target: PathBuf,
-    is_put: bool,
-}
-
-impl Foreign {
-    /// A name beside that place, which nothing has yet.
-    ///
-    /// # Errors
-    /// [`StorageError::System`]: the place is a folder, or lies in none.
-    pub fn new(path: &Path) -> Result<Self, StorageError> {
-        Ok(Self::open(path)?.0)
-    }
-
-    fn open(path: &Path) -> Result<(Self, fs::File), StorageError> {
-        let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
-        if target.is_dir() {
-            return Err(io::Error::from(io::ErrorKind::IsADirectory).into());
-        }
-        let mut name = std::ffi::OsString::from(".");
-        name.push(target.file_name().ok_or(io::ErrorKind::InvalidInput).map_err(io::Error::from)?);
-        name.push(format!(".{}.part", std::process::id()));
-        let beside = target.with_file_name(name);
-        // Made now, so that a folder that is missing or cannot be written is found out before the work.
-        let file = fs::File::create_new(&beside)?;
-        Ok((Self { beside, target, is_put: false }, file))
-    }
-
-    /// Where the other program writes: an empty file stands there.
-    #[must_use]
-    pub fn path(&self) -> &Path {
-        &self.beside
-    }
-
-    /// Puts what was written in its place.
-    ///
-    /// # Errors
-    /// [`StorageError::System`]; what stood there before is as it was.
-    pub fn commit(self) -> Result<(), StorageError> {
-        fs::File::open(&self.beside)?.sync_all()?;
-        self.put()
-    }
-
-    fn put(mut self) -> Result<(), StorageError> {
-        fs::rename(&self.beside, &self.target)?;
-        self.is_put = true;
-        Ok(())
-    }
-}
-
-impl Drop for Foreign {
-    fn drop(&mut self) {
-        if !self.is_put {
-            // Where it cannot be removed there is no one to tell.
-            let _ = fs::remove_file(&self.beside);
-        }
-    }
-}
-
 /// Whether a folder stands there.
 #[must_use]
 pub fn is_folder(path: &Path) -> bool {
@@ -280,3 +199,6 @@ pub fn remove(path: &Path) -> Result<(), StorageError> {
         _ => Ok(()),
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -6,6 +6,7 @@
 mod damage;
 mod desktop;
 mod dialog;
+mod display;
 mod effects;
 mod export;
 mod handling;
@@ -40,12 +41,14 @@ use shell::Shell;
 pub enum WindowError {
     /// No display answers.
     #[error(
-        "no display can be opened ({reason}): start this from a desktop session, set DISPLAY or WAYLAND_DISPLAY, or use a virtual one \
+        "no display can be opened ({reason}; {variables}): start this from a desktop session, set DISPLAY or WAYLAND_DISPLAY, or use a virtual one \
          (Debian: apt-get install xvfb libxkbcommon-x11-0, then xvfb-run inbetween); check, sample, render and script need none"
     )]
     NoDisplay {
         /// What the window system says.
         reason: String,
+        /// What the variables say that name a display.
+        variables: String,
     },
     /// No adapter can draw on the window.
     #[error(transparent)]
@@ -111,7 +114,11 @@ pub fn run(editor: Editor, at_start: Vec<Command>) -> Result<(), WindowError> {
 fn event_loop() -> Result<EventLoop<Happening>, WindowError> {
     let hook = std::panic::take_hook();
     std::panic::set_hook(Box::new(|_| {}));
-    let made = catch_unwind(AssertUnwindSafe(|| EventLoop::with_user_event().build()));
+    let made = catch_unwind(AssertUnwindSafe(|| {
+        let mut builder = EventLoop::with_user_event();
+        display::choose(&mut builder);
+        builder.build()
+    }));
     std::panic::set_hook(hook);
     let reason = match made {
         Ok(Ok(event_loop)) => return Ok(event_loop),
@@ -123,7 +130,7 @@ fn event_loop() -> Result<EventLoop<Happening>, WindowError> {
             .or_else(|| panic.downcast_ref::<&str>().map(|text| (*text).to_owned()))
             .unwrap_or_else(|| "a library of the window system is missing".to_owned()),
     };
-    Err(WindowError::NoDisplay { reason })
+    Err(WindowError::NoDisplay { reason, variables: display::variables() })
 }
 
 /// The clock on the wall.

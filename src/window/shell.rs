@@ -19,7 +19,7 @@ use super::meter::{Meter, Work};
 use super::path::PathDrag;
 use super::pointer::Pointer;
 use super::stage::Stage;
-use super::{Happening, WindowError, desktop, now};
+use super::{Happening, WindowError, desktop, display, now};
 use crate::clock::AnimationClock;
 use crate::editor::{Command, Editor, FileCommand, Severity};
 use crate::keyframe::KeyframeIndex;
@@ -111,7 +111,7 @@ impl Shell {
             Window::default_attributes().with_inner_size(SIZE).with_min_inner_size(SMALLEST).with_visible(false);
         let stage = match event_loop.create_window(attributes) {
             Ok(window) => Stage::new(event_loop, Arc::new(window), &self.proxy, None),
-            Err(error) => Err(WindowError::NoDisplay { reason: error.to_string() }),
+            Err(error) => Err(WindowError::NoDisplay { reason: error.to_string(), variables: display::variables() }),
         };
         match stage {
             Ok(stage) => {

@@ -1,0 +1,293 @@
+//! Files that are being written. A regular file gets its new content whole or not at all; a device or a pipe is written into.
+
+use std::fs::{self, File, Metadata};
+use std::io::{self, Write as _};
+use std::path::{Path, PathBuf};
+
+use tempfile::NamedTempFile;
+
+use super::StorageError;
+use super::place::{Place, place_of};
+
+/// What every draft's name begins with.
+pub(super) const DRAFT_PREFIX: &str = ".inbetween-";
+
+/// A file that is being written beside the one whose place it takes at the end. Dropped before, it leaves nothing.
+///
+/// A device, a pipe or what a descriptor of this process leads to (`/dev/stdout`) is never replaced: it is written into.
+#[derive(Debug)]
+pub struct Draft {
+    file: Output,
+    is_synced: bool,
+}
+
+#[derive(Debug)]
+enum Output {
+    /// Beside the place of a regular file.
+    Beside(io::BufWriter<Beside>),
+    /// The whole content, kept until the end: the folder takes no new file, so that the old one has to be written over.
+    InPlace { content: Vec<u8>, target: PathBuf },
+    /// What is no regular file.
+    Stream(io::BufWriter<File>),
+}
+
+/// A draft with its lock, and where it belongs.
+#[derive(Debug)]
+pub(super) struct Beside {
+    draft: NamedTempFile,
+    target: PathBuf,
+}
+
+/// What became of the file that was written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Committed {
+    /// How many other names the file had that was replaced. They keep the old content.
+    pub other_links: u64,
+}
+
+impl Draft {
+    /// An empty draft for a place. A symbolic link stays one: the file that it leads to is replaced, or made where it is missing.
+    ///
+    /// # Errors
+    /// [`StorageError`]: the place is a folder, lies in none, is read-only, or the system refuses.
+    pub fn new(path: &Path) -> Result<Self, StorageError> {
+        let file = match place_of(path)? {
+            Place::Stream(file) => Output::Stream(io::BufWriter::with_capacity(1 << 16, file)),
+            Place::File { target } => match Beside::new(&target) {
+                Ok(beside) => Output::Beside(io::BufWriter::with_capacity(1 << 18, beside)),
+                Err(error) if is_folder_closed(&error) && target.exists() => {
+                    // Opened now, so that a file that cannot be written is found out before the work.
+                    fs::OpenOptions::new().write(true).open(&target)?;
+                    Output::InPlace { content: Vec::new(), target }
+                }
+                Err(error) => return Err(error.into()),
+            },
+        };
+        Ok(Self { file, is_synced: true })
+    }
+
+    /// The same without waiting for the disk at the end: for pictures that can be made again. After a power cut they may be gone; an
+    /// interrupted program leaves them whole or not at all.
+    #[must_use]
+    pub fn unsynced(self) -> Self {
+        Self { is_synced: false, ..self }
+    }
+
+    /// Puts what was written in its place.
+    ///
+    /// # Errors
+    /// [`StorageError::System`]; a regular file is as it was then.
+    pub fn commit(self) -> Result<(), StorageError> {
+        self.put().map(|_| ())
+    }
+
+    /// As [`Draft::commit`], and says what became of the file that stood there.
+    ///
+    /// # Errors
+    /// [`StorageError::System`]; a regular file is as it was then.
+    pub fn put(self) -> Result<Committed, StorageError> {
+        match self.file {
+            Output::Stream(mut file) => {
+                file.flush()?;
+                Ok(Committed::default())
+            }
+            Output::InPlace { content, target } => {
+                let mut file = fs::OpenOptions::new().write(true).open(target)?;
+                file.write_all(&content)?;
+                file.set_len(content.len() as u64)?;
+                file.sync_all()?;
+                Ok(Committed::default())
+            }
+            Output::Beside(file) => {
+                Ok(file.into_inner().map_err(io::IntoInnerError::into_error)?.commit(self.is_synced)?)
+            }
+        }
+    }
+}
+
+impl io::Write for Draft {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        match &mut self.file {
+            Output::Beside(file) => file.write(bytes),
+            Output::InPlace { content, .. } => content.write(bytes),
+            Output::Stream(file) => file.write(bytes),
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        match &mut self.file {
+            Output::Beside(file) => file.flush(),
+            Output::InPlace { .. } => Ok(()),
+            Output::Stream(file) => file.flush(),
+        }
+    }
+}
+
+/// A file that another program writes beside the one whose place it takes at the end. Dropped before, it is removed.
+#[derive(Debug)]
+pub struct Foreign(ForeignOutput);
+
+#[derive(Debug)]
+enum ForeignOutput {
+    Beside(Beside),
+    Stream(PathBuf),
+}
+
+impl Foreign {
+    /// An empty draft for a place.
+    ///
+    /// # Errors
+    /// [`StorageError`]: the place is a folder, lies in none, is read-only, or the system refuses.
+    pub fn new(path: &Path) -> Result<Self, StorageError> {
+        Ok(Self(match place_of(path)? {
+            Place::Stream(_) => ForeignOutput::Stream(path.to_owned()),
+            Place::File { target } => ForeignOutput::Beside(Beside::new(&target)?),
+        }))
+    }
+
+    /// Where the other program writes: an empty file, or a device or pipe.
+    #[must_use]
+    pub fn path(&self) -> &Path {
+        match &self.0 {
+            ForeignOutput::Beside(beside) => beside.draft.path(),
+            ForeignOutput::Stream(path) => path,
+        }
+    }
+
+    /// Puts what was written in its place.
+    ///
+    /// # Errors
+    /// [`StorageError::System`]; what stood there before is as it was.
+    pub fn commit(self) -> Result<(), StorageError> {
+        match self.0 {
+            ForeignOutput::Beside(beside) => Ok(beside.commit(true).map(|_| ())?),
+            ForeignOutput::Stream(_) => Ok(()),
+        }
+    }
+}
+
+impl Beside {
+    /// A locked, empty draft. Drafts for the same place that a killed program left are removed: their locks are gone.
+    fn new(target: &Path) -> io::Result<Self> {
+        let folder = folder_of(target);
+        let prefix = draft_prefix(target);
+        remove_leftovers(folder, &prefix);
+        loop {
+            let draft = builder(&prefix).tempfile_in(folder)?;
+            // Where the file system has no locks, a draft is unprotected for as long as it is written.
+            let _ = draft.as_file().try_lock();
+            // Another program may have taken the draft for a leftover before it was locked.
+            if draft.path().exists() {
+                return Ok(Self { draft, target: target.to_owned() });
+            }
+        }
+    }
+
+    fn commit(self, is_synced: bool) -> io::Result<Committed> {
+        let Self { draft, target } = self;
+        let old = fs::metadata(&target).ok();
+        if let Some(old) = &old {
+            take_over(draft.as_file(), old)?;
+        }
+        if is_synced {
+            draft.as_file().sync_all()?;
+        }
+        draft.persist(&target).map_err(|error| error.error)?;
+        if is_synced {
+            sync_folder(folder_of(&target));
+        }
+        Ok(Committed { other_links: old.as_ref().map_or(0, other_links) })
+    }
+}
+
+impl io::Write for Beside {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.draft.as_file_mut().write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.draft.as_file_mut().flush()
+    }
+}
+
+/// The folder of a file, as a path that can be opened.
+fn folder_of(target: &Path) -> &Path {
+    match target.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    }
+}
+
+/// What the names of all drafts for a place begin with. A hash stands for the name, since a name may have 255 bytes already.
+fn draft_prefix(target: &Path) -> String {
+    use sha2::Digest as _;
+    let name = target.file_name().unwrap_or_default();
+    let hash = sha2::Sha256::digest(name.as_encoded_bytes());
+    format!("{DRAFT_PREFIX}{:02x}{:02x}{:02x}{:02x}-", hash[0], hash[1], hash[2], hash[3])
+}
+
+/// Makes drafts with the mode that the umask gives a new file.
+fn builder<'a>(prefix: &'a str) -> tempfile::Builder<'a, 'static> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(prefix).rand_bytes(12);
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt as _;
+        builder.permissions(fs::Permissions::from_mode(0o666));
+    }
+    builder
+}
+
+/// Removes drafts that nobody holds a lock on. What cannot be removed stays: it does no harm.
+fn remove_leftovers(folder: &Path, prefix: &str) {
+    let Ok(entries) = fs::read_dir(folder) else { return };
+    for entry in entries.filter_map(Result::ok) {
+        let is_draft = entry.file_name().as_encoded_bytes().starts_with(prefix.as_bytes());
+        if is_draft
+            && let Ok(file) = File::open(entry.path())
+            && file.try_lock().is_ok()
+        {
+            let _ = fs::remove_file(entry.path());
+        }
+    }
+}
+
+/// Gives a draft the mode and the owner of the file that it replaces.
+#[cfg(unix)]
+fn take_over(draft: &File, old: &Metadata) -> io::Result<()> {
+    use std::os::unix::fs::MetadataExt as _;
+    let new = draft.metadata()?;
+    if (new.uid(), new.gid()) != (old.uid(), old.gid()) {
+        // Only root can give a file away; for others the file becomes their own, as with every editor that renames.
+        let _ = std::os::unix::fs::fchown(draft, Some(old.uid()), Some(old.gid()));
+    }
+    draft.set_permissions(old.permissions())
+}
+
+#[cfg(not(unix))]
+fn take_over(_: &File, _: &Metadata) -> io::Result<()> {
+    Ok(())
+}
+
+#[cfg(unix)]
+fn other_links(old: &Metadata) -> u64 {
+    use std::os::unix::fs::MetadataExt as _;
+    old.nlink().saturating_sub(1)
+}
+
+#[cfg(not(unix))]
+fn other_links(_: &Metadata) -> u64 {
+    0
+}
+
+/// Makes a rename last through a power cut. Where folders cannot be synced, the system does it in its own time.
+fn sync_folder(folder: &Path) {
+    if let Ok(folder) = File::open(folder) {
+        let _ = folder.sync_all();
+    }
+}
+
+/// Whether a folder takes no new file, so that a file in it can only be written over.
+fn is_folder_closed(error: &io::Error) -> bool {
+    matches!(error.kind(), io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem)
+}

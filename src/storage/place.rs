@@ -1,0 +1,93 @@
+//! What stands at an output's path, and whether it may be replaced.
+
+use std::fs::{self, File};
+use std::io;
+use std::path::{Path, PathBuf};
+
+use super::StorageError;
+
+/// As many links behind each other as Linux follows.
+const MOST_LINKS: usize = 40;
+
+/// What an output is written to.
+#[derive(Debug)]
+pub(super) enum Place {
+    /// A regular file that is replaced, or a name that is free.
+    File {
+        /// Its path, all links followed.
+        target: PathBuf,
+    },
+    /// A device, a pipe, or what a descriptor of a process leads to: open, to be written into.
+    Stream(File),
+}
+
+/// What stands at a path.
+///
+/// # Errors
+/// [`StorageError`]: a folder, a read-only file, too many links, or the system refuses.
+pub(super) fn place_of(path: &Path) -> Result<Place, StorageError> {
+    let target = followed(path)?;
+    if let Some(file) = own_output(&target)? {
+        return Ok(Place::Stream(file));
+    }
+    match fs::metadata(&target) {
+        Ok(metadata) if metadata.is_dir() => Err(io::Error::from(io::ErrorKind::IsADirectory).into()),
+        Ok(metadata) if !metadata.is_file() || is_in_proc(&target) => {
+            Ok(Place::Stream(fs::OpenOptions::new().write(true).open(&target)?))
+        }
+        Ok(metadata) if metadata.permissions().readonly() => Err(StorageError::ReadOnly),
+        Ok(_) => Ok(Place::File { target }),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(Place::File { target }),
+        Err(error) => Err(error.into()),
+    }
+}
+
+/// Whether a path leads to what is not a regular file: a device or a pipe, which is never replaced.
+#[must_use]
+pub fn is_stream(path: &Path) -> bool {
+    let Ok(target) = followed(path) else { return false };
+    fs::metadata(&target).is_ok_and(|metadata| (!metadata.is_file() && !metadata.is_dir()) || is_in_proc(&target))
+}
+
+/// Follows symbolic links, also one that leads to nothing yet. A descriptor's link under `/proc` is not followed: it leads to what is
+/// open, which may have no name.
+fn followed(path: &Path) -> io::Result<PathBuf> {
+    let mut target = path.to_owned();
+    for _ in 0..MOST_LINKS {
+        if is_in_proc(&target) {
+            return Ok(target);
+        }
+        match fs::read_link(&target) {
+            Ok(link) => target = target.parent().unwrap_or_else(|| Path::new("")).join(link),
+            Err(_) => return Ok(target),
+        }
+    }
+    Err(io::Error::other("too many links behind each other"))
+}
+
+/// Whether a path is a descriptor of a process, as `/dev/stdout` is in the end.
+fn is_in_proc(path: &Path) -> bool {
+    (path.starts_with("/proc") || path.starts_with("/dev/fd"))
+        && path.parent().is_some_and(|parent| parent.ends_with("fd"))
+}
+
+/// This process's standard output or error, where a path leads there: written to at the position that the descriptor has.
+#[cfg(unix)]
+fn own_output(target: &Path) -> io::Result<Option<File>> {
+    use std::os::fd::AsFd as _;
+    let own = format!("/proc/{}/fd", std::process::id());
+    let is_own = target
+        .parent()
+        .is_some_and(|parent| [Path::new("/proc/self/fd"), Path::new("/dev/fd"), Path::new(&own)].contains(&parent));
+    let descriptor = target.file_name().filter(|_| is_own).and_then(|name| name.to_str());
+    Ok(match descriptor {
+        Some("1") => Some(io::stdout().as_fd().try_clone_to_owned()?.into()),
+        Some("2") => Some(io::stderr().as_fd().try_clone_to_owned()?.into()),
+        _ => None,
+    })
+}
+
+#[cfg(not(unix))]
+fn own_output(_: &Path) -> io::Result<Option<File>> {
+    Ok(None)
+}
