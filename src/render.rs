@@ -19,6 +19,7 @@ mod look;
 mod mesh;
 mod offscreen;
 mod pipelines;
+mod quiet;
 mod read;
 mod read_back;
 mod renderer;

@@ -8,7 +8,7 @@ use super::{
     write_film, write_folder,
 };
 use crate::editor::{Editor, ExportBackground, ExportEnd, ExportOptions};
-use crate::render::{Background, Gpu};
+use crate::render::Background;
 use crate::scene::{Colour, SceneGraph};
 
 /// All that an export needs: what it was when it was asked for, whatever becomes of the document meanwhile.
@@ -70,7 +70,7 @@ impl Job {
         // What cannot be played is found out before anything is drawn.
         let moments = Moments::of_film(Span { from, to, seconds: 0.0 }, source, view, *fps)?;
         let size = Size { width: size[0], height: size[1] };
-        let mut painter = Painter::on(Gpu::headless()?, size, *samples)?;
+        let mut painter = Painter::headless(size, *samples)?;
         painter.set_background(match background {
             ExportBackground::Sky => Background::Sky,
             ExportBackground::Colour([red, green, blue]) => Background::Colour(

@@ -1,47 +1,47 @@
-//! Keyframe files as the commands read them.
+//! Keyframe files, and texts that are read as such.
 
 use std::path::Path;
 
-use super::CliError;
+use super::FileError;
 use crate::export::Animation;
 use crate::interpolation::Interpolation;
 use crate::keyframe::{KeyframeFile, LARGEST_FILE_BYTES, PlayRange, keyframes_from_json};
 use crate::scene::SceneGraph;
-use crate::storage;
+use crate::text_layouts::{Reading, read_keyframes};
 
 /// Reads a keyframe file.
 ///
 /// # Errors
-/// What is wrong with it: a sentence a problem, without the file's name; never empty.
-pub fn read(file: &Path, scene: &SceneGraph) -> Result<KeyframeFile, Vec<String>> {
-    let bytes = storage::read(file, LARGEST_FILE_BYTES).map_err(|error| vec![error.to_string()])?;
-    keyframes_from_json(&bytes, scene).map_err(|problems| problems.iter().map(ToString::to_string).collect())
+/// [`FileError`] with everything that is wrong with it.
+pub fn keyframe_file(file: &Path, scene: &SceneGraph) -> Result<KeyframeFile, FileError> {
+    let bytes = super::read(file, LARGEST_FILE_BYTES)?;
+    keyframes_from_json(&bytes, scene).map_err(|problems| FileError::all(file.display(), problems))
+}
+
+/// Reads keyframes: a keyframe file, or a text in any layout that `convert` reads.
+///
+/// # Errors
+/// [`FileError`] with everything that is wrong with it.
+pub fn keyframes_of_any_layout(file: &Path, scene: &SceneGraph) -> Result<Reading, FileError> {
+    let bytes = super::read(file, LARGEST_FILE_BYTES)?;
+    read_keyframes(&bytes, scene).map_err(|problems| FileError::all(file.display(), problems))
 }
 
 impl Animation {
-    /// What a keyframe file says, with defaults where it does not; `interpolation`, where given, takes the place of what it says.
+    /// Reads a keyframe file, with defaults where it does not say; `interpolation`, where given, replaces the file's.
     ///
     /// # Errors
-    /// [`CliError::BadInput`]
-    pub(super) fn load(
-        file: &Path,
-        scene: &SceneGraph,
-        interpolation: Option<Interpolation>,
-    ) -> Result<Self, CliError> {
-        let place = file.display();
-        let (keyframes, in_file, ms_between_keyframes) = read(file, scene)
-            .map_err(|problems| CliError::BadInput {
-                sentences: problems.iter().map(|problem| format!("{place}: {problem}")).collect(),
-            })?
-            .into_parts();
+    /// [`FileError`]
+    pub fn load(file: &Path, scene: &SceneGraph, interpolation: Option<Interpolation>) -> Result<Self, FileError> {
+        let (keyframes, in_file, ms_between_keyframes) = keyframe_file(file, scene)?.into_parts();
         Ok(Self { keyframes, interpolation: interpolation.unwrap_or(in_file), ms_between_keyframes })
     }
 
-    /// The part that plays.
+    /// The part that plays; `file` is for the error.
     ///
     /// # Errors
-    /// [`CliError::BadInput`] below 4 keyframes.
-    pub(super) fn play_range(&self, file: &Path) -> Result<PlayRange<'_>, CliError> {
-        PlayRange::new(&self.keyframes).map_err(|error| CliError::bad_input(file.display(), error))
+    /// [`FileError`]: fewer than 4 keyframes.
+    pub fn play_range(&self, file: &Path) -> Result<PlayRange<'_>, FileError> {
+        PlayRange::new(&self.keyframes).map_err(|error| FileError::new(file.display(), error))
     }
 }

@@ -4,12 +4,16 @@ use std::path::Path;
 
 use serde::Deserialize;
 
-use super::hotkeys;
-use crate::cli::{CliError, reading};
+use super::folder::{self, Traced};
+use super::item::ItemKind;
 use crate::difference::Tolerances;
-use crate::keyframe::{DEFAULT_MS_BETWEEN_KEYFRAMES, KeyframeList, PlayRange};
+use crate::files::{self, FileError};
+use crate::interpolation::Interpolation;
+use crate::keyframe::{KeyframeList, PlayRange};
 use crate::scene::SceneGraph;
-use crate::storage;
+use crate::script::Line;
+use crate::text::{line_and_column, without_byte_order_mark};
+use crate::text_layouts::read_keyframes;
 
 /// The largest rubric, and the largest of the files that it names, in bytes.
 const LARGEST_BYTES: u64 = 64 << 20;
@@ -84,10 +88,33 @@ pub struct Rubric {
     pub reference: KeyframeList,
     /// Milliseconds between the right keyframes.
     pub ms_between_keyframes: u32,
-    /// The reference's keyframe file, as a script reads it.
-    pub reference_bytes: Vec<u8>,
     /// The hotkey script, where one is graded.
-    pub script: Option<Vec<u8>>,
+    pub script: Option<RubricScript>,
+}
+
+/// A hotkey script with what it should do.
+#[derive(Clone, Debug)]
+pub struct RubricScript {
+    /// Its lines.
+    pub lines: Vec<Line>,
+    /// The trace of a run with the reference, or why there is none.
+    pub expected: Result<Vec<Traced>, String>,
+}
+
+impl Rubric {
+    /// What is graded, and for how many points each, in the order of results.
+    pub fn items(&self) -> impl Iterator<Item = (ItemKind, f64)> + use<> {
+        let points = self.points;
+        let before = [(ItemKind::Readable, points.readable), (ItemKind::KeyframeCount, points.keyframe_count)];
+        let keyframes = (0..self.reference.len()).map(move |index| (ItemKind::Keyframe(index), points.each_keyframe));
+        let after = [
+            (ItemKind::Playback(Interpolation::Linear), points.linear_playback),
+            (ItemKind::Playback(Interpolation::CatmullRom), points.catmull_rom_playback),
+            (ItemKind::RangeAndEnd, points.range_and_end),
+            (ItemKind::Script, points.script),
+        ];
+        before.into_iter().chain(keyframes).chain(after).filter(|(_, out_of)| *out_of > 0.0)
+    }
 }
 
 /// Parses a rubric: TOML where its name ends so, else JSON. What is wrong is a sentence that ends with its line and column.
@@ -97,10 +124,7 @@ fn parse(path: &Path, bytes: &[u8]) -> Result<RubricText, String> {
         return serde_json::from_slice(bytes).map_err(|error| crate::json::sentence(&error));
     }
     let placed = |at: usize, what: &str| {
-        let before = &bytes[..at.min(bytes.len())];
-        let line = before.split(|byte| *byte == b'\n').count();
-        let start = before.iter().rposition(|byte| *byte == b'\n').map_or(0, |newline| newline + 1);
-        let column = String::from_utf8_lossy(&before[start..]).chars().count() + 1;
+        let (line, column) = line_and_column(bytes, at);
         format!("{what} at line {line} column {column}")
     };
     let text = std::str::from_utf8(bytes).map_err(|error| placed(error.valid_up_to(), "not UTF-8"))?;
@@ -113,88 +137,114 @@ fn parse(path: &Path, bytes: &[u8]) -> Result<RubricText, String> {
     })
 }
 
-/// Reads a rubric and the files that it names, by paths from its own folder.
-///
-/// # Errors
-/// [`CliError::BadInput`]
-pub fn load(path: &Path, scene: &SceneGraph) -> Result<Rubric, CliError> {
-    let bad = |problem: String| CliError::bad_input(path.display(), problem);
-    let bytes = storage::read(path, LARGEST_BYTES).map_err(|error| bad(error.to_string()))?;
-    let text = parse(path, bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes)).map_err(bad)?;
-    if text.format != "inbetween.rubric" {
-        return Err(bad(format!("format is {:?}, expected \"inbetween.rubric\"", text.format)));
-    }
-    if text.version != 1 {
-        return Err(bad(format!("version is {}, and this program reads version 1", text.version)));
-    }
-    if !(1..=1000).contains(&text.fps) {
-        return Err(bad(format!("fps is {}, expected a whole number from 1 to 1000", text.fps)));
-    }
-    let Points {
-        readable,
-        keyframe_count,
-        each_keyframe,
-        linear_playback,
-        catmull_rom_playback,
-        range_and_end,
-        script,
-    } = text.points;
-    let numbers = [
-        ("points.readable", readable),
-        ("points.keyframe_count", keyframe_count),
-        ("points.each_keyframe", each_keyframe),
-        ("points.linear_playback", linear_playback),
-        ("points.catmull_rom_playback", catmull_rom_playback),
-        ("points.range_and_end", range_and_end),
-        ("points.script", script),
-        ("tolerances.translation", text.tolerances.translation),
-        ("tolerances.rotation_degrees", text.tolerances.rotation_degrees),
-    ];
-    if let Some((name, number)) = numbers.into_iter().find(|(_, number)| !(0.0..=1e6).contains(number)) {
-        return Err(bad(format!("{name} is {number}, expected 0 to 1000000")));
-    }
-    if script > 0.0 && text.script.is_none() {
-        return Err(bad("points.script is there, but script names no file".to_owned()));
-    }
-    let folder = path.parent().unwrap_or(Path::new(""));
-    let read = |name: &str| {
-        let path = folder.join(name);
-        storage::read(&path, LARGEST_BYTES).map_err(|error| CliError::bad_input(path.display(), error))
-    };
-    let script = text.script.as_deref().map(read).transpose()?;
-    if let (Some(bytes), Some(name)) = (&script, &text.script) {
-        hotkeys::parse(bytes, scene).map_err(|problem| CliError::bad_input(folder.join(name).display(), problem))?;
-    }
-    let reference_path = folder.join(&text.reference);
-    let bad_reference = |problem: String| CliError::bad_input(reference_path.display(), problem);
-    let given = read(&text.reference)?;
-    // A reference is a keyframe file or a script that makes one.
-    let reference_bytes = match reading::keyframes(&given, scene) {
-        Ok(_) => given,
-        Err(_) if hotkeys::parse(&given, scene).is_ok() => {
-            hotkeys::made_keyframes(&given, scene).map_err(bad_reference)?
+impl RubricText {
+    /// The first thing that is wrong with what the rubric says.
+    fn problem(&self) -> Option<String> {
+        if self.format != "inbetween.rubric" {
+            return Some(format!("format is {:?}, expected \"inbetween.rubric\"", self.format));
         }
-        Err(problems) => {
-            return Err(CliError::BadInput {
-                sentences: problems.iter().map(|p| format!("{}: {p}", reference_path.display())).collect(),
-            });
+        if self.version != 1 {
+            return Some(format!("version is {}, and this program reads version 1", self.version));
         }
-    };
-    let file = reading::keyframes(&reference_bytes, scene).map_err(|problems| bad_reference(problems.join("; ")))?.file;
-    let ms_between_keyframes = file.ms_between_keyframes.unwrap_or(DEFAULT_MS_BETWEEN_KEYFRAMES);
-    let (reference, ..) = file.into_parts();
-    PlayRange::new(&reference).map_err(|error| bad_reference(error.to_string()))?;
-    let TolerancesText { translation, rotation_degrees } = text.tolerances;
-    Ok(Rubric {
-        title: text.title,
-        points: text.points,
-        tolerances: Tolerances { translation, rotation_degrees },
-        fps: text.fps,
-        reference,
-        ms_between_keyframes,
-        reference_bytes,
-        script,
-    })
+        if !(1..=1000).contains(&self.fps) {
+            return Some(format!("fps is {}, expected a whole number from 1 to 1000", self.fps));
+        }
+        // Taken apart, so that no field is forgotten.
+        let Points {
+            readable,
+            keyframe_count,
+            each_keyframe,
+            linear_playback,
+            catmull_rom_playback,
+            range_and_end,
+            script,
+        } = self.points;
+        let numbers = [
+            ("points.readable", readable),
+            ("points.keyframe_count", keyframe_count),
+            ("points.each_keyframe", each_keyframe),
+            ("points.linear_playback", linear_playback),
+            ("points.catmull_rom_playback", catmull_rom_playback),
+            ("points.range_and_end", range_and_end),
+            ("points.script", script),
+            ("tolerances.translation", self.tolerances.translation),
+            ("tolerances.rotation_degrees", self.tolerances.rotation_degrees),
+        ];
+        if let Some((name, number)) = numbers.into_iter().find(|(_, number)| !(0.0..=1e6).contains(number)) {
+            return Some(format!("{name} is {number}, expected 0 to 1000000"));
+        }
+        let has_no_script = script > 0.0 && self.script.is_none();
+        has_no_script.then(|| "points.script is there, but script names no file".to_owned())
+    }
+}
+
+impl Rubric {
+    /// Reads a rubric and the files that it names, by paths from its own folder.
+    ///
+    /// # Errors
+    /// [`FileError`]
+    pub fn load(path: &Path, scene: &SceneGraph) -> Result<Self, FileError> {
+        let bad = |problem: String| FileError::new(path.display(), problem);
+        let text = parse(path, without_byte_order_mark(&files::read(path, LARGEST_BYTES)?)).map_err(bad)?;
+        if let Some(problem) = text.problem() {
+            return Err(bad(problem));
+        }
+        let folder = path.parent().unwrap_or(Path::new(""));
+        let script = text.script.as_deref().map(|name| {
+            let path = folder.join(name);
+            Ok((files::read(&path, LARGEST_BYTES)?, path))
+        });
+        let script = script.transpose()?;
+        let lines = script.map(|(bytes, path)| {
+            folder::read_script(&bytes, scene).map_err(|problem| FileError::new(path.display(), problem))
+        });
+        let lines = lines.transpose()?;
+        let Reference { bytes: reference_bytes, list: reference, ms_between_keyframes } =
+            Reference::load(&folder.join(&text.reference), scene)?;
+        let script = lines.map(|lines| RubricScript {
+            expected: folder::run(&lines, scene, Some(&reference_bytes)).map(|ran| ran.trace),
+            lines,
+        });
+        let TolerancesText { translation, rotation_degrees } = text.tolerances;
+        Ok(Self {
+            title: text.title,
+            points: text.points,
+            tolerances: Tolerances { translation, rotation_degrees },
+            fps: text.fps,
+            reference,
+            ms_between_keyframes,
+            script,
+        })
+    }
+}
+
+/// The right keyframes, and the bytes of a file that holds them.
+struct Reference {
+    bytes: Vec<u8>,
+    list: KeyframeList,
+    ms_between_keyframes: u32,
+}
+
+impl Reference {
+    /// Reads a keyframe file, or runs a script that makes one.
+    fn load(path: &Path, scene: &SceneGraph) -> Result<Self, FileError> {
+        let bad = |problem: String| FileError::new(path.display(), problem);
+        let given = files::read(path, LARGEST_BYTES)?;
+        let (bytes, file) = match read_keyframes(&given, scene) {
+            Ok(read) => (given, read.file),
+            Err(problems) => {
+                let Ok(lines) = folder::read_script(&given, scene) else {
+                    return Err(FileError::all(path.display(), problems));
+                };
+                let made = folder::run(&lines, scene, None).map_err(bad)?.keyframe_file();
+                let read = read_keyframes(&made, scene).map_err(|problems| bad(problems.join("; ")))?;
+                (made, read.file)
+            }
+        };
+        let (list, _, ms_between_keyframes) = file.into_parts();
+        PlayRange::new(&list).map_err(|error| bad(error.to_string()))?;
+        Ok(Self { bytes, list, ms_between_keyframes })
+    }
 }
 
 #[cfg(test)]
@@ -206,7 +256,7 @@ mod tests {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/grading");
         for name in ["rubric.json", "rubric.toml"] {
             let path = folder.join(name);
-            let text = storage::read(&path, LARGEST_BYTES).unwrap();
+            let text = files::read(&path, LARGEST_BYTES).unwrap();
             assert!(parse(&path, &text).is_ok());
             let mut refused = 0;
             for at in 0..text.len() {

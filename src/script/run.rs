@@ -1,134 +1,130 @@
-//! Running a script: the editor's shell without a window.
+//! Running a script against an editor without a window.
 //!
-//! Time passes only by `wait`. What the window asks its user about needs no answer here: a script that writes over a file means to,
-//! and one that quits is done.
-
-use std::path::Path;
+//! Time passes only by `wait`. Questions that a window would ask its user need no answer: a script that writes over a file means to,
+//! and one that quits ends.
 
 use super::parse::{Action, Line};
-use super::trace::Trace;
-use crate::cli::CliError;
+use super::trace::{State, TraceLine};
 use crate::clock::AnimationClock;
-use crate::editor::{Command, Editor, Effect};
-use crate::export::Painter;
-use crate::frame::Frame;
-use crate::keyframe::LARGEST_FILE_BYTES;
-use crate::storage;
+use crate::editor::{Host, PathQuestion};
 
-/// An editor with what its effects need.
-pub struct Runner {
-    editor: Editor,
-    clock: AnimationClock,
-    painter: Option<Painter>,
-    trace: Option<Trace>,
+/// What hosts without a window keep of what only a window can do.
+#[derive(Clone, Debug, Default)]
+pub struct NoWindow {
+    said: Option<&'static str>,
+    has_quit: bool,
 }
 
-/// Whether the script goes on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Flow {
-    GoOn,
-    Quit,
-}
-
-/// What a line led to: what is said, and whether the script goes on.
-type Outcome = Result<(String, Flow), CliError>;
-
-impl Runner {
-    /// A runner; `painter` is there if any line takes a screenshot.
-    pub fn new(editor: Editor, painter: Option<Painter>, trace: Option<Trace>) -> Self {
-        Self { editor, clock: AnimationClock::new(), painter, trace }
+impl NoWindow {
+    /// There is no dialog.
+    pub fn ask_for_path(&mut self, question: &PathQuestion) {
+        self.said = Some(match question {
+            PathQuestion::Open | PathQuestion::SaveAs => "Without a window there is no dialog: use --keyframes FILE.",
+            PathQuestion::SaveSceneAs => "Without a window there is no dialog: use save-scene FILE.",
+            PathQuestion::Export { .. } => NO_EXPORT,
+        });
     }
 
-    /// Runs the lines, to the end or to the key that quits, and gives back the editor.
+    /// There is no export.
+    pub fn refuse_export(&mut self) {
+        self.said = Some(NO_EXPORT);
+    }
+
+    /// The script ends.
+    pub fn quit(&mut self) {
+        self.has_quit = true;
+    }
+}
+
+const NO_EXPORT: &str = "Without a window nothing is exported: use `inbetween render`.";
+
+/// A host without a window.
+pub trait Windowless: Host {
+    /// What it keeps instead of a window.
+    fn no_window(&mut self) -> &mut NoWindow;
+}
+
+/// What a line led to.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Step {
+    /// What was said; empty where nothing was.
+    pub message: String,
+    /// Whether the script ends here.
+    pub is_last: bool,
+}
+
+/// Runs lines one after the other.
+pub struct Runner<H> {
+    host: H,
+    clock: AnimationClock,
+}
+
+impl<H: Windowless> Runner<H> {
+    /// A runner whose clock stands at zero.
+    pub fn new(host: H) -> Self {
+        Self { host, clock: AnimationClock::new() }
+    }
+
+    /// The host, with the editor as the lines left it.
+    pub fn into_host(self) -> H {
+        self.host
+    }
+
+    /// Runs all lines, to the end or to the command that quits, and gives back the host. `observe` gets the trace of each line; of a line
+    /// at which the host stops as well, with the reason as its message.
     ///
     /// # Errors
-    /// [`CliError`]: a file could not be written, or a picture not made; the lines after that have not run.
-    pub fn run(mut self, lines: &[Line]) -> Result<Editor, CliError> {
-        let outcome = self.run_lines(lines);
-        let traced = self.trace.as_mut().map_or(Ok(()), Trace::finish);
-        outcome.and(traced)?;
-        Ok(self.editor)
-    }
-
-    fn run_lines(&mut self, lines: &[Line]) -> Result<(), CliError> {
+    /// Why the host or the observer stopped; the lines after that have not run.
+    pub fn run<E>(mut self, lines: &[Line], mut observe: impl FnMut(&TraceLine<'_>) -> Result<(), E>) -> Result<H, E>
+    where
+        E: From<H::Stop>,
+        H::Stop: ToString,
+    {
         for line in lines {
-            let outcome = match &line.action {
-                Action::Wait(duration) => {
-                    let ticks = self.clock.advance(*duration);
-                    Ok((self.tick(ticks), Flow::GoOn))
-                }
-                Action::Apply(command) => self.apply(command.clone()),
+            let outcome = self.step(line);
+            let message = match &outcome {
+                Ok(step) => step.message.clone(),
+                Err(stop) => stop.to_string(),
             };
-            if let Some(trace) = &mut self.trace {
-                let message = match &outcome {
-                    Ok((message, _)) => message.clone(),
-                    Err(error) => error.to_string(),
-                };
-                trace.line(line, &message, &self.editor)?;
-            }
-            if outcome?.1 == Flow::Quit {
+            observe(&TraceLine { line, message, state: self.state() })?;
+            if outcome?.is_last {
                 break;
             }
         }
-        Ok(())
+        Ok(self.host)
     }
 
-    /// Lets ticks pass, and says what the end of playing says.
-    fn tick(&mut self, ticks: u64) -> String {
-        let was_playing = self.editor.is_playing();
-        self.editor.tick(ticks);
-        if was_playing && !self.editor.is_playing() { self.editor.message().text.clone() } else { String::new() }
-    }
-
-    fn apply(&mut self, command: Command) -> Outcome {
-        let was_playing = self.editor.is_playing();
-        let effects = self.editor.apply(command).unwrap_or_default();
-        if self.editor.is_playing() && !was_playing {
-            // The first tick comes a whole period after the start, whatever was waited for before.
-            self.clock.restart();
-        }
-        let mut said = None;
-        let mut flow = Flow::GoOn;
-        for effect in effects {
-            match effect {
-                Effect::ReadKeyframes { path } => {
-                    let bytes = storage::read(&path, LARGEST_FILE_BYTES).map_err(|error| error.to_string());
-                    // What is wrong with the file is the editor's message, and the script goes on.
-                    let _ = self.editor.keyframes_read(&path, bytes);
+    /// Runs a line.
+    ///
+    /// # Errors
+    /// Why the host stopped.
+    pub fn step(&mut self, line: &Line) -> Result<Step, H::Stop> {
+        let was_playing = self.host.editor().is_playing();
+        match &line.action {
+            Action::Wait(duration) => {
+                let ticks = self.clock.advance(*duration);
+                let editor = self.host.editor();
+                editor.tick(ticks);
+                let has_ended = was_playing && !editor.is_playing();
+                let message = if has_ended { editor.message().text.clone() } else { String::new() };
+                Ok(Step { message, is_last: false })
+            }
+            Action::Apply(command) => {
+                let performed = self.host.carry_out(command.clone());
+                if self.host.editor().is_playing() && !was_playing {
+                    // The first tick comes a whole period after the start, whatever was waited for before.
+                    self.clock.restart();
                 }
-                Effect::WriteKeyframes { path, text, is_known: _ } => {
-                    let written = storage::write_with(&path, |file| write!(file, "{text}")).map(|()| None);
-                    self.editor.keyframes_written(&path, written.map_err(|error| error.to_string()))?;
-                }
-                Effect::WriteScene { path, text, is_known: _ } => {
-                    let written = storage::write(&path, text.as_bytes()).map(|()| None);
-                    self.editor.scene_written(&path, written.map_err(|error| error.to_string()))?;
-                }
-                Effect::Screenshot { path } => {
-                    let path = path.unwrap_or_else(|| storage::next_screenshot_path(self.editor.path()));
-                    self.take_screenshot(&path)?;
-                }
-                Effect::ChooseSaveSceneAs => {
-                    said = Some("Without a window there is no dialog: use save-scene FILE.".to_owned());
-                }
-                Effect::ChooseOpen | Effect::ChooseSaveAs => {
-                    said = Some("Without a window there is no dialog: use --keyframes FILE.".to_owned());
-                }
-                Effect::Export(_) | Effect::CancelExport | Effect::ChooseExport { .. } => {
-                    said = Some("Without a window nothing is exported: use `inbetween render`.".to_owned());
-                }
-                Effect::Quit => flow = Flow::Quit,
-                // There is no window to change.
-                Effect::Window(_) => {}
+                performed?;
+                let NoWindow { said, has_quit } = std::mem::take(self.host.no_window());
+                let message = said.map_or_else(|| self.host.editor().message().text.clone(), str::to_owned);
+                Ok(Step { message, is_last: has_quit })
             }
         }
-        Ok((said.unwrap_or_else(|| self.editor.message().text.clone()), flow))
     }
 
-    fn take_screenshot(&mut self, path: &Path) -> Result<(), CliError> {
-        let painter = self.painter.as_mut().expect("a script that takes screenshots has a painter");
-        let png = painter.png(&Frame::of_editor(&self.editor, painter.size_px()))?;
-        let written = storage::write(path, &png).map_err(|error| error.to_string());
-        Ok(self.editor.screenshot_taken(path, written)?)
+    /// What the trace says of the editor now.
+    pub fn state(&mut self) -> State {
+        State::of(self.host.editor())
     }
 }

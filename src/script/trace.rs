@@ -1,95 +1,107 @@
-//! What a script leaves behind: a line of JSON after each command, and the state at the end.
+//! What a script leaves behind: an object of JSON for each line, and the state at the end.
 
 use std::fmt::Write as _;
-use std::io::{self, BufWriter, StdoutLock, Write as _};
+
+use serde_json::Value;
 
 use super::parse::Line;
-use crate::cli::CliError;
-use crate::cli::output::{push_paths, push_pose, push_quoted, standard_output};
 use crate::editor::Editor;
+use crate::interpolation::Interpolation;
+use crate::json::{push_quoted, push_rbts, push_strings};
 
-/// The trace on standard output. Where its reader leaves, the script goes on without.
-pub struct Trace {
-    output: Option<BufWriter<StdoutLock<'static>>>,
+/// What a trace says of the editor after a line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct State {
+    /// How many keyframes there are.
+    pub keyframes: usize,
+    /// The index of the current one.
+    pub current: Option<usize>,
+    /// Whether something plays.
+    pub is_playing: bool,
+    /// The key time that is displayed while something plays.
+    pub key_time: Option<f64>,
+    /// Milliseconds between keyframes.
+    pub ms_between_keyframes: u32,
+    /// The document's interpolation.
+    pub interpolation: Interpolation,
 }
 
-impl Trace {
-    /// A trace with nothing in it.
-    pub fn new() -> Self {
-        Self { output: Some(standard_output()) }
+impl State {
+    /// The state of an editor.
+    #[must_use]
+    pub fn of(editor: &Editor) -> Self {
+        let document = editor.document();
+        Self {
+            keyframes: document.keyframes.len(),
+            current: document.keyframes.current().map(|index| index.get()),
+            is_playing: editor.is_playing(),
+            key_time: editor.key_time().filter(|_| editor.is_playing()),
+            ms_between_keyframes: document.ms_between_keyframes,
+            interpolation: document.interpolation,
+        }
     }
 
-    /// Prints what a command said and left.
-    ///
-    /// # Errors
-    /// [`CliError::StandardOutput`]
-    pub fn line(&mut self, line: &Line, message: &str, editor: &Editor) -> Result<(), CliError> {
-        let text = line_json(line, message, editor);
-        self.try_to(|output| output.write_all(text.as_bytes()))
+    /// The state as a trace has it: names and values, in their order.
+    #[must_use]
+    pub fn fields(&self) -> [(&'static str, Value); 6] {
+        [
+            ("keyframes", self.keyframes.into()),
+            ("current", self.current.into()),
+            ("playing", self.is_playing.into()),
+            ("key_time", self.key_time.into()),
+            ("ms_between_keyframes", self.ms_between_keyframes.into()),
+            ("interpolation", self.interpolation.name().into()),
+        ]
     }
 
-    /// Prints what is still in the buffer.
-    ///
-    /// # Errors
-    /// [`CliError::StandardOutput`]
-    pub fn finish(&mut self) -> Result<(), CliError> {
-        self.try_to(io::Write::flush)
-    }
-
-    fn try_to(
-        &mut self,
-        write: impl FnOnce(&mut BufWriter<StdoutLock<'static>>) -> io::Result<()>,
-    ) -> Result<(), CliError> {
-        let Some(output) = &mut self.output else { return Ok(()) };
-        match write(output) {
-            Ok(()) => Ok(()),
-            Err(error) => {
-                self.output = None;
-                if error.kind() == io::ErrorKind::BrokenPipe { Ok(()) } else { Err(CliError::StandardOutput(error)) }
-            }
+    /// Appends `"keyframes": …` to `"interpolation": …`, without braces.
+    fn push(&self, text: &mut String) {
+        for (index, (name, value)) in self.fields().into_iter().enumerate() {
+            let separator = if index == 0 { "" } else { ", " };
+            // Key times keep their point, as in `2.0`, and large ones have no exponent until Rust's own form has.
+            let _ = match value.as_f64().filter(|_| value.is_f64()) {
+                Some(number) => write!(text, "{separator}\"{name}\": {number:?}"),
+                None => write!(text, "{separator}\"{name}\": {value}"),
+            };
         }
     }
 }
 
-/// What a command said and left: a JSON object on a line.
-pub fn line_json(line: &Line, message: &str, editor: &Editor) -> String {
-    let mut text = format!("{{\"line\": {}, \"command\": ", line.number);
-    push_quoted(&mut text, &line.text);
-    text.push_str(", \"message\": ");
-    push_quoted(&mut text, message);
-    text.push_str(", ");
-    push_state(&mut text, editor);
-    text.push_str("}\n");
-    text
+/// What a line did.
+#[derive(Clone, Debug)]
+pub struct TraceLine<'a> {
+    /// The line.
+    pub line: &'a Line,
+    /// What was said; empty where nothing was.
+    pub message: String,
+    /// The state after it.
+    pub state: State,
+}
+
+impl TraceLine<'_> {
+    /// A JSON object on a line.
+    #[must_use]
+    pub fn json(&self) -> String {
+        let mut text = format!("{{\"line\": {}, \"command\": ", self.line.number);
+        push_quoted(&mut text, &self.line.text);
+        text.push_str(", \"message\": ");
+        push_quoted(&mut text, &self.message);
+        text.push_str(", ");
+        self.state.push(&mut text);
+        text.push_str("}\n");
+        text
+    }
 }
 
 /// The state at the end: what the trace says of it, the nodes, and the pose displayed.
+#[must_use]
 pub fn state_json(editor: &Editor) -> String {
     let mut text = String::from("{");
-    push_state(&mut text, editor);
+    State::of(editor).push(&mut text);
     text.push_str(", \"nodes\": ");
-    push_paths(&mut text, editor.scene().rbt_paths());
+    push_strings(&mut text, editor.scene().rbt_paths());
     text.push_str(", \"pose\": ");
-    push_pose(&mut text, &editor.displayed_pose());
+    push_rbts(&mut text, editor.displayed_pose().iter());
     text.push_str("}\n");
     text
-}
-
-/// Appends `"keyframes": …` to `"interpolation": …`, without braces.
-fn push_state(text: &mut String, editor: &Editor) {
-    let document = editor.document();
-    let current = document.keyframes.current().map_or_else(|| "null".to_owned(), |index| index.get().to_string());
-    let key_time = editor
-        .key_time()
-        .filter(|_| editor.is_playing())
-        .map_or_else(|| "null".to_owned(), |key_time| format!("{key_time:?}"));
-    let _ = write!(
-        text,
-        "\"keyframes\": {}, \"current\": {current}, \"playing\": {}, \"key_time\": {key_time}, \
-         \"ms_between_keyframes\": {}, \"interpolation\": \"{}\"",
-        document.keyframes.len(),
-        editor.is_playing(),
-        document.ms_between_keyframes,
-        document.interpolation.name(),
-    );
 }
