@@ -1,28 +1,28 @@
-//! The command line: arguments in, text, files and an exit status out. One file a command.
+//! The command line: arguments in, text, files and an exit status out. One file for each command.
+//!
+//! Commands read arguments, print, show progress and turn errors into exit statuses; what they do is done by the rooms below.
 //!
 //! Exit statuses: 0 done, 1 bad input, 2 wrong usage, 3 no display or no GPU adapter. Where the status is 1, what is wrong stands on
 //! standard error, a sentence a line, and nothing on standard output. Commands that compare end with 0 within the tolerance, 1 beyond,
 //! 2 where they cannot tell.
 
-mod animation;
 mod arguments;
 mod check;
 mod compare;
 mod convert;
 mod diagnose;
 mod diff;
+#[cfg(target_os = "linux")]
+mod drivers;
 mod error;
 mod grade;
 mod interrupt;
+mod mistyped;
 mod nodes;
 mod output;
-mod picture;
 mod progress;
-mod quiet;
-mod reading;
 mod render;
 mod sample;
-mod scene;
 mod script;
 mod verify;
 mod window;
@@ -33,50 +33,66 @@ use std::process::ExitCode;
 use clap::error::ErrorKind;
 use clap::{CommandFactory as _, Parser as _};
 
-pub use script::{script_commands, script_lines};
-
+use crate::files::scene;
 use arguments::{Arguments, Subcommand};
-use error::CliError;
+use error::{CliError, Ended};
 
 /// Does what the arguments say, of which the first is the program's name. The result is the process's exit status.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    // First: the environment can only be changed while there is one thread.
+    #[cfg(target_os = "linux")]
+    drivers::leave_out_useless_ones();
     let log_level = env_logger::Env::default().default_filter_or("inbetween=error");
     // A logger that is there already, in a test, serves as well.
     let _ = env_logger::Builder::from_env(log_level).try_init();
-    match dispatch(arguments) {
-        Ok(()) => ExitCode::SUCCESS,
+    let arguments: Vec<OsString> = arguments.into_iter().collect();
+    match dispatch(&arguments) {
+        Ok(Ended::Well) => ExitCode::SUCCESS,
+        Ok(Ended::Beyond) => ExitCode::from(1),
         Err(CliError::Usage(error)) => {
             // Help goes to standard output, and a closed one is no mishap.
             let _ = error.print();
             ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2))
         }
-        // What is beyond is said on standard output already.
-        Err(CliError::Beyond) => ExitCode::from(1),
-        Err(error) => {
-            output::complain(&error.to_string());
-            ExitCode::from(error.exit_status())
+        Err(CliError::Failed { status, sentences, .. }) => {
+            output::complain(&sentences.join("\n"));
+            ExitCode::from(status)
         }
     }
 }
 
-fn dispatch(arguments: impl IntoIterator<Item = OsString>) -> Result<(), CliError> {
-    let Arguments { scene, file, command } = Arguments::try_parse_from(arguments)?;
+fn dispatch(arguments: &[OsString]) -> Result<Ended, CliError> {
+    let mistyped = || mistyped::mistyped_command(arguments, &mut Arguments::command());
+    let Arguments { scene, file, command } = match Arguments::try_parse_from(arguments) {
+        Ok(read) => read,
+        Err(error) if error.use_stderr() => return Err(mistyped().unwrap_or(error).into()),
+        Err(help) => return Err(help.into()),
+    };
     let scene = scene.as_deref();
+    let load = || scene::load(scene);
     match command {
-        None => window::run(scene, file),
-        Some(_) if file.is_some() => Err(misuse("a FILE to open in the window and a command cannot go together")),
-        Some(Subcommand::Check(arguments)) => check::run(&arguments, &scene::load(scene)?),
-        Some(Subcommand::Convert(arguments)) => convert::run(&arguments, &scene::load(scene)?),
-        Some(Subcommand::Nodes) => nodes::run(&scene::load(scene)?),
-        Some(Subcommand::Sample(arguments)) => sample::run(&arguments, &scene::load(scene)?),
-        Some(Subcommand::Render(arguments)) => render::run(&arguments, scene),
-        Some(Subcommand::Diagnose(arguments)) => diagnose::run(&arguments, &scene::load(scene)?),
-        Some(Subcommand::Diff(arguments)) => diff::run(&arguments, scene::load(scene)),
-        Some(Subcommand::Grade(arguments)) => grade::run(&arguments, scene),
-        Some(Subcommand::Verify(arguments)) => verify::run(&arguments, scene),
-        Some(Subcommand::Compare(arguments)) => compare::run(&arguments),
-        Some(Subcommand::Script(arguments)) => script::run(&arguments, scene),
+        None => {
+            if let Some(error) = file.as_ref().and_then(|_| mistyped()) {
+                return Err(error.into());
+            }
+            window::run(scene, file)?;
+        }
+        Some(_) if file.is_some() => {
+            return Err(misuse("a FILE to open in the window and a command cannot go together"));
+        }
+        Some(Subcommand::Check(arguments)) => check::run(&arguments, &load()?)?,
+        Some(Subcommand::Convert(arguments)) => convert::run(&arguments, &load()?)?,
+        Some(Subcommand::Nodes) => nodes::run(&load()?)?,
+        Some(Subcommand::Sample(arguments)) => sample::run(&arguments, &load()?)?,
+        Some(Subcommand::Render(arguments)) => render::run(&arguments, scene)?,
+        Some(Subcommand::Diagnose(arguments)) => diagnose::run(&arguments, &load()?)?,
+        Some(Subcommand::Diff(arguments)) => return diff::run(&arguments, scene),
+        Some(Subcommand::Grade(arguments)) => grade::run(&arguments, scene)?,
+        Some(Subcommand::Verify(arguments)) => return verify::run(&arguments, scene),
+        Some(Subcommand::Compare(arguments)) => return compare::run(&arguments),
+        Some(Subcommand::Script(arguments)) => script::run(&arguments, scene)?,
     }
+    Ok(Ended::Well)
 }
 
 /// Wrong usage that no single argument shows.

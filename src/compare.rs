@@ -119,6 +119,14 @@ impl Comparison {
         self.score <= tolerance
     }
 
+    /// The result as people read it: score, verdict, mean and largest error.
+    #[must_use]
+    pub fn sentence(&self, tolerance: f32) -> String {
+        let verdict = if self.is_within(tolerance) { "within" } else { "beyond" };
+        let Self { score, mean, largest, .. } = self;
+        format!("score {score:.6}, {verdict} the tolerance {tolerance} (mean {mean:.6}, largest {largest:.6})")
+    }
+
     /// A picture of the errors: black where there is none, through violet and orange to pale yellow where it is 1.
     #[must_use]
     pub fn difference(&self) -> Image {

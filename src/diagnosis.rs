@@ -16,9 +16,9 @@ mod samples;
 
 pub use advice::{Advice, advice};
 pub use play::{Sequence, TooFewKeyframes};
-pub use samples::{LARGEST_SAMPLES_BYTES, Row, Samples, SamplesError, samples_from_csv};
+pub use samples::{LARGEST_SAMPLES_BYTES, Row, SampleRows, Samples, SamplesError, samples_from_csv};
 
-use model::{MODELS, Model};
+use model::{MODELS, Model, Rules};
 
 /// Residuals that differ by no more than this explain the samples equally well.
 pub const EQUAL_RESIDUALS: f64 = 1e-9;
@@ -37,6 +37,12 @@ pub const CORRECT_CATMULL_ROM: &str = "correct-catmull-rom";
 
 /// The name of playback that ends before its last pose.
 pub const LAST_SAMPLE_MISSING: &str = "last-sample-missing";
+
+/// Whether a candidate plays another part of the keyframes than it should: it begins with another one, or leaves out the end.
+#[must_use]
+pub fn is_about_range(name: &str) -> bool {
+    MODELS.iter().any(|model| model.name == name && model.forms.iter().all(Rules::changes_range))
+}
 
 /// How well one candidate explains the samples.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,6 +4,7 @@
 
 use glam::DQuat;
 use num_rational::BigRational;
+use num_traits::ToPrimitive as _;
 
 use crate::interpolation::Interpolation;
 use crate::keyframe::{PlayRange, SampleError, whole};
@@ -103,6 +104,17 @@ pub fn distances(a: Rbt, b: Rbt) -> (f64, f64) {
     let turn: DQuat = a.rotation.as_dquat() * b.rotation.as_dquat().conjugate();
     let angle = 2.0 * turn.xyz().length().atan2(turn.w.abs());
     (a.translation.as_dvec3().distance(b.translation.as_dvec3()), angle.to_degrees())
+}
+
+/// The times at which two animations are compared, in milliseconds from the start: frame k at k · 1000/fps while that is before the
+/// end, and the end. `None` where more than `most_frames` frames are before the end.
+#[must_use]
+pub fn frame_times_ms(length_ms: &BigRational, fps: u32, most_frames: usize) -> Option<Vec<BigRational>> {
+    let period = whole(1000) / whole(fps as usize);
+    let before_end = (length_ms / &period).ceil().to_integer().to_usize().filter(|&frames| frames <= most_frames)?;
+    let mut times: Vec<BigRational> = (0..before_end).map(|frame| whole(frame) * &period).collect();
+    times.push(length_ms.clone());
+    Some(times)
 }
 
 /// Compares two animations at times in milliseconds from the start, of which there is at least one.

@@ -1,7 +1,7 @@
 //! The editor: the one owner of all state, and the one door to it.
 //!
-//! [`Command`]s go in through [`Editor::apply`], ticks through [`Editor::tick`]; what the shell must do comes out as [`Effect`]s, and
-//! its outcome comes back as text. The editor knows no window, no GPU, no file system and no clock, so it cannot fail because of them.
+//! [`Command`]s go in through [`Editor::apply`], ticks through [`Editor::tick`]; what is to be done outside comes out as an [`Effect`],
+//! which a [`Host`] performs. The editor knows no window, no GPU, no file system and no clock, so it cannot fail because of them.
 
 mod applicable;
 mod apply;
@@ -12,6 +12,7 @@ mod export;
 mod files;
 mod gesture;
 mod history;
+mod host;
 pub mod keymap;
 mod manipulate;
 mod path;
@@ -32,6 +33,7 @@ pub use command::{
 pub use document::Document;
 pub use error::CommandError;
 pub use history::MOST_STEPS;
+pub use host::{FileAccess, FileOutcome, Host, PathQuestion};
 pub use manipulate::{DragKind, Manipulation};
 pub use path::PathDot;
 pub use playback::PlayMode;

@@ -13,6 +13,36 @@ const ALL_WHOLE: f32 = 16_777_216.0;
 /// So many places have numbers from [`SMALLEST_WITHOUT_EXPONENT`] on, at most.
 const MOST_PLACES: i32 = 13;
 
+/// Appends a text as a JSON string.
+pub fn push_quoted(text: &mut String, unquoted: &str) {
+    text.push_str(&serde_json::Value::from(unquoted).to_string());
+}
+
+/// Appends texts as a JSON array of strings.
+pub fn push_strings<'a>(text: &mut String, unquoted: impl Iterator<Item = &'a str>) {
+    text.push('[');
+    for (index, unquoted) in unquoted.enumerate() {
+        if index > 0 {
+            text.push_str(", ");
+        }
+        push_quoted(text, unquoted);
+    }
+    text.push(']');
+}
+
+/// Appends transforms as a JSON array: `[{"translation": [x, y, z], "rotation": [x, y, z, w]}, …]`.
+pub fn push_rbts(text: &mut String, rbts: impl Iterator<Item = Rbt>) {
+    text.push('[');
+    for (index, rbt) in rbts.enumerate() {
+        text.push_str(if index == 0 { "{\"translation\": " } else { ", {\"translation\": " });
+        push_f32s(text, &rbt.translation.to_array());
+        text.push_str(", \"rotation\": ");
+        push_f32s(text, &rbt.rotation.to_array());
+        text.push('}');
+    }
+    text.push(']');
+}
+
 /// A parse error as a sentence that ends with its place: `line L column C`.
 #[must_use]
 pub fn sentence(error: &serde_json::Error) -> String {

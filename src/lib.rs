@@ -4,8 +4,8 @@
 //!
 //! ```text
 //! winit event ─ window::input ─┐
-//! egui widgets ─ ui ───────────┼─► Command ─► Editor::apply ─► Result<Vec<Effect>, CommandError>
-//! script lines ─ cli::script ──┘                    │               └► the shell performs: read, write, quit
+//! egui widgets ─ ui ───────────┼─► Command ─► Editor::apply ─► Result<Option<Effect>, CommandError>
+//! script lines ─ script ───────┘                    │               └► a Host performs: read, write, quit
 //! wall time ─ AnimationClock ─► n ticks ─► Editor::tick(n)
 //!                                                   ▼ (shared borrow from here on)
 //!                       Editor::displayed_pose() ─► Pose ─► view::frame_of_editor
@@ -26,7 +26,7 @@
 //!
 //! | level | modules | may name |
 //! |---|---|---|
-//! | 0 | [`rbt`], [`interpolation`], [`json`], [`colour`], [`picture`] | glam |
+//! | 0 | [`rbt`], [`interpolation`], [`json`], [`colour`], [`picture`], [`text`], [`parallel`] | glam |
 //! | 1 | [`timed`], [`pose`], [`blend`], [`scene`], [`camera`] | serde, in file formats |
 //! | 2 | [`keyframe`], [`clock`], [`settings`], [`text_layouts`], [`frame`], [`film`] | serde, in file formats; `Duration`, never `Instant` |
 //! | 3 | [`editor`], [`diagnosis`], [`difference`] | no wgpu, egui, winit, file system |
@@ -35,7 +35,9 @@
 //! | 6 | [`compare`] | pictures in, numbers out |
 //! | 6 | [`storage`] | the file system |
 //! | 7 | [`export`] | of the outside world only `ffmpeg` |
-//! | 8 | [`window`], [`cli`] | winit; clap |
+//! | 8 | [`files`], [`script`] | named files to values; text to commands, run without a window |
+//! | 9 | [`grading`], [`references`] | bytes or folders in, values out |
+//! | 10 | [`window`], [`cli`] | winit; clap |
 //!
 //! # Invariants, as absences
 //!
@@ -65,7 +67,7 @@
 //! * The renderer draws what may be seen, the nearest first, and round parts in the detail that their pixels show, in the sun's map
 //!   in the detail that its texels show; it uploads what changed.
 //! * What takes a software driver long is begun before it is needed: shaders are parsed while the driver opens, and the sun's map is
-//!   sent off while the picture's pipelines are made. `main` has the Vulkan loader leave out drivers that have nothing to drive.
+//!   sent off while the picture's pipelines are made. `cli` has the Vulkan loader leave out drivers that have nothing to drive.
 //! * Where the CPU draws for an X server, the window's pictures go through memory that both share, not through the driver's surface,
 //!   which may send them through a socket.
 //! * Playback's position is an exact fraction, since the pace can change while it plays and the end must come at the right tick.
@@ -81,18 +83,24 @@ pub mod diagnosis;
 pub mod difference;
 pub mod editor;
 pub mod export;
+pub mod files;
 pub mod film;
 pub mod frame;
+pub mod grading;
 pub mod interpolation;
 pub mod json;
 pub mod keyframe;
+pub mod parallel;
 pub mod picture;
 pub mod pose;
 pub mod rbt;
+pub mod references;
 pub mod render;
 pub mod scene;
+pub mod script;
 pub mod settings;
 pub mod storage;
+pub mod text;
 pub mod text_layouts;
 pub mod timed;
 pub mod ui;

@@ -18,6 +18,7 @@ mod look;
 mod mesh;
 mod offscreen;
 mod pipelines;
+mod quiet;
 mod read_back;
 mod renderer;
 mod shaders;

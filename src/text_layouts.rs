@@ -11,6 +11,7 @@ mod layout;
 mod lexer;
 mod plan;
 mod python;
+mod reading;
 mod report;
 mod rows;
 mod structure;
@@ -19,6 +20,7 @@ mod write;
 pub use error::{TextError, TextProblem};
 pub use joints::JointList;
 pub use layout::{FieldOrder, Layout};
+pub use reading::{Reading, read_keyframes};
 pub use report::{Certainty, Finding, Report};
 pub use write::KeyframeText;
 
@@ -26,7 +28,7 @@ use thiserror::Error;
 
 use crate::keyframe::{KeyframeFile, KeyframeFileError, keyframes_from_json};
 use crate::scene::SceneGraph;
-use report::counted;
+use crate::text::{counted, without_byte_order_mark};
 
 /// What decides where a text leaves it open, or is wrong.
 #[derive(Clone, Debug, Default)]
@@ -78,7 +80,7 @@ impl ImportError {
 /// # Errors
 /// [`ImportError`]: what is wrong, with its place.
 pub fn import(bytes: &[u8], scene: &SceneGraph, options: &Options) -> Result<Imported, ImportError> {
-    let marked = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    let marked = without_byte_order_mark(bytes);
     let blank = marked.iter().take_while(|byte| byte.is_ascii_whitespace()).count();
     let (text, at) = (&marked[blank..], bytes.len() - marked.len() + blank);
     if python::is_python(text) {

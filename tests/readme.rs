@@ -3,9 +3,9 @@
 use std::fs;
 use std::path::PathBuf;
 
-use inbetween::cli::script_lines;
 use inbetween::editor::keymap;
 use inbetween::scene::scene_from_json;
+use inbetween::script::script_lines;
 
 fn path() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("README.md")

@@ -5,9 +5,9 @@ mod common;
 use std::collections::BTreeSet;
 
 use common::{apply, editor_with, press, shown};
-use inbetween::cli::{script_commands, script_lines};
 use inbetween::editor::{Editor, PlayMode, Session};
 use inbetween::keyframe::keyframes_to_json;
+use inbetween::script::{script_commands, script_lines};
 
 fn run(editor: &mut Editor, script: &str) {
     let commands = script_commands(script.as_bytes(), editor.scene()).unwrap_or_else(|problems| panic!("{problems:?}"));

@@ -116,6 +116,8 @@ const ROOMS: &[(&str, u8, &[&str])] = &[
     ("json", 0, &["rbt"]),
     ("colour", 0, &[]),
     ("picture", 0, &[]),
+    ("text", 0, &[]),
+    ("parallel", 0, &[]),
     ("keyframe", 2, &[]),
     ("clock", 2, &[]),
     ("settings", 2, &[]),
@@ -131,10 +133,14 @@ const ROOMS: &[(&str, u8, &[&str])] = &[
     ("compare", 6, &[]),
     ("storage", 6, &[]),
     ("export", 7, &[]),
-    ("window", 8, &[]),
-    ("cli", 8, &["window"]),
-    ("main", 9, &[]),
-    ("lib", 9, &[]),
+    ("files", 8, &[]),
+    ("script", 8, &[]),
+    ("grading", 9, &[]),
+    ("references", 9, &[]),
+    ("window", 10, &[]),
+    ("cli", 10, &["window"]),
+    ("main", 11, &[]),
+    ("lib", 11, &[]),
 ];
 
 #[test]

@@ -2,14 +2,16 @@
 
 use std::path::Path;
 
-use super::{CliError, animation, output};
-use crate::cli::arguments::CheckArguments;
+use super::arguments::CheckArguments;
+use super::{CliError, output};
+use crate::files::{self, FileError};
 use crate::scene::SceneGraph;
+use crate::text::counted;
 
 /// Checks the files: a line for each, or one for each problem, in the order of the files.
 ///
 /// # Errors
-/// [`CliError::BadInput`] with all of the lines, where any file is bad.
+/// [`CliError`] with all of the lines, where any file is bad.
 pub fn run(arguments: &CheckArguments, scene: &SceneGraph) -> Result<(), CliError> {
     let mut lines = Vec::new();
     let mut are_good = true;
@@ -18,26 +20,19 @@ pub fn run(arguments: &CheckArguments, scene: &SceneGraph) -> Result<(), CliErro
             Ok(line) => lines.push(line),
             Err(problems) => {
                 are_good = false;
-                lines.extend(problems);
+                lines.extend(problems.sentences().iter().cloned());
             }
         }
     }
     if are_good {
         output::print(|output| writeln!(output, "{}", lines.join("\n")))
     } else {
-        Err(CliError::BadInput { sentences: lines })
+        Err(CliError::bad_inputs(lines))
     }
 }
 
-fn verdict(file: &Path, scene: &SceneGraph) -> Result<String, Vec<String>> {
-    let place = file.display();
-    match animation::read(file, scene) {
-        Ok(read) => {
-            let (keyframes, interpolation, ms) = read.into_parts();
-            let count = keyframes.len();
-            let keyframes = if count == 1 { "keyframe" } else { "keyframes" };
-            Ok(format!("{place}: ok, {count} {keyframes}, {}, {ms} ms", interpolation.name()))
-        }
-        Err(problems) => Err(problems.iter().map(|problem| format!("{place}: {problem}")).collect()),
-    }
+fn verdict(file: &Path, scene: &SceneGraph) -> Result<String, FileError> {
+    let (keyframes, interpolation, ms) = files::keyframe_file(file, scene)?.into_parts();
+    let keyframes = counted(keyframes.len(), "keyframe");
+    Ok(format!("{}: ok, {keyframes}, {}, {ms} ms", file.display(), interpolation.name()))
 }

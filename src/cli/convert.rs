@@ -3,11 +3,13 @@
 use std::fmt::Display;
 use std::path::Path;
 
+use super::arguments::ConvertArguments;
 use super::{CliError, output};
-use crate::cli::arguments::ConvertArguments;
+use crate::files::{self, FileError};
 use crate::keyframe::{Keyframe, KeyframeFile, KeyframesJson, LARGEST_FILE_BYTES};
 use crate::scene::SceneGraph;
 use crate::storage;
+use crate::text::counted;
 use crate::text_layouts::{Certainty, Finding, Imported, JointList, KeyframeText, Layout, Options, Report, import};
 
 /// The largest list of joints that is read: 16 MiB.
@@ -16,17 +18,14 @@ const LARGEST_LIST_BYTES: u64 = 16 << 20;
 /// Reads IN, writes the output, and prints what was inferred: a line of what was read and one for each finding.
 ///
 /// # Errors
-/// [`CliError::BadInput`], with nothing written; [`CliError::Unwritten`].
+/// [`CliError`]: bad input, with nothing written; an output that cannot be written.
 pub fn run(arguments: &ConvertArguments, scene: &SceneGraph) -> Result<(), CliError> {
     let place = arguments.input.display();
     let joints = arguments.joints.as_deref().map(|file| joint_list(file, scene)).transpose()?;
     let options = Options { order: arguments.order, joints, salvage: arguments.salvage };
     let imported = {
-        let bytes =
-            storage::read(&arguments.input, LARGEST_FILE_BYTES).map_err(|error| CliError::bad_input(&place, error))?;
-        import(&bytes, scene, &options).map_err(|error| CliError::BadInput {
-            sentences: error.sentences().iter().map(|sentence| format!("{place}: {sentence}")).collect(),
-        })?
+        let bytes = files::read(&arguments.input, LARGEST_FILE_BYTES)?;
+        import(&bytes, scene, &options).map_err(|error| FileError::all(&place, error.sentences()))?
     };
     let report = match imported {
         Imported::KeyframeFile(file) => {
@@ -51,15 +50,13 @@ pub fn run(arguments: &ConvertArguments, scene: &SceneGraph) -> Result<(), CliEr
     output::print(|output| writeln!(output, "{place}: {report}"))
 }
 
-fn joint_list(file: &Path, scene: &SceneGraph) -> Result<JointList, CliError> {
-    let place = file.display();
-    let bytes = storage::read(file, LARGEST_LIST_BYTES).map_err(|error| CliError::bad_input(&place, error))?;
-    JointList::from_text(&bytes, scene).map_err(|error| CliError::bad_input(&place, error))
+fn joint_list(file: &Path, scene: &SceneGraph) -> Result<JointList, FileError> {
+    let bytes = files::read(file, LARGEST_LIST_BYTES)?;
+    JointList::from_text(&bytes, scene).map_err(|error| FileError::new(file.display(), error))
 }
 
 fn keyframe_file_report(file: &KeyframeFile, scene: &SceneGraph, options: &Options, to: Option<Layout>) -> Report {
-    let (keyframes, nodes) = (file.keyframes.len(), scene.rbt_count());
-    let plural = if keyframes == 1 { "" } else { "s" };
+    let (keyframes, nodes) = (counted(file.keyframes.len(), "keyframe"), scene.rbt_count());
     let mut findings = Vec::new();
     if options.order.is_some() || options.joints.is_some() || options.salvage {
         let text =
@@ -71,7 +68,7 @@ fn keyframe_file_report(file: &KeyframeFile, scene: &SceneGraph, options: &Optio
         let text = "a text has poses alone: interpolation, times, names and easings are left out".to_owned();
         findings.push(Finding { certainty: Certainty::Note, text });
     }
-    Report { summary: format!("{keyframes} keyframe{plural} of {nodes} nodes, keyframe file"), findings }
+    Report { summary: format!("{keyframes} of {nodes} nodes, keyframe file"), findings }
 }
 
 fn write_keyframes(arguments: &ConvertArguments, scene: &SceneGraph, file: KeyframeFile) -> Result<(), CliError> {

@@ -1,14 +1,15 @@
 //! `inbetween diagnose`: which known mistake explains what a student's own program showed.
 
 use std::fmt::Write as _;
-use std::path::Path;
 
 use super::arguments::DiagnoseArguments;
-use super::{CliError, output, reading};
+use super::{CliError, output};
 use crate::diagnosis::{self, Candidate, Diagnosis, LARGEST_SAMPLES_BYTES, Sequence, advice, samples_from_csv};
+use crate::files::{self, FileError};
 use crate::keyframe::{DEFAULT_MS_BETWEEN_KEYFRAMES, LARGEST_FILE_BYTES};
 use crate::scene::SceneGraph;
-use crate::storage;
+use crate::text::counted;
+use crate::text_layouts::read_keyframes;
 
 /// How many runners-up are named to people.
 const RUNNERS_UP: usize = 3;
@@ -16,49 +17,24 @@ const RUNNERS_UP: usize = 3;
 /// Prints the diagnosis, as sentences or as JSON.
 ///
 /// # Errors
-/// [`CliError::BadInput`]: the keyframes or the samples are bad.
+/// [`CliError`]: the keyframes or the samples are bad.
 pub fn run(arguments: &DiagnoseArguments, scene: &SceneGraph) -> Result<(), CliError> {
-    let bytes = read(&arguments.keyframes, LARGEST_FILE_BYTES)?;
-    let samples = read(&arguments.samples, LARGEST_SAMPLES_BYTES)?;
-    let place = arguments.keyframes.display();
-    let diagnosis = diagnose(&bytes, &samples, scene).map_err(|problem| match problem {
-        Problem::Keyframes(problems) => {
-            CliError::BadInput { sentences: problems.iter().map(|problem| format!("{place}: {problem}")).collect() }
-        }
-        Problem::Samples(problem) => CliError::bad_input(arguments.samples.display(), problem),
-    })?;
+    let (keyframes, samples) = (&arguments.keyframes, &arguments.samples);
+    let keyframe_bytes = files::read(keyframes, LARGEST_FILE_BYTES)?;
+    let sample_bytes = files::read(samples, LARGEST_SAMPLES_BYTES)?;
+    let file =
+        read_keyframes(&keyframe_bytes, scene).map_err(|problems| FileError::all(keyframes.display(), problems))?.file;
+    let sequence = Sequence::new(&file.keyframes).map_err(|error| FileError::new(keyframes.display(), error))?;
+    let ms_between_keyframes = file.ms_between_keyframes.unwrap_or(DEFAULT_MS_BETWEEN_KEYFRAMES);
+    let samples = samples_from_csv(&sample_bytes, scene.rbt_count(), ms_between_keyframes)
+        .map_err(|error| FileError::new(samples.display(), error))?;
+    let diagnosis = diagnosis::diagnose(&sequence, &samples);
     let text = if arguments.json { to_json(&diagnosis) } else { sentences(&diagnosis) };
     output::print(|output| output.write_all(text.as_bytes()))
 }
 
-fn read(path: &Path, limit: u64) -> Result<Vec<u8>, CliError> {
-    storage::read(path, limit).map_err(|error| CliError::bad_input(path.display(), error))
-}
-
-/// Which of the two files is bad, and why.
-#[derive(Clone, Debug)]
-pub enum Problem {
-    /// The keyframes: a sentence a problem.
-    Keyframes(Vec<String>),
-    /// The samples.
-    Samples(String),
-}
-
-/// Diagnoses samples of a keyframe file.
-///
-/// # Errors
-/// [`Problem`]
-pub fn diagnose(keyframes: &[u8], samples: &[u8], scene: &SceneGraph) -> Result<Diagnosis, Problem> {
-    let file = reading::keyframes(keyframes, scene).map_err(Problem::Keyframes)?.file;
-    let sequence = Sequence::new(&file.keyframes).map_err(|error| Problem::Keyframes(vec![error.to_string()]))?;
-    let ms_between_keyframes = file.ms_between_keyframes.unwrap_or(DEFAULT_MS_BETWEEN_KEYFRAMES);
-    let samples = samples_from_csv(samples, scene.rbt_count(), ms_between_keyframes)
-        .map_err(|error| Problem::Samples(error.to_string()))?;
-    Ok(diagnosis::diagnose(&sequence, &samples))
-}
-
 /// The diagnosis as one line of JSON.
-pub fn to_json(diagnosis: &Diagnosis) -> String {
+fn to_json(diagnosis: &Diagnosis) -> String {
     let candidates: Vec<_> = diagnosis
         .candidates
         .iter()
@@ -76,9 +52,9 @@ pub fn to_json(diagnosis: &Diagnosis) -> String {
 }
 
 /// The diagnosis for people: what explains the samples, what to change, and the runners-up.
-pub fn sentences(diagnosis: &Diagnosis) -> String {
+fn sentences(diagnosis: &Diagnosis) -> String {
     let best = diagnosis.best();
-    let rows = if diagnosis.rows == 1 { "1 row".to_owned() } else { format!("{} rows", diagnosis.rows) };
+    let rows = counted(diagnosis.rows, "row");
     let mut text = if diagnosis.is_explained() {
         format!("{} explains the samples, with a residual of {:.2e} over {rows}.\n", best.name, best.residual)
     } else {

@@ -3,31 +3,28 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use num_rational::BigRational;
-use num_traits::ToPrimitive as _;
 use serde_json::{Value, json};
 
 use super::arguments::DiffArguments;
-use super::{CliError, output, reading};
-use crate::difference::{Deviation, Difference, Played, Tolerances, compare};
+use super::{CliError, Ended, output};
+use crate::difference::{Deviation, Difference, Played, Tolerances, compare, frame_times_ms};
+use crate::files::{self, FileError, scene};
 use crate::interpolation::Interpolation;
-use crate::keyframe::{KeyframeList, LARGEST_FILE_BYTES, PlayRange, to_f64, whole};
+use crate::keyframe::{KeyframeList, PlayRange, to_f64};
 use crate::scene::SceneGraph;
-use crate::storage;
 
 /// The most frames that are compared.
 const MOST_FRAMES: usize = 1_000_000;
 
-/// Prints the differences, as a table or as JSON.
+/// Prints the differences, as a table or as JSON. The animations are [`Ended::Beyond`] where they are apart by more than the tolerances,
+/// or play for different times.
 ///
 /// # Errors
-/// [`CliError::Beyond`] where the animations are apart by more than the tolerances, or play for different times;
-/// [`CliError::Trouble`] where they cannot be compared.
-pub fn run(arguments: &DiffArguments, scene: Result<SceneGraph, CliError>) -> Result<(), CliError> {
-    let trouble = |error: CliError| CliError::Trouble { sentences: vec![error.to_string()] };
-    let report = scene.and_then(|scene| report(arguments, &scene)).map_err(trouble)?;
-    output::print(|output| output.write_all(report.text.as_bytes())).map_err(trouble)?;
-    if report.is_within { Ok(()) } else { Err(CliError::Beyond) }
+/// [`CliError`] with status 2: they cannot be compared.
+pub fn run(arguments: &DiffArguments, scene: Option<&Path>) -> Result<Ended, CliError> {
+    let report = report(arguments, scene).map_err(CliError::as_trouble)?;
+    output::print(|output| output.write_all(report.text.as_bytes())).map_err(CliError::as_trouble)?;
+    Ok(if report.is_within { Ended::Well } else { Ended::Beyond })
 }
 
 struct Report {
@@ -41,46 +38,38 @@ struct Side {
     ms_between_keyframes: u32,
 }
 
-fn load(file: &Path, scene: &SceneGraph, interpolation: Option<Interpolation>) -> Result<Side, CliError> {
-    let place = file.display();
-    let bytes = storage::read(file, LARGEST_FILE_BYTES).map_err(|error| CliError::bad_input(place, error))?;
-    let read = reading::keyframes(&bytes, scene).map_err(|problems| CliError::BadInput {
-        sentences: problems.iter().map(|problem| format!("{}: {problem}", file.display())).collect(),
-    })?;
-    for warning in read.warnings() {
-        output::complain(&format!("{}: warning: {warning}", file.display()));
+impl Side {
+    fn load(file: &Path, scene: &SceneGraph, interpolation: Option<Interpolation>) -> Result<Self, FileError> {
+        let read = files::keyframes_of_any_layout(file, scene)?;
+        for warning in read.warnings() {
+            output::complain(&format!("{}: warning: {warning}", file.display()));
+        }
+        let (list, in_file, ms_between_keyframes) = read.file.into_parts();
+        Ok(Self { list, interpolation: interpolation.unwrap_or(in_file), ms_between_keyframes })
     }
-    let (list, in_file, ms_between_keyframes) = read.file.into_parts();
-    Ok(Side { list, interpolation: interpolation.unwrap_or(in_file), ms_between_keyframes })
+
+    fn range(&self, file: &Path) -> Result<PlayRange<'_>, FileError> {
+        PlayRange::new(&self.list).map_err(|error| FileError::new(file.display(), error))
+    }
+
+    fn played<'a>(&self, range: &'a PlayRange<'a>) -> Played<'a> {
+        Played { range, interpolation: self.interpolation, ms_between_keyframes: self.ms_between_keyframes }
+    }
 }
 
-fn report(arguments: &DiffArguments, scene: &SceneGraph) -> Result<Report, CliError> {
-    let a = load(&arguments.a, scene, arguments.interpolation)?;
-    let b = load(&arguments.b, scene, arguments.interpolation)?;
-    let range = |side: &Side, file: &Path| {
-        PlayRange::new(&side.list).map(|_| ()).map_err(|error| CliError::bad_input(file.display(), error))
-    };
-    range(&a, &arguments.a)?;
-    range(&b, &arguments.b)?;
-    let ranges = [&a, &b].map(|side| PlayRange::new(&side.list));
-    let [Ok(range_a), Ok(range_b)] = &ranges else { unreachable!("both were found long enough to play") };
-    let played = |side: &Side, range| Played {
-        range,
-        interpolation: side.interpolation,
-        ms_between_keyframes: side.ms_between_keyframes,
-    };
-    let (played_a, played_b) = (played(&a, range_a), played(&b, range_b));
+fn report(arguments: &DiffArguments, scene: Option<&Path>) -> Result<Report, CliError> {
+    let scene = &scene::load(scene)?;
+    let a = Side::load(&arguments.a, scene, arguments.interpolation)?;
+    let b = Side::load(&arguments.b, scene, arguments.interpolation)?;
+    let (range_a, range_b) = (a.range(&arguments.a)?, b.range(&arguments.b)?);
+    let (played_a, played_b) = (a.played(&range_a), b.played(&range_b));
     let tolerances =
         Tolerances { translation: arguments.tolerance_translation, rotation_degrees: arguments.tolerance_rotation };
     let length_ms = played_a.length_ms().max(played_b.length_ms());
-    let times = times_ms(&length_ms, arguments.fps).ok_or_else(|| {
-        CliError::bad_input(
-            arguments.a.display(),
-            format!("more than {MOST_FRAMES} frames to compare: choose a lower --fps"),
-        )
-    })?;
-    let difference = compare(played_a, played_b, &times, tolerances)
-        .map_err(|error| CliError::bad_input(arguments.a.display(), error))?;
+    let bad = |problem: String| CliError::bad_input(arguments.a.display(), problem);
+    let times = frame_times_ms(&length_ms, arguments.fps, MOST_FRAMES)
+        .ok_or_else(|| bad(format!("more than {MOST_FRAMES} frames to compare: choose a lower --fps")))?;
+    let difference = compare(played_a, played_b, &times, tolerances).map_err(|error| bad(error.to_string()))?;
     let mut notes = Vec::new();
     if played_a.length_ms() != played_b.length_ms() {
         notes.push(format!(
@@ -95,15 +84,6 @@ fn report(arguments: &DiffArguments, scene: &SceneGraph) -> Result<Report, CliEr
     let is_within = difference.is_within() && played_a.length_ms() == played_b.length_ms();
     let shown = Shown { difference: &difference, scene, tolerances, frames: times.len(), notes: &notes, is_within };
     Ok(Report { text: if arguments.json { shown.json(arguments.fps) } else { shown.table() }, is_within })
-}
-
-/// Frame k at k · 1000/fps ms while that is short of the end, and the end; `None` where they are too many.
-pub fn times_ms(length_ms: &BigRational, fps: u32) -> Option<Vec<BigRational>> {
-    let period = whole(1000) / whole(fps as usize);
-    let before_end = (length_ms / &period).ceil().to_integer().to_usize().filter(|&frames| frames <= MOST_FRAMES)?;
-    let mut times: Vec<BigRational> = (0..before_end).map(|frame| whole(frame) * &period).collect();
-    times.push(length_ms.clone());
-    Some(times)
 }
 
 struct Shown<'a> {

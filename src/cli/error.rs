@@ -1,103 +1,157 @@
-//! Why a command ended before its time, and with which exit status.
+//! How a command ends: its exit status, and what is said where something is wrong.
 
+use std::error::Error;
+use std::fmt::Display;
 use std::io;
-use std::path::{Path, PathBuf};
-
-use thiserror::Error;
+use std::path::Path;
 
 use crate::editor::CommandError;
 use crate::export::{ErrorKind, ExportError};
+use crate::files::{FileError, WorkError};
 use crate::render::GpuError;
+use crate::script::DiskStop;
 use crate::storage::StorageError;
 use crate::window::WindowError;
 
-/// Why a command was not done.
-#[derive(Debug, Error)]
-pub enum CliError {
-    /// The arguments make no sense; also help and version, which are no errors.
-    #[error(transparent)]
-    Usage(#[from] clap::Error),
-    /// What was given to work on is bad: a sentence for each problem.
-    #[error("{}", .sentences.join("\n"))]
-    BadInput {
-        /// The sentences, each with its place; never empty.
-        sentences: Vec<String>,
-    },
-    /// What was compared differs by more than the tolerance; the command has said so on standard output.
-    #[error("beyond the tolerance")]
+/// How a command ends that has done what it should.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ended {
+    /// All is well: status 0.
+    Well,
+    /// What was compared differs by more than the tolerance, and standard output says so: status 1.
     Beyond,
-    /// What was to be compared could not be: a sentence for each problem.
-    #[error("{}", .sentences.join("\n"))]
-    Trouble {
-        /// The sentences, each with its place; never empty.
+}
+
+const BAD_INPUT: u8 = 1;
+const MISUSE: u8 = 2;
+const NO_DRAWING: u8 = 3;
+/// As shells have it for a program that SIGINT ended.
+const INTERRUPTED: u8 = 130;
+
+/// Why a command was not done.
+#[derive(Debug)]
+pub enum CliError {
+    /// Wrong usage; also help and version. clap prints these in a form of its own.
+    Usage(clap::Error),
+    /// Anything else.
+    Failed {
+        /// The process's exit status.
+        status: u8,
+        /// What is said on standard error: a sentence a line; never empty.
         sentences: Vec<String>,
+        /// The error of the room that gave up, where one did.
+        source: Option<Box<dyn Error + Send + Sync>>,
     },
-    /// A file could not be written.
-    #[error("{}: {reason}", path.display())]
-    Unwritten {
-        /// Which file.
-        path: PathBuf,
-        /// Why.
-        #[source]
-        reason: StorageError,
-    },
-    /// A script's file could not be written.
-    #[error(transparent)]
-    ScriptEnded(#[from] CommandError),
-    /// There is no GPU adapter, or it cannot draw the picture.
-    #[error(transparent)]
-    Gpu(#[from] GpuError),
-    /// There is no display, or the window ended.
-    #[error(transparent)]
-    Window(#[from] WindowError),
-    /// A picture could not be made a PNG.
-    #[error("the picture cannot be encoded: {0}")]
-    Png(#[from] png::EncodingError),
-    /// Ctrl+C, or the system asked the program to end.
-    #[error("interrupted: what was not finished is not kept")]
-    Interrupted,
-    /// Standard output does not take what is written to it.
-    #[error("standard output: {0}")]
-    StandardOutput(#[source] io::Error),
 }
 
 impl CliError {
-    /// Bad input with one thing wrong, at a place: a file, or a line of one.
-    pub fn bad_input(place: impl std::fmt::Display, problem: impl std::fmt::Display) -> Self {
-        Self::BadInput { sentences: vec![format!("{place}: {problem}")] }
+    /// Bad input with one thing wrong, at a location: a file, or a line of one.
+    pub fn bad_input(location: impl Display, problem: impl Display) -> Self {
+        Self::bad_inputs(vec![format!("{location}: {problem}")])
+    }
+
+    /// Bad input: a sentence for each problem, each with its location; never empty.
+    pub fn bad_inputs(sentences: Vec<String>) -> Self {
+        Self::Failed { status: BAD_INPUT, sentences, source: None }
     }
 
     /// A file that could not be written.
     pub fn unwritten(path: &Path, reason: StorageError) -> Self {
-        Self::Unwritten { path: path.to_owned(), reason }
+        FileError::storage(path, reason).into()
     }
 
-    /// The exit status of the process.
-    pub fn exit_status(&self) -> u8 {
+    /// Standard output does not take what is written to it.
+    pub fn standard_output(error: io::Error) -> Self {
+        Self::failed(BAD_INPUT, format!("standard output: {error}"), error)
+    }
+
+    fn failed(status: u8, sentence: String, source: impl Into<Box<dyn Error + Send + Sync>>) -> Self {
+        Self::Failed { status, sentences: vec![sentence], source: Some(source.into()) }
+    }
+
+    fn of(status: u8, error: impl Error + Send + Sync + 'static) -> Self {
+        Self::failed(status, error.to_string(), error)
+    }
+
+    /// The same as the failure of a command that compares: status 2, since 1 would mean a difference.
+    pub fn as_trouble(self) -> Self {
         match self {
-            Self::Usage(_) | Self::Trouble { .. } | Self::Gpu(GpuError::Size { .. }) => 2,
-            Self::Interrupted => 130,
-            Self::Gpu(_) | Self::Window(WindowError::NoDisplay { .. } | WindowError::Gpu(_)) => 3,
-            Self::BadInput { .. }
-            | Self::Beyond
-            | Self::Unwritten { .. }
-            | Self::ScriptEnded(_)
-            | Self::Window(WindowError::Ended { .. })
-            | Self::Png(_)
-            | Self::StandardOutput(_) => 1,
+            Self::Failed { sentences, source, .. } => Self::Failed { status: MISUSE, sentences, source },
+            usage @ Self::Usage(_) => usage,
         }
+    }
+}
+
+impl From<clap::Error> for CliError {
+    fn from(error: clap::Error) -> Self {
+        Self::Usage(error)
+    }
+}
+
+impl From<FileError> for CliError {
+    fn from(error: FileError) -> Self {
+        Self::Failed { status: BAD_INPUT, sentences: error.sentences().to_vec(), source: Some(error.into()) }
+    }
+}
+
+impl From<GpuError> for CliError {
+    fn from(error: GpuError) -> Self {
+        Self::of(gpu_status(&error), error)
+    }
+}
+
+fn gpu_status(error: &GpuError) -> u8 {
+    if matches!(error, GpuError::Size { .. }) { MISUSE } else { NO_DRAWING }
+}
+
+impl From<WindowError> for CliError {
+    fn from(error: WindowError) -> Self {
+        let status = match &error {
+            WindowError::NoDisplay { .. } | WindowError::Gpu(_) => NO_DRAWING,
+            WindowError::Ended { .. } => BAD_INPUT,
+        };
+        Self::of(status, error)
+    }
+}
+
+impl From<png::EncodingError> for CliError {
+    fn from(error: png::EncodingError) -> Self {
+        ExportError::from(error).into()
     }
 }
 
 impl From<ExportError> for CliError {
     fn from(error: ExportError) -> Self {
+        let status = match (&error, error.kind()) {
+            (_, ErrorKind::Usage) => return super::misuse(&error.to_string()),
+            (ExportError::Gpu(error), _) => gpu_status(error),
+            (_, ErrorKind::Cancelled) => INTERRUPTED,
+            (_, ErrorKind::Input | ErrorKind::Gpu) => BAD_INPUT,
+        };
+        Self::of(status, error)
+    }
+}
+
+impl From<WorkError> for CliError {
+    fn from(error: WorkError) -> Self {
         match error {
-            ExportError::Gpu(error) => Self::Gpu(error),
-            error => match error.kind() {
-                ErrorKind::Usage => super::misuse(&error.to_string()),
-                ErrorKind::Cancelled => Self::Interrupted,
-                ErrorKind::Input | ErrorKind::Gpu => Self::BadInput { sentences: vec![error.to_string()] },
-            },
+            WorkError::File(error) => error.into(),
+            WorkError::Export(error) => error.into(),
+        }
+    }
+}
+
+impl From<CommandError> for CliError {
+    fn from(error: CommandError) -> Self {
+        Self::of(BAD_INPUT, error)
+    }
+}
+
+impl From<DiskStop> for CliError {
+    fn from(error: DiskStop) -> Self {
+        match error {
+            DiskStop::Unwritten(error) => error.into(),
+            DiskStop::Picture(error) => error.into(),
         }
     }
 }

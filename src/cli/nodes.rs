@@ -6,7 +6,7 @@ use crate::scene::SceneGraph;
 /// Prints the paths, one a line, in the order of poses.
 ///
 /// # Errors
-/// [`CliError::StandardOutput`]
+/// [`CliError`]: standard output does not take them.
 pub fn run(scene: &SceneGraph) -> Result<(), CliError> {
     output::print(|output| scene.rbt_paths().try_for_each(|path| writeln!(output, "{path}")))
 }

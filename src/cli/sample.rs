@@ -9,8 +9,8 @@ use super::arguments::{SampleArguments, SampleFormat, Space};
 use super::output;
 use super::{CliError, misuse};
 use crate::blend::AlignedAffine;
-use crate::export::Animation;
-use crate::export::{FrameTime, frame_times};
+use crate::export::{Animation, FrameTime, frame_times};
+use crate::json::{push_f32, push_f32s, push_rbts, push_strings};
 use crate::keyframe::SampleError;
 use crate::pose::Pose;
 use crate::scene::SceneGraph;
@@ -41,7 +41,7 @@ pub fn run(arguments: &SampleArguments, scene: &SceneGraph) -> Result<(), CliErr
         .map(|error| format!("{}: {error}", file.display()))
         .collect();
     if !problems.is_empty() {
-        return Err(CliError::BadInput { sentences: problems });
+        return Err(CliError::bad_inputs(problems));
     }
     let times =
         key_times.iter().map(|&key_time| FrameTime::at_key_time(key_time, ms_between_keyframes, range.timing()));
@@ -69,8 +69,8 @@ fn print_json(
 ) -> io::Result<()> {
     let mut text = String::from("{\"nodes\": ");
     match arguments.space {
-        Space::Parent => output::push_paths(&mut text, scene.rbt_paths()),
-        Space::World => output::push_paths(&mut text, scene.nodes().iter().map(|node| node.path.as_str())),
+        Space::Parent => push_strings(&mut text, scene.rbt_paths()),
+        Space::World => push_strings(&mut text, scene.nodes().iter().map(|node| node.path.as_str())),
     }
     text.push_str(", \"frames\": [\n");
     for (place, sample) in samples.enumerate() {
@@ -82,7 +82,7 @@ fn print_json(
         match arguments.space {
             Space::Parent => {
                 text.push_str("\"pose\": ");
-                output::push_pose(&mut text, &pose);
+                push_rbts(&mut text, pose.iter());
             }
             Space::World => {
                 let seconds = arguments.seconds + if arguments.fps.is_some() { ms / 1000.0 } else { 0.0 };
@@ -103,7 +103,7 @@ fn push_matrices(text: &mut String, matrices: &[AlignedAffine]) {
     text.push('[');
     for (place, matrix) in matrices.iter().enumerate() {
         text.push_str(if place == 0 { "" } else { ", " });
-        crate::json::push_f32s(text, &Mat4::from(matrix.get()).to_cols_array());
+        push_f32s(text, &Mat4::from(matrix.get()).to_cols_array());
     }
     text.push(']');
 }
@@ -117,7 +117,7 @@ fn print_csv(output: &mut dyn io::Write, samples: impl Iterator<Item = Sample>) 
             let [x, y, z, w] = parent_from_node.rotation.to_array();
             for number in parent_from_node.translation.to_array().into_iter().chain([w, x, y, z]) {
                 text.push(',');
-                crate::json::push_f32(&mut text, number);
+                push_f32(&mut text, number);
             }
             text.push('\n');
         }

@@ -1,39 +1,17 @@
-//! `inbetween script`: hotkeys and gestures out of a text file, through the same door as the window's.
+//! `inbetween script`: hotkeys and gestures out of a text file.
 
-pub(super) mod parse;
-mod run;
-pub(super) mod trace;
-
-use std::io;
+use std::io::{self, BufWriter, StdoutLock, Write as _};
 use std::path::Path;
 
-use super::CliError;
 use super::arguments::ScriptArguments;
-use super::scene;
-use crate::editor::Command;
+use super::{CliError, output};
 use crate::export::Painter;
-use crate::scene::SceneGraph;
+use crate::files::{self, FileError, scene};
+use crate::script::{Disk, Line, Runner, TraceLine, parse, state_json};
 use crate::storage;
 
 /// The largest script that is read: 16 MiB.
 const LARGEST_SCRIPT_BYTES: u64 = 16 << 20;
-
-/// The lines that a script can have, as Markdown for the README.
-pub use parse::markdown as script_lines;
-
-/// What a script's lines ask of the editor, in order; times that they wait are left out.
-///
-/// # Errors
-/// What is wrong with each line that cannot be understood: `line 3: "jump" is not a command; …`.
-pub fn script_commands(bytes: &[u8], scene: &SceneGraph) -> Result<Vec<Command>, Vec<String>> {
-    let lines =
-        parse::parse(bytes, scene).map_err(|problems| problems.iter().map(ToString::to_string).collect::<Vec<_>>())?;
-    let commands = lines.into_iter().filter_map(|line| match line.action {
-        parse::Action::Apply(command) => Some(command),
-        parse::Action::Wait(_) => None,
-    });
-    Ok(commands.collect())
-}
 
 /// Reads a script whole, then runs it.
 ///
@@ -41,22 +19,20 @@ pub fn script_commands(bytes: &[u8], scene: &SceneGraph) -> Result<Vec<Command>,
 /// [`CliError`]: bad lines before anything has run, a missing GPU adapter if the script needs one, a file that cannot be written.
 pub fn run(arguments: &ScriptArguments, named_scene: Option<&Path>) -> Result<(), CliError> {
     let scene = scene::load(named_scene)?;
-    let (place, bytes) = read(&arguments.file);
-    let bytes = bytes.map_err(|error| CliError::bad_input(&place, error))?;
-    let lines = parse::parse(&bytes, &scene).map_err(|problems| CliError::BadInput {
-        sentences: problems.iter().map(|problem| format!("{place}: {problem}")).collect(),
-    })?;
-    let painter = if lines.iter().any(parse::Line::takes_screenshot) {
-        Some(Painter::headless(arguments.size, None)?)
-    } else {
-        None
-    };
+    let (location, bytes) = read(&arguments.file);
+    let bytes = bytes.map_err(|error| FileError::new(&location, error))?;
+    let lines = parse::parse(&bytes, &scene).map_err(|problems| FileError::all(&location, problems))?;
+    let takes_pictures = lines.iter().any(Line::takes_screenshot);
+    let painter = takes_pictures.then(|| Painter::headless(arguments.size, None)).transpose()?;
     let editor = scene::editor_of(scene, named_scene, arguments.keyframes.clone());
-    let trace = arguments.trace.then(trace::Trace::new);
-    let editor = run::Runner::new(editor, painter, trace).run(&lines)?;
+    let mut trace = Trace::new(arguments.trace);
+    let ended = Runner::new(Disk::new(editor, painter)).run(&lines, |line| trace.line(line));
+    // Also where the script stopped, its trace is printed up to there.
+    let traced = trace.finish();
+    let editor = ended?.into_editor();
+    traced?;
     if let Some(path) = &arguments.state {
-        storage::write(path, trace::state_json(&editor).as_bytes())
-            .map_err(|reason| CliError::unwritten(path, reason))?;
+        files::write(path, state_json(&editor).as_bytes())?;
     }
     Ok(())
 }
@@ -66,5 +42,38 @@ fn read(file: &Path) -> (String, Result<Vec<u8>, storage::StorageError>) {
         ("standard input".to_owned(), storage::read_stream(io::stdin().lock(), LARGEST_SCRIPT_BYTES, 0))
     } else {
         (file.display().to_string(), storage::read(file, LARGEST_SCRIPT_BYTES))
+    }
+}
+
+/// The trace on standard output, where one is asked for. When its reader leaves, the script goes on without.
+struct Trace {
+    output: Option<BufWriter<StdoutLock<'static>>>,
+}
+
+impl Trace {
+    fn new(is_asked_for: bool) -> Self {
+        Self { output: is_asked_for.then(output::standard_output) }
+    }
+
+    fn line(&mut self, line: &TraceLine<'_>) -> Result<(), CliError> {
+        self.try_to(|output| output.write_all(line.json().as_bytes()))
+    }
+
+    fn finish(&mut self) -> Result<(), CliError> {
+        self.try_to(io::Write::flush)
+    }
+
+    fn try_to(
+        &mut self,
+        write: impl FnOnce(&mut BufWriter<StdoutLock<'static>>) -> io::Result<()>,
+    ) -> Result<(), CliError> {
+        let Some(output) = &mut self.output else { return Ok(()) };
+        match write(output) {
+            Ok(()) => Ok(()),
+            Err(error) => {
+                self.output = None;
+                if error.kind() == io::ErrorKind::BrokenPipe { Ok(()) } else { Err(CliError::standard_output(error)) }
+            }
+        }
     }
 }

@@ -75,6 +75,11 @@ impl Rules {
     pub fn is_lenient(&self) -> bool {
         self.when_equal == WhenEqual::PerhapsNoNumber
     }
+
+    /// Whether it begins or ends elsewhere than right playback.
+    pub fn changes_range(&self) -> bool {
+        self.first_keyframe != LINEAR.first_keyframe || !self.shows_end
+    }
 }
 
 const IN_ORDER: [usize; 4] = [0, 1, 2, 3];

@@ -5,6 +5,7 @@ use thiserror::Error;
 
 use super::model::INTEGER_TICK_PACE;
 use super::play::WHOLE;
+use crate::text::str_without_byte_order_mark;
 
 /// The largest file of samples that is read: 64 MiB.
 pub const LARGEST_SAMPLES_BYTES: u64 = 64 << 20;
@@ -123,35 +124,59 @@ pub enum SamplesError {
     },
 }
 
-/// Reads samples for a scene of `nodes` RBT nodes. Columns may come in any order; `nan`, `-nan(ind)`, `1.#QNAN` and their like are
-/// read as what is no number. A byte order mark, either line ending and blank lines are passed over.
-///
-/// `ms_between_keyframes` is the keyframe file's: key times that a clock of 16 whole milliseconds has counted are told by it from
-/// those that the column `ms` means, which count.
+/// Reads samples of keyframes that are `ms_between_keyframes` milliseconds apart: [`SampleRows::from_csv`] and [`SampleRows::samples`].
 ///
 /// # Errors
 /// [`SamplesError`], the first.
 pub fn samples_from_csv(bytes: &[u8], nodes: usize, ms_between_keyframes: u32) -> Result<Samples, SamplesError> {
-    let text = std::str::from_utf8(bytes).map_err(|error| SamplesError::NotUtf8 { byte: error.valid_up_to() })?;
-    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let mut lines =
-        text.lines().enumerate().map(|(place, line)| (place + 1, line.trim())).filter(|(_, l)| !l.is_empty());
-    let (line, header) = lines.next().ok_or(SamplesError::Empty)?;
-    let header = Header::read(line, header)?;
-    let mut rows = Vec::new();
-    let mut times_ms = Vec::new();
-    for (line, text) in lines {
-        let (row, ms) = header.row(line, text, nodes)?;
-        rows.push(row);
-        times_ms.extend(ms);
+    Ok(SampleRows::from_csv(bytes, nodes)?.samples(ms_between_keyframes))
+}
+
+/// The rows of a file of samples, read but not yet compared with a pace: the same rows may be samples of several keyframe files.
+#[derive(Clone, Debug)]
+pub struct SampleRows {
+    rows: Vec<Row>,
+    /// The column `ms`; empty where there is none.
+    times_ms: Vec<f64>,
+    has_ms: bool,
+}
+
+impl SampleRows {
+    /// Reads samples for a scene of `nodes` RBT nodes. Columns may come in any order; `nan`, `-nan(ind)`, `1.#QNAN` and their like are
+    /// read as NaN. A byte order mark, either line ending and blank lines are passed over.
+    ///
+    /// # Errors
+    /// [`SamplesError`], the first.
+    pub fn from_csv(bytes: &[u8], nodes: usize) -> Result<Self, SamplesError> {
+        let text = std::str::from_utf8(bytes).map_err(|error| SamplesError::NotUtf8 { byte: error.valid_up_to() })?;
+        let text = str_without_byte_order_mark(text);
+        let mut lines =
+            text.lines().enumerate().map(|(place, line)| (place + 1, line.trim())).filter(|(_, l)| !l.is_empty());
+        let (line, header) = lines.next().ok_or(SamplesError::Empty)?;
+        let header = Header::read(line, header)?;
+        let mut rows = Vec::new();
+        let mut times_ms = Vec::new();
+        for (line, text) in lines {
+            let (row, ms) = header.row(line, text, nodes)?;
+            rows.push(row);
+            times_ms.extend(ms);
+        }
+        if rows.is_empty() {
+            return Err(SamplesError::NoRows);
+        }
+        Ok(Self { rows, times_ms, has_ms: header.ms.is_some() })
     }
-    if rows.is_empty() {
-        return Err(SamplesError::NoRows);
+
+    /// The samples of keyframes that are `ms_between_keyframes` milliseconds apart. With it, key times that a clock of 16 whole
+    /// milliseconds has counted can be told from those that the column `ms` means; the latter are used.
+    #[must_use]
+    pub fn samples(&self, ms_between_keyframes: u32) -> Samples {
+        let mut rows = self.rows.clone();
+        correct_key_times(&mut rows, &self.times_ms, f64::from(ms_between_keyframes));
+        let is_number =
+            |row: &Row| row.translation.is_finite() && row.rotation_wxyz.iter().all(|number| number.is_finite());
+        Samples { has_ms: self.has_ms, has_no_number: !rows.iter().all(is_number), rows }
     }
-    correct_key_times(&mut rows, &times_ms, f64::from(ms_between_keyframes));
-    let is_number =
-        |row: &Row| row.translation.is_finite() && row.rotation_wxyz.iter().all(|number| number.is_finite());
-    Ok(Samples { has_ms: header.ms.is_some(), has_no_number: !rows.iter().all(is_number), rows })
 }
 
 /// Where the key times lag behind the milliseconds by what 16 whole milliseconds lag behind 1000/60, puts the right ones in their place.

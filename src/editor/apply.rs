@@ -19,18 +19,18 @@ const MS_STEP: u32 = 100;
 pub(super) type Outcome = Result<String, CommandError>;
 
 impl Editor {
-    /// Does a command. What it says is the message afterwards, in either outcome.
+    /// Does a command, and returns what is to be done outside for it. What it says is the message afterwards, in either outcome.
     ///
     /// # Errors
     /// Why the command was refused; nothing has changed then.
-    pub fn apply(&mut self, command: Command) -> Result<Vec<Effect>, CommandError> {
+    pub fn apply(&mut self, command: Command) -> Result<Option<Effect>, CommandError> {
         let outcome = self.dispatch(command);
         self.fit_session_to_list();
         match &outcome {
             Ok((text, _)) => self.say(text.clone()),
             Err(error) => self.say_error(error),
         }
-        outcome.map(|(_, effects)| effects)
+        outcome.map(|(_, effect)| effect)
     }
 
     /// Says something as the editor would, for the log and the status line.
@@ -49,8 +49,8 @@ impl Editor {
         self.say_of(Severity::Error, error.to_string());
     }
 
-    fn dispatch(&mut self, command: Command) -> Result<(String, Vec<Effect>), CommandError> {
-        let silent = |outcome: Outcome| outcome.map(|text| (text, Vec::new()));
+    fn dispatch(&mut self, command: Command) -> Result<(String, Option<Effect>), CommandError> {
+        let silent = |outcome: Outcome| outcome.map(|text| (text, None));
         match command {
             Command::Edit(edit) => silent(self.edit(edit)),
             Command::Playback(playback) => silent(self.play(playback)),
@@ -60,7 +60,7 @@ impl Editor {
             Command::Undo => silent(self.undo()),
             Command::Redo => silent(self.redo()),
             Command::Cancel => silent(Ok(self.cancel())),
-            Command::Window(command) => Ok((String::new(), vec![Effect::Window(command)])),
+            Command::Window(command) => Ok((String::new(), Some(Effect::Window(command)))),
         }
     }
 

@@ -9,7 +9,7 @@ use crate::scene::scene_to_json;
 use crate::text_layouts::{ImportError, Imported, Options, import};
 
 impl Editor {
-    pub(super) fn file(&mut self, command: FileCommand) -> Result<(String, Vec<Effect>), CommandError> {
+    pub(super) fn file(&mut self, command: FileCommand) -> Result<(String, Option<Effect>), CommandError> {
         let effect = match command {
             FileCommand::Import => {
                 self.refuse_while_playing("import")?;
@@ -40,7 +40,7 @@ impl Editor {
             FileCommand::ChooseExport { proposed, is_folder } => Effect::ChooseExport { proposed, is_folder },
             FileCommand::Quit => Effect::Quit,
         };
-        Ok((String::new(), vec![effect]))
+        Ok((String::new(), Some(effect)))
     }
 
     fn write_effect(&mut self, path: PathBuf) -> Effect {

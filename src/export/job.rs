@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::{Animation, ExportError, Painter, RenderRequest, Size, Source, Span, Subject, Watch, check_format};
 use crate::colour::Colour;
 use crate::film::{ExportBackground, ExportEnd, ExportOptions};
-use crate::render::{Background, Gpu};
+use crate::render::Background;
 use crate::scene::SceneGraph;
 
 /// All that an export needs: what it was when it was asked for, whatever becomes of the document meanwhile.
@@ -70,7 +70,7 @@ impl Job {
         };
         // What cannot be played is found out before anything is drawn.
         let planned = request.plan()?;
-        let mut painter = Painter::on(Gpu::headless()?, size, *samples)?;
+        let mut painter = Painter::headless(size, *samples)?;
         painter.set_background(match background {
             ExportBackground::Sky => Background::Sky,
             ExportBackground::Colour(bytes) => Background::Colour(Colour::from_bytes(*bytes).to_linear()),

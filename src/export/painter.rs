@@ -33,6 +33,14 @@ pub struct Painter {
 }
 
 impl Painter {
+    /// A painter of pictures of a size on the best adapter that needs no display; with as many samples a pixel as suit it, unless told.
+    ///
+    /// # Errors
+    /// [`GpuError`]: there is no adapter, or it cannot draw pictures so large.
+    pub fn headless(size: Size, samples: Option<u32>) -> Result<Self, GpuError> {
+        Self::on(Gpu::headless()?, size, samples)
+    }
+
     /// A painter of pictures of a size on an adapter; with as many samples a pixel as suit it, unless told.
     ///
     /// # Errors

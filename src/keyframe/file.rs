@@ -16,6 +16,7 @@ use super::DEFAULT_MS_BETWEEN_KEYFRAMES;
 use super::list::{Keyframe, KeyframeList};
 use crate::interpolation::Interpolation;
 use crate::scene::SceneGraph;
+use crate::text::without_byte_order_mark;
 
 pub use problems::KeyframeFileError;
 pub use write::{KeyframesJson, KeyframesText, keyframes_to_json};
@@ -55,6 +56,6 @@ impl KeyframeFile {
 /// # Errors
 /// Everything that is wrong, each with its place, in the file's order: never empty.
 pub fn keyframes_from_json(bytes: &[u8], scene: &SceneGraph) -> Result<KeyframeFile, Vec<KeyframeFileError>> {
-    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    let bytes = without_byte_order_mark(bytes);
     swift::read(bytes, scene).map_or_else(|| exact::read(bytes, scene), Ok)
 }

@@ -11,6 +11,7 @@ use crate::blend::{self, Curves};
 use crate::interpolation::{ControlPoints, Interpolation, bezier_rbt, linear_rbt};
 use crate::pose::{Pose, RbtIndex};
 use crate::rbt::Rbt;
+use crate::text::counted;
 
 /// Why there is no pose at a key time.
 #[derive(Clone, Debug, Error, PartialEq)]
@@ -34,7 +35,7 @@ pub enum SampleError {
 /// So many keyframes, in words: `1 keyframe`, `3 keyframes`.
 #[must_use]
 pub fn keyframes_counted(keyframes: usize) -> String {
-    if keyframes == 1 { "1 keyframe".to_owned() } else { format!("{keyframes} keyframes") }
+    counted(keyframes, "keyframe")
 }
 
 /// A list that is long enough to play: what its samples are taken from.

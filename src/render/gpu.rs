@@ -5,6 +5,7 @@ use std::thread;
 
 use thiserror::Error;
 
+use super::quiet::without_driver_chatter;
 use crate::render::{mesh, shaders};
 
 /// Why nothing can be drawn: each sentence says what is missing and how to get it.
@@ -101,7 +102,9 @@ impl Gpu {
             descriptor.flags = wgpu::InstanceFlags::empty();
             Self::open(wgpu::Instance::new(descriptor), None)
         };
-        open(wgpu::Backends::VULKAN).or_else(|_| open(wgpu::Backends::PRIMARY - wgpu::Backends::VULKAN))
+        without_driver_chatter(|| {
+            open(wgpu::Backends::VULKAN).or_else(|_| open(wgpu::Backends::PRIMARY - wgpu::Backends::VULKAN))
+        })
     }
 
     /// The best adapter that can draw on a window, and the window's surface. `display` and `window` are handles that are
@@ -126,7 +129,9 @@ impl Gpu {
                 .map_err(|error| GpuError::NoSurface { reason: error.to_string() })?;
             Ok((Self::open(instance, Some(&surface))?, surface))
         };
-        open(wgpu::Backends::VULKAN).or_else(|_| open(wgpu::Backends::all() - wgpu::Backends::VULKAN))
+        without_driver_chatter(|| {
+            open(wgpu::Backends::VULKAN).or_else(|_| open(wgpu::Backends::all() - wgpu::Backends::VULKAN))
+        })
     }
 
     fn open(instance: wgpu::Instance, surface: Option<&wgpu::Surface<'static>>) -> Result<Self, GpuError> {

@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use super::report::counted;
+use crate::text::{counted, line_and_column};
 
 /// A text that cannot be read, and where.
 #[derive(Clone, Debug, Error, PartialEq)]
@@ -19,12 +19,7 @@ pub struct TextError {
 impl TextError {
     /// A problem at a byte of a text.
     pub(super) fn new(bytes: &[u8], at: usize, problem: TextProblem) -> Self {
-        let before = &bytes[..at.min(bytes.len())];
-        let line = before.split(|&byte| byte == b'\n').count();
-        let line_start = before.iter().rposition(|&byte| byte == b'\n').map_or(0, |place| place + 1);
-        let in_line = before[line_start..].strip_prefix(b"\xef\xbb\xbf").unwrap_or(&before[line_start..]);
-        // What continues a UTF-8 character takes no column of its own.
-        let column = in_line.iter().filter(|&&byte| byte & 0xc0 != 0x80).count() + 1;
+        let (line, column) = line_and_column(bytes, at);
         Self { line, column, problem }
     }
 }

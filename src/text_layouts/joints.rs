@@ -8,9 +8,10 @@ use glam::Vec3;
 use super::Options;
 use super::error::{TextError, TextProblem, quoted};
 use super::plan::Plan;
-use super::report::{Certainty, counted};
+use super::report::Certainty;
 use crate::pose::RbtIndex;
 use crate::scene::SceneGraph;
+use crate::text::{counted, without_byte_order_mark};
 
 /// What is this much smaller than an offset's largest coordinate counts as 0.
 const ZERO_FRACTION: f32 = 0.1;
@@ -37,7 +38,7 @@ impl JointList {
         };
         let mut nodes = Vec::new();
         let mut is_named = vec![false; scene.rbt_count()];
-        let mut at = if bytes.starts_with(b"\xef\xbb\xbf") { 3 } else { 0 };
+        let mut at = bytes.len() - without_byte_order_mark(bytes).len();
         for line in bytes[at..].split(|&byte| byte == b'\n') {
             let path = line.split(|&byte| byte == b'#').next().unwrap_or_default().trim_ascii();
             let node = std::str::from_utf8(path).ok().and_then(|path| scene.find_rbt(path));

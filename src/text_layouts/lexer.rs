@@ -1,6 +1,7 @@
 //! A text as numbers, separators, line ends and words. Nothing is kept: whoever needs a text twice goes through it twice.
 
 use super::error::{TextError, TextProblem, quoted};
+use crate::text::without_byte_order_mark;
 
 /// A part of a text.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,7 +35,7 @@ pub(super) struct Lexer<'a> {
 impl<'a> Lexer<'a> {
     /// From a byte of a text on.
     pub(super) fn new(bytes: &'a [u8], at: usize) -> Self {
-        let mark = if at == 0 && bytes.starts_with(b"\xef\xbb\xbf") { 3 } else { 0 };
+        let mark = if at == 0 { bytes.len() - without_byte_order_mark(bytes).len() } else { 0 };
         Self { bytes, at: at + mark }
     }
 

@@ -3,9 +3,10 @@
 use super::Options;
 use super::error::{TextError, TextProblem, in_rows};
 use super::layout::Layout;
-use super::report::{Certainty, Finding, counted};
+use super::report::{Certainty, Finding};
 use super::structure::{Irregular, Structure, structure};
 use crate::scene::SceneGraph;
+use crate::text::{counted, listed};
 
 /// The numbers of a row: a translation and a quaternion.
 const ROW: usize = 7;
@@ -56,11 +57,7 @@ pub(super) fn node_counts(scene: &SceneGraph, options: &Options) -> Vec<usize> {
 
 /// The numbers of nodes in words: `22, 24, 25 or 26`.
 pub(super) fn in_words(counts: &[usize]) -> String {
-    let words: Vec<String> = counts.iter().map(ToString::to_string).collect();
-    match words.as_slice() {
-        [all @ .., last] if !all.is_empty() => format!("{} or {last}", all.join(", ")),
-        _ => words.concat(),
-    }
+    listed(&counts.iter().map(ToString::to_string).collect::<Vec<_>>())
 }
 
 struct Planner<'a> {

@@ -4,8 +4,9 @@ mod functions;
 mod parser;
 
 use super::error::{TextError, TextProblem};
-use super::report::{Certainty, Report, counted};
+use super::report::{Certainty, Report};
 use crate::json::{push_f32, push_f32s};
+use crate::text::counted;
 use parser::{Keys, Parser, Value};
 
 /// Whether a text that begins with no blank is Python: a dictionary of keys, a name that one is given, an import or a comment before them.

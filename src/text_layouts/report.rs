@@ -71,8 +71,3 @@ impl fmt::Display for Report {
         Ok(())
     }
 }
-
-/// `1 keyframe`, `2 keyframes`.
-pub(super) fn counted(count: usize, thing: &str) -> String {
-    if count == 1 { format!("1 {thing}") } else { format!("{count} {thing}s") }
-}

@@ -8,11 +8,12 @@ use super::joints::match_joints;
 use super::layout::{FieldOrder, Layout};
 use super::lexer::numbers;
 use super::plan::{Plan, UNIT_TOLERANCE};
-use super::report::{Certainty, counted};
+use super::report::Certainty;
 use crate::keyframe::Keyframe;
 use crate::pose::RbtIndex;
 use crate::rbt::Rbt;
 use crate::scene::SceneGraph;
+use crate::text::counted;
 
 /// Rotations this near to unit length are kept bit for bit.
 const KEPT_TOLERANCE: f64 = 1e-6;

@@ -1,60 +1,87 @@
 //! What the editor asks of the shell, done: files read and written, pictures taken, questions asked.
 
+use std::convert::Infallible;
 use std::fmt::Display;
 use std::path::{Path, PathBuf};
 
 use super::dialog::{self, Question};
 use super::shell::Shell;
-use crate::editor::{Command, Edit, Effect, FileCommand, Severity, WindowCommand};
+use crate::editor::{
+    Command, CommandError, Edit, Editor, ExportOptions, FileAccess, FileCommand, FileOutcome, Host, PathQuestion,
+    Severity, WindowCommand,
+};
 use crate::keyframe::LARGEST_FILE_BYTES;
 use crate::storage;
 use crate::ui::words::Words;
 use crate::ui::{PathPurpose, QuitAnswer};
 
-impl Shell {
-    /// Applies a command and does what it asks for. Refusals are the editor's message already.
-    pub(super) fn apply(&mut self, command: Command) {
-        let Ok(effects) = self.editor.apply(command) else { return };
-        for effect in effects {
-            self.perform(effect);
+impl Host for Shell {
+    /// What fails is the editor's message.
+    type Stop = Infallible;
+
+    fn editor(&mut self) -> &mut Editor {
+        &mut self.editor
+    }
+
+    fn read(&mut self, path: &Path) -> Result<FileOutcome<Vec<u8>>, Infallible> {
+        Ok(storage::read(path, LARGEST_FILE_BYTES).map_err(|error| error.to_string()))
+    }
+
+    fn write(
+        &mut self,
+        path: &Path,
+        text: &dyn Display,
+        is_known: bool,
+    ) -> Result<FileOutcome<Option<PathBuf>>, Infallible> {
+        Ok(write(path, text, is_known))
+    }
+
+    fn take_screenshot(&mut self, path: Option<PathBuf>) -> Result<(PathBuf, FileOutcome<()>), Infallible> {
+        let path = path.unwrap_or_else(|| storage::next_screenshot_path(self.editor.path()));
+        let outcome = self.screenshot(&path);
+        Ok((path, outcome))
+    }
+
+    fn told(&mut self, access: FileAccess, path: &Path, told: Result<(), CommandError>) -> Result<(), Infallible> {
+        let is_keyframe_file = matches!(access, FileAccess::KeyframesRead | FileAccess::KeyframesWritten);
+        if is_keyframe_file && told.is_ok() {
+            self.used(path);
+        }
+        Ok(())
+    }
+
+    fn ask_for_path(&mut self, question: PathQuestion) {
+        match question {
+            PathQuestion::Open => self.choose_keyframes(PathPurpose::Open),
+            PathQuestion::SaveAs => self.choose_keyframes(PathPurpose::SaveAs),
+            PathQuestion::SaveSceneAs => self.choose_keyframes(PathPurpose::SaveSceneAs),
+            PathQuestion::Export { proposed, is_folder } => {
+                self.choose_path(if is_folder { Question::Folder } else { Question::Film }, &proposed);
+            }
         }
     }
 
-    fn perform(&mut self, effect: Effect) {
-        // What fails is the editor's message afterwards.
-        match effect {
-            Effect::ReadKeyframes { path } => {
-                let bytes = storage::read(&path, LARGEST_FILE_BYTES).map_err(|error| error.to_string());
-                if self.editor.keyframes_read(&path, bytes).is_ok() {
-                    self.used(&path);
-                }
-            }
-            Effect::WriteKeyframes { path, text, is_known } => {
-                let outcome = write(&path, &text, is_known);
-                if self.editor.keyframes_written(&path, outcome).is_ok() {
-                    self.used(&path);
-                }
-            }
-            Effect::WriteScene { path, text, is_known } => {
-                let outcome = write(&path, &text, is_known);
-                let _ = self.editor.scene_written(&path, outcome);
-            }
-            Effect::Screenshot { path } => {
-                let path = path.unwrap_or_else(|| storage::next_screenshot_path(self.editor.path()));
-                let outcome = self.screenshot(&path);
-                let _ = self.editor.screenshot_taken(&path, outcome);
-            }
-            Effect::Export(options) => self.export(*options),
-            Effect::CancelExport => self.cancel_export(),
-            Effect::ChooseOpen => self.choose_keyframes(PathPurpose::Open),
-            Effect::ChooseSaveAs => self.choose_keyframes(PathPurpose::SaveAs),
-            Effect::ChooseSaveSceneAs => self.choose_keyframes(PathPurpose::SaveSceneAs),
-            Effect::ChooseExport { proposed, is_folder } => {
-                self.choose_path(if is_folder { Question::Folder } else { Question::Film }, &proposed);
-            }
-            Effect::Quit => self.quit_or_ask(),
-            Effect::Window(command) => self.window_command(&command),
-        }
+    fn begin_export(&mut self, options: ExportOptions) {
+        self.export(options);
+    }
+
+    fn cancel_export(&mut self) {
+        self.cancel_running_export();
+    }
+
+    fn quit(&mut self) {
+        self.quit_or_ask();
+    }
+
+    fn change_window(&mut self, command: WindowCommand) {
+        self.window_command(&command);
+    }
+}
+
+impl Shell {
+    /// Applies a command and does what it asks for. Refusals are the editor's message already.
+    pub(super) fn apply(&mut self, command: Command) {
+        let Ok(()) = self.carry_out(command);
     }
 
     fn window_command(&mut self, command: &WindowCommand) {
@@ -167,7 +194,7 @@ impl Shell {
 }
 
 /// Writes a file; what stood there and is not known is kept beside it.
-fn write(path: &Path, text: &impl Display, is_known: bool) -> Result<Option<PathBuf>, String> {
+fn write(path: &Path, text: &dyn Display, is_known: bool) -> Result<Option<PathBuf>, String> {
     let kept = if is_known { None } else { storage::keep_copy(path).map_err(|error| error.to_string())? };
     storage::write_with(path, |file| write!(file, "{text}")).map_err(|error| error.to_string())?;
     Ok(kept)

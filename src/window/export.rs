@@ -74,7 +74,7 @@ impl Shell {
         });
     }
 
-    pub(super) fn cancel_export(&mut self) {
+    pub(super) fn cancel_running_export(&mut self) {
         if let (Some(export), Some(shown)) = (&self.export, &mut self.ui.exporting) {
             export.is_ending.store(true, Ordering::Relaxed);
             shown.is_ending = true;

@@ -7,8 +7,8 @@ use serde_json::{Value, json};
 use sha2::{Digest as _, Sha256};
 
 use super::super::CliError;
-use super::super::compare::LARGEST_IMAGE_BYTES;
 use crate::export::Painter;
+use crate::files::LARGEST_IMAGE_BYTES;
 use crate::storage;
 
 /// The adapter, the versions and the files written so far.
@@ -51,7 +51,7 @@ impl Manifest {
     /// Adds a file that was just written.
     ///
     /// # Errors
-    /// [`CliError::Unwritten`]: it cannot be read back.
+    /// [`CliError`]: it cannot be read back.
     pub fn add_file(&mut self, path: &Path) -> Result<(), CliError> {
         let bytes =
             storage::read(path, 64 * LARGEST_IMAGE_BYTES).map_err(|reason| CliError::unwritten(path, reason))?;
@@ -62,7 +62,7 @@ impl Manifest {
     /// Writes it.
     ///
     /// # Errors
-    /// [`CliError::Unwritten`]
+    /// [`CliError`]: it cannot be written.
     pub fn write(mut self, path: &Path) -> Result<(), CliError> {
         let files = self.files.iter().map(|(path, hash)| json!({"path": path.to_string_lossy(), "sha256": hash}));
         self.about["files"] = files.collect();

@@ -4,8 +4,7 @@
 //! Anything else, and anything wrong, it leaves to the exact reader. Around the keyframes and the poses, the text is read by the same
 //! code as there; between them, it is read by a [`Cursor`].
 
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::thread;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use glam::{Quat, Vec3};
 
@@ -14,6 +13,7 @@ use super::cursor::Cursor;
 use super::exact::{self, FileText, Head, KeyframeText};
 use super::problems::Problems;
 use crate::keyframe::list::Keyframe;
+use crate::parallel::map_in_order;
 use crate::pose::{LANES, Pose, RbtBlock};
 use crate::rbt::Rbt;
 use crate::scene::SceneGraph;
@@ -102,37 +102,20 @@ struct Keyframes<'a> {
 impl Keyframes<'_> {
     /// The keyframes between these places, on as many cores as there are and pay.
     fn read(&self, places: &[usize]) -> Option<Vec<Keyframe>> {
-        let count = places.len() - 1;
-        let (next, is_given_up) = (AtomicUsize::new(0), AtomicBool::new(false));
-        let work = || {
-            let mut read = Vec::new();
-            while let piece = next.fetch_add(1, Ordering::Relaxed)
-                && piece < count
-                && !is_given_up.load(Ordering::Relaxed)
-            {
-                let Some(keyframes) = self.piece(places[piece], places[piece + 1], piece + 1 == count) else {
-                    is_given_up.store(true, Ordering::Relaxed);
-                    break;
-                };
-                read.push((piece, keyframes));
+        let last = places.last();
+        let pieces: Vec<&[usize]> = places.windows(2).collect();
+        let is_given_up = AtomicBool::new(false);
+        let read = map_in_order(&pieces, |piece| {
+            if is_given_up.load(Ordering::Relaxed) {
+                return None;
             }
-            read
-        };
-        let helpers = thread::available_parallelism().map_or(1, usize::from).min(count) - 1;
-        let mut read = thread::scope(|scope| {
-            let helpers: Vec<_> = (0..helpers).map(|_| scope.spawn(work)).collect();
-            let mut read = work();
-            for helper in helpers {
-                read.extend(helper.join().unwrap_or_default());
-            }
+            let read = self.piece(piece[0], piece[1], piece.last() == last);
+            is_given_up.fetch_or(read.is_none(), Ordering::Relaxed);
             read
         });
-        if read.len() != count {
-            return None;
-        }
-        read.sort_unstable_by_key(|&(piece, _)| piece);
-        let mut keyframes = Vec::with_capacity(read.iter().map(|(_, keyframes)| keyframes.len()).sum());
-        keyframes.extend(read.into_iter().flat_map(|(_, piece)| piece));
+        let read: Vec<Vec<Keyframe>> = read.into_iter().collect::<Option<_>>()?;
+        let mut keyframes = Vec::with_capacity(read.iter().map(Vec::len).sum());
+        keyframes.extend(read.into_iter().flatten());
         Some(keyframes)
     }
 

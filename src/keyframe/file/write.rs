@@ -122,7 +122,8 @@ fn pieces(keyframes: &[Keyframe]) -> Vec<Piece> {
     pieces
 }
 
-/// Hands over the text of keyframes piece by piece. Threads make the pieces in turn, never far ahead of what is taken.
+/// Hands over the text of keyframes piece by piece. Threads make the pieces in turn, never far ahead of what is taken: unlike
+/// [`crate::parallel::map_in_order`], which keeps all results, this takes memory for a few pieces however long the text is.
 fn write_keyframes(keyframes: &[Keyframe], mut write: impl FnMut(&str) -> fmt::Result) -> fmt::Result {
     let pieces = pieces(keyframes);
     let threads = thread::available_parallelism().map_or(1, usize::from).min(pieces.len());

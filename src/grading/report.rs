@@ -2,8 +2,9 @@
 
 use std::fmt::Write as _;
 
-use super::marks::{Item, Marks};
-use super::pictures::Pictures;
+use super::item::{Item, ItemKind};
+use super::marks::Marks;
+use super::pictures::Picture;
 use super::rubric::Rubric;
 use super::tables::{diagnoses, number};
 
@@ -45,8 +46,10 @@ pub fn escaped(text: &str) -> String {
     safe
 }
 
-/// The report: an overview with a row a submission, then each with its points, reasons and pictures.
-pub fn html(marks: &[Marks], rubric: &Rubric, pictures: &[Option<Pictures>]) -> String {
+/// The report: an overview with a row for each submission, then each with its points, reasons and pictures, which are in the order of
+/// `marks`.
+#[must_use]
+pub fn html(marks: &[Marks], rubric: &Rubric, pictures: &[Vec<Picture>]) -> String {
     let title = if rubric.title.is_empty() { "Grades" } else { &rubric.title };
     let mut text = format!(
         "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n\
@@ -79,37 +82,45 @@ pub fn html(marks: &[Marks], rubric: &Rubric, pictures: &[Option<Pictures>]) -> 
     }
     text.push_str("</table></section>\n");
     for (place, (marks, pictures)) in marks.iter().zip(pictures).enumerate() {
-        push_submission(&mut text, place, marks, pictures.as_ref());
+        push_submission(&mut text, place, marks, pictures);
     }
     text.push_str("</body></html>\n");
     text
 }
 
-/// The items with names for people, and runs of keyframes of which there is the same to say in one row.
-fn grouped(items: &[Item]) -> Vec<Item> {
-    let keyframe = |item: &Item| item.name.strip_prefix("keyframe ").and_then(|number| number.parse::<usize>().ok());
-    let mut rows: Vec<Item> = Vec::new();
+/// A row of a submission's table.
+struct Row {
+    title: String,
+    points: f64,
+    out_of: f64,
+    has_lost: bool,
+    reason: String,
+}
+
+/// A row for each item; consecutive keyframes with the same verdict and reason share one.
+fn rows(items: &[Item]) -> Vec<Row> {
+    let mut rows: Vec<Row> = Vec::new();
     // The first keyframe of the run that the last row is.
     let mut first = None;
     for item in items {
-        let number = keyframe(item);
-        if let (Some(first), Some(number), Some(row)) = (first, number, rows.last_mut())
+        let index = if let ItemKind::Keyframe(index) = item.kind { Some(index) } else { None };
+        if let (Some(first), Some(index), Some(row)) = (first, index, rows.last_mut())
             && row.reason == item.reason
-            && (row.points < row.out_of) == (item.points < item.out_of)
+            && row.has_lost == item.has_lost()
         {
-            row.name = format!("keyframes {first} to {number}");
+            row.title = format!("keyframes {first} to {index}");
             row.points += item.points;
             row.out_of += item.out_of;
             continue;
         }
-        first = number;
-        let name = item.name.replace("catmull_rom", "Catmull-Rom").replace('_', " ");
-        rows.push(Item { name, ..item.clone() });
+        first = index;
+        let Item { kind, points, out_of, reason } = item.clone();
+        rows.push(Row { title: kind.title(), points, out_of, has_lost: item.has_lost(), reason });
     }
     rows
 }
 
-fn push_submission(text: &mut String, place: usize, marks: &Marks, pictures: Option<&Pictures>) {
+fn push_submission(text: &mut String, place: usize, marks: &Marks, pictures: &[Picture]) {
     let _ = writeln!(
         text,
         "<section id=\"s{place}\"><h2>{} <span>{} / {}</span></h2>",
@@ -122,21 +133,21 @@ fn push_submission(text: &mut String, place: usize, marks: &Marks, pictures: Opt
         let _ = writeln!(text, "<p class=\"note\">{}</p>", escaped(note));
     }
     text.push_str("<table class=\"items\">\n");
-    for item in grouped(&marks.items) {
-        let class = if item.points < item.out_of { "lost" } else { "full" };
+    for row in rows(&marks.items) {
+        let class = if row.has_lost { "lost" } else { "full" };
         let _ = writeln!(
             text,
             "<tr><td>{}</td><td class=\"n {class}\">{} / {}</td><td>{}</td></tr>",
-            escaped(&item.name),
-            number(item.points),
-            number(item.out_of),
-            escaped(&item.reason)
+            escaped(&row.title),
+            number(row.points),
+            number(row.out_of),
+            escaped(&row.reason)
         );
     }
     text.push_str("</table>\n");
-    if let Some(pictures) = pictures {
+    if !pictures.is_empty() {
         text.push_str("<div class=\"pictures\">\n");
-        for picture in &pictures.pictures {
+        for picture in pictures {
             if picture.starts_row {
                 text.push_str("</div><div class=\"pictures\">\n");
             }
@@ -157,26 +168,22 @@ fn push_submission(text: &mut String, place: usize, marks: &Marks, pictures: Opt
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::interpolation::Interpolation;
 
     #[test]
     fn keyframes_of_which_there_is_the_same_to_say_are_one_row() {
-        let item = |name: &str, points, reason: &str| Item {
-            name: name.to_owned(),
-            points,
-            out_of: 2.0,
-            reason: reason.to_owned(),
-        };
+        let item = |kind, points, reason: &str| Item { kind, points, out_of: 2.0, reason: reason.to_owned() };
         let items = [
-            item("keyframe_count", 2.0, "right"),
-            item("keyframe 0", 2.0, "right"),
-            item("keyframe 1", 2.0, "right"),
-            item("keyframe 2", 0.0, "off"),
-            item("keyframe 3", 2.0, "right"),
-            item("catmull_rom_playback", 2.0, "right"),
+            item(ItemKind::KeyframeCount, 2.0, "right"),
+            item(ItemKind::Keyframe(0), 2.0, "right"),
+            item(ItemKind::Keyframe(1), 2.0, "right"),
+            item(ItemKind::Keyframe(2), 0.0, "off"),
+            item(ItemKind::Keyframe(3), 2.0, "right"),
+            item(ItemKind::Playback(Interpolation::CatmullRom), 2.0, "right"),
         ];
-        let rows = grouped(&items);
-        let names: Vec<&str> = rows.iter().map(|row| row.name.as_str()).collect();
-        assert_eq!(names, ["keyframe count", "keyframes 0 to 1", "keyframe 2", "keyframe 3", "Catmull-Rom playback"]);
+        let rows = rows(&items);
+        let titles: Vec<&str> = rows.iter().map(|row| row.title.as_str()).collect();
+        assert_eq!(titles, ["keyframe count", "keyframes 0 to 1", "keyframe 2", "keyframe 3", "Catmull-Rom playback"]);
         assert_eq!((rows[1].points, rows[1].out_of), (4.0, 4.0));
     }
 

@@ -1,12 +1,13 @@
-//! The scene that `--scene` names.
+//! Scenes by name: built-in ones and files.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::CliError;
+use super::FileError;
 use crate::editor::Editor;
 use crate::scene::{DEFAULT_SCENE, SceneGraph, built_in_scene, built_in_scene_names, scene_from_json};
 use crate::storage;
+use crate::text::str_without_byte_order_mark;
 
 /// The largest scene file that is read: 256 MiB.
 pub const LARGEST_SCENE_BYTES: u64 = 256 << 20;
@@ -14,23 +15,24 @@ pub const LARGEST_SCENE_BYTES: u64 = 256 << 20;
 /// The built-in scene of that name, or the scene in that file; the default one where nothing is named.
 ///
 /// # Errors
-/// [`CliError::BadInput`]: there is neither, or the file is no scene.
-pub fn load(name_or_file: Option<&Path>) -> Result<SceneGraph, CliError> {
+/// [`FileError`]: there is neither, or the file is no scene.
+pub fn load(name_or_file: Option<&Path>) -> Result<SceneGraph, FileError> {
     let name_or_file = name_or_file.unwrap_or(Path::new(DEFAULT_SCENE));
     if let Some(scene) = name_or_file.to_str().and_then(built_in_scene) {
         return Ok(scene);
     }
-    let place = name_or_file.display();
+    let location = name_or_file.display();
     let bytes = storage::read(name_or_file, LARGEST_SCENE_BYTES).map_err(|error| {
         let names = built_in_scene_names().collect::<Vec<_>>().join(", ");
-        CliError::bad_input(&place, format!("neither a built-in scene ({names}) nor a file that can be read: {error}"))
+        FileError::new(&location, format!("neither a built-in scene ({names}) nor a file that can be read: {error}"))
     })?;
     let text = std::str::from_utf8(&bytes)
-        .map_err(|error| CliError::bad_input(&place, format!("not UTF-8 at byte {}", error.valid_up_to())))?;
-    scene_from_json(text.strip_prefix('\u{feff}').unwrap_or(text)).map_err(|error| CliError::bad_input(&place, error))
+        .map_err(|error| FileError::new(&location, format!("not UTF-8 at byte {}", error.valid_up_to())))?;
+    scene_from_json(str_without_byte_order_mark(text)).map_err(|error| FileError::new(&location, error))
 }
 
-/// An editor of a scene that was loaded so; where it came from a file, that is where it is saved.
+/// An editor of a scene that [`load`] gave for `name_or_file`. A scene from a file is saved to that file.
+#[must_use]
 pub fn editor_of(scene: SceneGraph, name_or_file: Option<&Path>, keyframes: PathBuf) -> Editor {
     let editor = Editor::new(Arc::new(scene), keyframes);
     match name_or_file {

@@ -2,15 +2,13 @@
 
 use num_rational::BigRational;
 
+use super::item::{Item, ItemKind};
 use super::marks::Marks;
 use super::rubric::Rubric;
 use super::shown::{FRAMES, ShownPose, ShownPoses, farthest};
 use crate::camera::Camera;
-use crate::cli::CliError;
-use crate::cli::diff::times_ms;
-use crate::cli::progress::Progress;
-use crate::difference::{Played, compare};
-use crate::export::{Painter, Size};
+use crate::difference::{Played, compare, frame_times_ms};
+use crate::export::{ExportError, Painter, Size};
 use crate::interpolation::Interpolation;
 use crate::keyframe::{KeyframeList, PlayRange, whole};
 use crate::pose::Pose;
@@ -20,9 +18,9 @@ use crate::view::frame_of_scene;
 
 /// The pictures' size in pixels.
 pub const SIZE: Size = Size { width: 200, height: 150 };
-/// How long it takes, in milliseconds.
+/// How long the animated picture takes, in milliseconds.
 const LENGTH_MS: usize = 2400;
-/// What is farther from the world's centre is not drawn, in scene units.
+/// Shapes that are farther from the world's centre are not drawn, in scene units.
 const FARTHEST: f32 = 1e5;
 /// The most frames among which the moments are looked for.
 const MOST_FRAMES: usize = 2_000;
@@ -42,56 +40,35 @@ pub struct Picture {
     pub starts_row: bool,
 }
 
-/// The pictures of one submission.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Pictures {
-    /// In the order in which they are shown.
-    pub pictures: Vec<Picture>,
-}
-
-/// Draws the pictures of every submission that can be played.
+/// Draws the pictures of a submission, in the order in which they are shown; none where it cannot be played. The painter's pictures are
+/// of [`SIZE`].
 ///
 /// # Errors
-/// [`CliError`]: the GPU fails.
-pub fn of_all(
-    marks: &[Marks],
+/// [`ExportError`]: the GPU fails.
+pub fn pictures_of(
+    marks: &Marks,
     rubric: &Rubric,
     scene: &SceneGraph,
     painter: &mut Painter,
-) -> Result<Vec<Option<Pictures>>, CliError> {
-    let mut progress = Progress::new("submission", marks.len().max(1));
-    let mut drawn = Vec::with_capacity(marks.len());
-    for marks in marks {
-        let mut pictures = Vec::new();
-        for interpolation in shown_playbacks(marks, rubric) {
-            pictures.extend(of_playback(marks, interpolation, rubric, scene, painter)?);
-        }
-        drawn.push((!pictures.is_empty()).then_some(Pictures { pictures }));
-        progress.step();
+) -> Result<Vec<Picture>, ExportError> {
+    let mut pictures = Vec::new();
+    for interpolation in shown_playbacks(marks, rubric) {
+        pictures.extend(of_playback(marks, interpolation, rubric, scene, painter)?);
     }
-    Ok(drawn)
+    Ok(pictures)
 }
 
-/// Which playbacks are shown: those that lost points, or else one that is graded.
+/// Which playbacks are shown: those that lost points, or else the last one that is graded.
 fn shown_playbacks(marks: &Marks, rubric: &Rubric) -> Vec<Interpolation> {
-    let points = rubric.points;
-    let graded: Vec<(Interpolation, &str)> = [
-        (Interpolation::Linear, "linear_playback", points.linear_playback),
-        (Interpolation::CatmullRom, "catmull_rom_playback", points.catmull_rom_playback),
-    ]
-    .into_iter()
-    .filter(|(.., points)| *points > 0.0)
-    .map(|(interpolation, item, _)| (interpolation, item))
-    .collect();
-    let lost = |(_, name): &&(Interpolation, &str)| {
-        marks.items.iter().any(|item| item.name == *name && item.points < item.out_of)
-    };
-    let wrong: Vec<Interpolation> = graded.iter().filter(lost).map(|(interpolation, _)| *interpolation).collect();
-    if wrong.is_empty() {
-        vec![graded.last().map_or(Interpolation::CatmullRom, |(interpolation, _)| *interpolation)]
-    } else {
-        wrong
-    }
+    let graded = rubric.items().filter_map(|(kind, _)| match kind {
+        ItemKind::Playback(interpolation) => Some(interpolation),
+        _ => None,
+    });
+    let graded: Vec<Interpolation> = graded.collect();
+    let has_lost =
+        |interpolation: &Interpolation| marks.item(ItemKind::Playback(*interpolation)).is_some_and(Item::has_lost);
+    let wrong: Vec<Interpolation> = graded.iter().copied().filter(has_lost).collect();
+    if wrong.is_empty() { vec![graded.last().copied().unwrap_or(Interpolation::CatmullRom)] } else { wrong }
 }
 
 /// What the student's program showed, where samples tell; else how the keyframes play here.
@@ -101,7 +78,7 @@ fn of_playback(
     rubric: &Rubric,
     scene: &SceneGraph,
     painter: &mut Painter,
-) -> Result<Vec<Picture>, CliError> {
+) -> Result<Vec<Picture>, ExportError> {
     let label = interpolation.label();
     let of_samples = marks.samples.iter().find(|samples| samples.interpolation == interpolation);
     let (poses, caption) = match of_samples.and_then(|samples| Some((samples.shown.as_ref()?, &samples.file))) {
@@ -141,7 +118,7 @@ fn played(list: &KeyframeList, interpolation: Interpolation, rubric: &Rubric) ->
     };
     let length_ms = own.length_ms();
     let frames = (0..FRAMES).filter_map(|frame| shown(&(&length_ms * whole(frame) / whole(FRAMES - 1)))).collect();
-    let times = times_ms(&right.length_ms(), rubric.fps).filter(|times| times.len() <= MOST_FRAMES);
+    let times = frame_times_ms(&right.length_ms(), rubric.fps, MOST_FRAMES).filter(|times| times.len() <= MOST_FRAMES);
     let moments = times.and_then(|times| {
         let difference = compare(right, own, &times, rubric.tolerances).ok()?;
         Some(farthest(&difference.off_by_frame).into_iter().filter_map(|place| shown(&times[place])).collect())
@@ -150,7 +127,7 @@ fn played(list: &KeyframeList, interpolation: Interpolation, rubric: &Rubric) ->
 }
 
 /// Draws a pose. What is no number, or out of this world, is not drawn; where the camera is such, it is where it should be.
-fn draw(pose: &Pose, right: &Pose, scene: &SceneGraph, painter: &mut Painter) -> Result<Image, CliError> {
+fn draw(pose: &Pose, right: &Pose, scene: &SceneGraph, painter: &mut Painter) -> Result<Image, ExportError> {
     let eye = scene.eyes()[0];
     let own = scene.world_from_rbt(pose, 0.0, eye);
     let is_sound = own.translation.abs().max_element() < FARTHEST && (own.rotation.length() - 1.0).abs() < 0.5;

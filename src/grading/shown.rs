@@ -1,4 +1,4 @@
-//! What a student's own program showed, thinned out for pictures: so many poses evenly over its samples, and the farthest from right.
+//! What a student's own program showed, thinned out for pictures: poses evenly spread over its samples, and those that are most wrong.
 
 use std::collections::BTreeMap;
 

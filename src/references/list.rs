@@ -5,10 +5,9 @@ use std::path::{Component, Path};
 
 use serde::Deserialize;
 
-use super::super::CliError;
 use crate::compare::DEFAULT_TOLERANCE;
+use crate::files::{self, FileError};
 use crate::interpolation::Interpolation;
-use crate::storage;
 
 /// The list's name in its folder.
 pub const LIST_NAME: &str = "pictures.json";
@@ -23,13 +22,13 @@ const LARGEST_BYTES: u64 = 16 << 20;
 struct List {
     format: String,
     version: u32,
-    pictures: Vec<Picture>,
+    pictures: Vec<Shot>,
 }
 
-/// One picture to render.
+/// One picture that the list asks for.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Picture {
+pub struct Shot {
     /// What the picture is called, and its files after it.
     pub name: String,
     /// The keyframe file, relative to the folder; without it, the scene's rest pose.
@@ -40,7 +39,7 @@ pub struct Picture {
     pub at: Option<f64>,
     /// The keyframe of the list, instead of a key time.
     pub keyframe: Option<i64>,
-    /// Seconds into the keys at their own times.
+    /// The time of the timed keys, in seconds.
     #[serde(default)]
     pub seconds: f64,
     /// Width and height in pixels.
@@ -71,13 +70,15 @@ fn usual_tolerance() -> f32 {
     DEFAULT_TOLERANCE
 }
 
-impl Picture {
+impl Shot {
     /// The reference's name in the folder: NAME.png, unless the list says another.
+    #[must_use]
     pub fn reference(&self) -> String {
         self.reference.clone().unwrap_or_else(|| format!("{}.png", self.name))
     }
 
-    /// The interpolation that takes the place of the file's.
+    /// The interpolation that replaces the file's.
+    #[must_use]
     pub fn interpolation(&self) -> Option<Interpolation> {
         self.interpolation.as_deref().and_then(Interpolation::from_name)
     }
@@ -117,28 +118,25 @@ impl Picture {
 /// Reads the list.
 ///
 /// # Errors
-/// [`CliError::BadInput`] with every problem.
-pub fn read(path: &Path) -> Result<Vec<Picture>, CliError> {
-    let place = path.display();
-    let bytes = storage::read(path, LARGEST_BYTES).map_err(|error| CliError::bad_input(&place, error))?;
-    let list: List = serde_json::from_slice(&bytes).map_err(|error| CliError::bad_input(&place, error))?;
+/// [`FileError`] with every problem.
+pub fn read_list(path: &Path) -> Result<Vec<Shot>, FileError> {
+    let location = path.display();
+    let bytes = files::read(path, LARGEST_BYTES)?;
+    let list: List = serde_json::from_slice(&bytes).map_err(|error| FileError::new(&location, error))?;
     if list.format != FORMAT || list.version != VERSION {
         let found = format!("{:?} version {}", list.format, list.version);
-        return Err(CliError::bad_input(
-            &place,
-            format!("the format is {found}, expected {FORMAT:?} version {VERSION}"),
-        ));
+        return Err(FileError::new(&location, format!("the format is {found}, expected {FORMAT:?} version {VERSION}")));
     }
     let mut names = HashSet::new();
     let mut sentences = Vec::new();
     for picture in &list.pictures {
         let twice = (!names.insert(&picture.name)).then(|| "stands twice".to_owned());
         for problem in picture.problem().into_iter().chain(twice) {
-            sentences.push(format!("{place}: picture {:?}: {problem}", picture.name));
+            sentences.push(format!("{location}: picture {:?}: {problem}", picture.name));
         }
     }
     if list.pictures.is_empty() {
-        sentences.push(format!("{place}: there are no pictures"));
+        sentences.push(format!("{location}: there are no pictures"));
     }
-    if sentences.is_empty() { Ok(list.pictures) } else { Err(CliError::BadInput { sentences }) }
+    if sentences.is_empty() { Ok(list.pictures) } else { Err(FileError::of_sentences(sentences)) }
 }

@@ -3,7 +3,7 @@
 use std::io::{Cursor, Read as _};
 use std::path::{Path, PathBuf};
 
-use crate::cli::CliError;
+use crate::files::FileError;
 use crate::storage::{self, EntryKind};
 
 /// The most submissions at a time.
@@ -40,11 +40,11 @@ pub struct Member {
 /// entries by name; names that begin with a dot are passed over.
 ///
 /// # Errors
-/// [`CliError::BadInput`]: something that is named is not there, or there are too many.
-pub fn find(arguments: &[PathBuf]) -> Result<Vec<Submission>, CliError> {
+/// [`FileError`]: something that is named is not there, or there are too many.
+pub fn find(arguments: &[PathBuf]) -> Result<Vec<Submission>, FileError> {
     let mut found: Vec<Submission> = Vec::new();
     for path in arguments {
-        let bad = |error| CliError::bad_input(path.display(), error);
+        let bad = |error| FileError::storage(path, error);
         // What is named by hand may be a link.
         if storage::list(path, 0).is_err() {
             storage::kind(path).map_err(bad)?;
@@ -54,13 +54,13 @@ pub fn find(arguments: &[PathBuf]) -> Result<Vec<Submission>, CliError> {
         }
         let (entries, count) = storage::list(path, MOST_SUBMISSIONS).map_err(bad)?;
         if count > entries.len() {
-            return Err(CliError::bad_input(path.display(), format!("more than {MOST_SUBMISSIONS} submissions")));
+            return Err(FileError::new(path.display(), format!("more than {MOST_SUBMISSIONS} submissions")));
         }
         let entries = entries.into_iter().filter(|entry| !entry.name.starts_with('.'));
         found.extend(entries.map(|entry| Submission { name: entry.name, path: entry.path, root: Some(path.clone()) }));
     }
     if found.len() > MOST_SUBMISSIONS {
-        return Err(CliError::bad_input("submissions", format!("more than {MOST_SUBMISSIONS}")));
+        return Err(FileError::new("submissions", format!("more than {MOST_SUBMISSIONS}")));
     }
     let mut names = std::collections::HashSet::new();
     for submission in &mut found {

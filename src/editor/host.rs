@@ -1,0 +1,146 @@
+//! Who performs what the editor asks of the outside world: a window, a script without one, or the grader.
+
+use std::fmt::Display;
+use std::path::{Path, PathBuf};
+
+use super::{Command, CommandError, Editor, Effect, ExportOptions, WindowCommand};
+
+/// What became of a file: a value, or a sentence that says why not. The editor is told of either.
+pub type FileOutcome<T> = Result<T, String>;
+
+/// Which path a dialog asks for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum PathQuestion {
+    /// The keyframe file to open.
+    Open,
+    /// Where to save the keyframes.
+    SaveAs,
+    /// Where to save the scene.
+    SaveSceneAs,
+    /// Where an export is written.
+    Export {
+        /// What the dialog begins with.
+        proposed: PathBuf,
+        /// Whether it is a folder.
+        is_folder: bool,
+    },
+}
+
+/// What was done with a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FileAccess {
+    /// Keyframes were read.
+    KeyframesRead,
+    /// Keyframes were written.
+    KeyframesWritten,
+    /// The scene was written.
+    SceneWritten,
+    /// A picture of the scene was written.
+    ScreenshotTaken,
+}
+
+/// Performs effects. A host implements one method for each thing that is done outside of the editor; what becomes of it is told to the
+/// editor here, in one place.
+pub trait Host {
+    /// Why the host cannot go on. [`std::convert::Infallible`] where every failure is the editor's message.
+    type Stop;
+
+    /// The editor whose effects are performed.
+    fn editor(&mut self) -> &mut Editor;
+
+    /// Reads a keyframe file.
+    ///
+    /// # Errors
+    /// Only where the host cannot go on; a file that cannot be read is an outcome.
+    fn read(&mut self, path: &Path) -> Result<FileOutcome<Vec<u8>>, Self::Stop>;
+
+    /// Writes a text as it is made. `is_known`: the editor has read or written the file before; where not, a careful host keeps a copy
+    /// of what it held and returns its path.
+    ///
+    /// # Errors
+    /// Only where the host cannot go on; a file that cannot be written is an outcome.
+    fn write(
+        &mut self,
+        path: &Path,
+        text: &dyn Display,
+        is_known: bool,
+    ) -> Result<FileOutcome<Option<PathBuf>>, Self::Stop>;
+
+    /// Draws what is displayed and writes it to `path`; without one, to the first free name beside the keyframe file. Returns the path.
+    ///
+    /// # Errors
+    /// Only where the host cannot go on.
+    fn take_screenshot(&mut self, path: Option<PathBuf>) -> Result<(PathBuf, FileOutcome<()>), Self::Stop>;
+
+    /// The editor was told of a file; `told` is what it made of that.
+    ///
+    /// # Errors
+    /// Where the host does not go on after such an error.
+    fn told(&mut self, access: FileAccess, path: &Path, told: Result<(), CommandError>) -> Result<(), Self::Stop>;
+
+    /// Asks the user for a path.
+    fn ask_for_path(&mut self, question: PathQuestion);
+
+    /// Begins an export of the document as it is now.
+    fn begin_export(&mut self, options: ExportOptions);
+
+    /// Ends the export that is under way.
+    fn cancel_export(&mut self);
+
+    /// Ends the program, asking first where something is unsaved.
+    fn quit(&mut self);
+
+    /// Changes the window or its settings.
+    fn change_window(&mut self, command: WindowCommand);
+
+    /// Performs an effect, and tells the editor what became of it.
+    ///
+    /// # Errors
+    /// Why the host cannot go on.
+    fn perform(&mut self, effect: Effect) -> Result<(), Self::Stop> {
+        match effect {
+            Effect::ReadKeyframes { path } => {
+                let bytes = self.read(&path)?;
+                let told = self.editor().keyframes_read(&path, bytes);
+                return self.told(FileAccess::KeyframesRead, &path, told);
+            }
+            Effect::WriteKeyframes { path, text, is_known } => {
+                let outcome = self.write(&path, &text, is_known)?;
+                let told = self.editor().keyframes_written(&path, outcome);
+                return self.told(FileAccess::KeyframesWritten, &path, told);
+            }
+            Effect::WriteScene { path, text, is_known } => {
+                let outcome = self.write(&path, &text, is_known)?;
+                let told = self.editor().scene_written(&path, outcome);
+                return self.told(FileAccess::SceneWritten, &path, told);
+            }
+            Effect::Screenshot { path } => {
+                let (path, outcome) = self.take_screenshot(path)?;
+                let told = self.editor().screenshot_taken(&path, outcome);
+                return self.told(FileAccess::ScreenshotTaken, &path, told);
+            }
+            Effect::ChooseOpen => self.ask_for_path(PathQuestion::Open),
+            Effect::ChooseSaveAs => self.ask_for_path(PathQuestion::SaveAs),
+            Effect::ChooseSaveSceneAs => self.ask_for_path(PathQuestion::SaveSceneAs),
+            Effect::ChooseExport { proposed, is_folder } => {
+                self.ask_for_path(PathQuestion::Export { proposed, is_folder });
+            }
+            Effect::Export(options) => self.begin_export(*options),
+            Effect::CancelExport => self.cancel_export(),
+            Effect::Quit => self.quit(),
+            Effect::Window(command) => self.change_window(command),
+        }
+        Ok(())
+    }
+
+    /// Has the editor do a command and performs what it asks for. A refusal is the editor's message.
+    ///
+    /// # Errors
+    /// Why the host cannot go on.
+    fn carry_out(&mut self, command: Command) -> Result<(), Self::Stop> {
+        match self.editor().apply(command) {
+            Ok(Some(effect)) => self.perform(effect),
+            Ok(None) | Err(_) => Ok(()),
+        }
+    }
+}

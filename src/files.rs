@@ -1,0 +1,41 @@
+//! Named files to values, with errors that name the file: scenes, animations, pictures, and results that are written.
+//!
+//! The rooms above take names of files from a user or from another file. [`storage`] knows no names in its errors and the
+//! parsers know no files; here the two meet.
+
+mod animation;
+mod error;
+mod image;
+pub mod scene;
+
+pub use animation::{keyframe_file, keyframes_of_any_layout};
+pub use error::{FileError, WorkError};
+pub use image::{LARGEST_IMAGE_BYTES, image};
+
+use std::path::Path;
+
+use crate::storage;
+
+/// Reads a file of at most `limit` bytes.
+///
+/// # Errors
+/// [`FileError`]
+pub fn read(path: &Path, limit: u64) -> Result<Vec<u8>, FileError> {
+    storage::read(path, limit).map_err(|reason| FileError::storage(path, reason))
+}
+
+/// Writes a whole file, as [`storage::write`].
+///
+/// # Errors
+/// [`FileError`]; the file is as it was then.
+pub fn write(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
+    storage::write(path, bytes).map_err(|reason| FileError::storage(path, reason))
+}
+
+/// Makes a folder and those above it, where they are missing.
+///
+/// # Errors
+/// [`FileError`]
+pub fn create_folder(path: &Path) -> Result<(), FileError> {
+    storage::create_folder(path).map_err(|reason| FileError::storage(path, reason))
+}

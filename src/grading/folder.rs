@@ -1,0 +1,218 @@
+//! Scripts of submissions, run in a folder of their own that is in memory: nothing is read from the disk or written to it.
+//!
+//! Only plain names are in that folder: a path that leads elsewhere ends the script. No picture is drawn. Work is bounded by counts, so
+//! that the outcome is the same on every machine.
+
+use std::collections::BTreeMap;
+use std::fmt::Display;
+use std::path::{Component, Path, PathBuf};
+use std::sync::Arc;
+use std::time::Duration;
+
+use crate::editor::{CommandError, Editor, ExportOptions, FileAccess, FileOutcome, Host, PathQuestion, WindowCommand};
+use crate::keyframe::keyframes_to_json;
+use crate::scene::SceneGraph;
+use crate::script::{Action, Line, NoWindow, Runner, State, Windowless, parse};
+
+/// The most lines of a script that is run while grading.
+pub const MOST_LINES: usize = 2_000;
+/// The longest that a script may wait, all in all.
+const LONGEST_WAIT: Duration = Duration::from_hours(1);
+/// The most keyframes at a time.
+const MOST_KEYFRAMES: usize = 2_000;
+/// The most bytes that a script may write, all in all.
+const MOST_WRITTEN_BYTES: usize = 32 << 20;
+/// The script's keyframe file, as where `script` is not told another.
+const KEYFRAME_FILE: &str = "animation.json";
+/// Where a screenshot without a name goes. It is not drawn, so that the name stays free.
+const SCREENSHOT_FILE: &str = "inbetween-0001.png";
+
+/// Reads a script.
+///
+/// # Errors
+/// The first line that makes no sense, or the bound that is hit.
+pub fn read_script(bytes: &[u8], scene: &SceneGraph) -> Result<Vec<Line>, String> {
+    let lines =
+        parse::parse(bytes, scene).map_err(|problems| problems.first().map(ToString::to_string).unwrap_or_default())?;
+    if lines.len() > MOST_LINES {
+        return Err(format!("{} commands, and at most {MOST_LINES} are run", lines.len()));
+    }
+    Ok(lines)
+}
+
+/// A command of a script that was run, and the state after it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Traced {
+    /// The command, as the script has it.
+    pub command: String,
+    /// The state after it.
+    pub state: State,
+}
+
+/// What a script left.
+pub struct Ran {
+    /// Each command that was run.
+    pub trace: Vec<Traced>,
+    editor: Editor,
+}
+
+impl Ran {
+    /// The keyframes at the end, as a keyframe file.
+    pub fn keyframe_file(&self) -> Vec<u8> {
+        let document = self.editor.document();
+        let (interpolation, ms_between_keyframes) = (document.interpolation, document.ms_between_keyframes);
+        keyframes_to_json(self.editor.scene(), &document.keyframes, interpolation, ms_between_keyframes).into_bytes()
+    }
+}
+
+/// Runs a script with `keyframes` as the keyframe file, if there is one.
+///
+/// # Errors
+/// A path out of the folder, or a bound that is hit: a sentence with the line.
+pub fn run(lines: &[Line], scene: &SceneGraph, keyframes: Option<&[u8]>) -> Result<Ran, String> {
+    let editor = Editor::new(Arc::new(scene.clone()), PathBuf::from(KEYFRAME_FILE));
+    let files = keyframes.map(|bytes| (KEYFRAME_FILE.to_owned(), bytes.to_owned())).into_iter().collect();
+    let mut runner = Runner::new(Folder { editor, files, written: 0, no_window: NoWindow::default() });
+    let mut waited = Duration::ZERO;
+    let mut trace = Vec::with_capacity(lines.len());
+    for line in lines {
+        let located = |problem: String| format!("line {}: {problem}", line.number);
+        if let Action::Wait(duration) = &line.action {
+            waited = waited.saturating_add(*duration);
+            if waited > LONGEST_WAIT {
+                return Err(located(format!("it waits for more than {} s", LONGEST_WAIT.as_secs())));
+            }
+        }
+        let step = runner.step(line).map_err(located)?;
+        let state = runner.state();
+        if state.keyframes > MOST_KEYFRAMES {
+            return Err(located(format!("more than {MOST_KEYFRAMES} keyframes")));
+        }
+        trace.push(Traced { command: line.text.clone(), state });
+        if step.is_last {
+            break;
+        }
+    }
+    Ok(Ran { trace, editor: runner.into_host().editor })
+}
+
+/// The host of a script that is graded: a folder in memory.
+struct Folder {
+    editor: Editor,
+    files: BTreeMap<String, Vec<u8>>,
+    /// Bytes that were written, all in all.
+    written: usize,
+    no_window: NoWindow,
+}
+
+impl Windowless for Folder {
+    fn no_window(&mut self) -> &mut NoWindow {
+        &mut self.no_window
+    }
+}
+
+impl Host for Folder {
+    type Stop = String;
+
+    fn editor(&mut self) -> &mut Editor {
+        &mut self.editor
+    }
+
+    fn read(&mut self, path: &Path) -> Result<FileOutcome<Vec<u8>>, String> {
+        let bytes = self.files.get(&plain_name(path)?).cloned();
+        Ok(bytes.ok_or_else(|| "there is no such file or folder".to_owned()))
+    }
+
+    fn write(
+        &mut self,
+        path: &Path,
+        text: &dyn Display,
+        _is_known: bool,
+    ) -> Result<FileOutcome<Option<PathBuf>>, String> {
+        let name = plain_name(path)?;
+        let bytes = text.to_string().into_bytes();
+        self.written += bytes.len();
+        if self.written > MOST_WRITTEN_BYTES {
+            return Err(format!("it writes more than {MOST_WRITTEN_BYTES} bytes"));
+        }
+        self.files.insert(name, bytes);
+        Ok(Ok(None))
+    }
+
+    fn take_screenshot(&mut self, path: Option<PathBuf>) -> Result<(PathBuf, FileOutcome<()>), String> {
+        let path = path.unwrap_or_else(|| PathBuf::from(SCREENSHOT_FILE));
+        plain_name(&path)?;
+        Ok((path, Ok(())))
+    }
+
+    fn told(&mut self, _access: FileAccess, _path: &Path, _told: Result<(), CommandError>) -> Result<(), String> {
+        // What is wrong with a file is the editor's message, and the script goes on.
+        Ok(())
+    }
+
+    fn ask_for_path(&mut self, question: PathQuestion) {
+        self.no_window.ask_for_path(&question);
+    }
+
+    fn begin_export(&mut self, _options: ExportOptions) {
+        self.no_window.refuse_export();
+    }
+
+    fn cancel_export(&mut self) {
+        self.no_window.refuse_export();
+    }
+
+    fn quit(&mut self) {
+        self.no_window.quit();
+    }
+
+    fn change_window(&mut self, _command: WindowCommand) {
+        // There is no window to change.
+    }
+}
+
+/// The name of a file in the script's own folder.
+fn plain_name(path: &Path) -> Result<String, String> {
+    let refused = || format!("{}: a script that is graded reads and writes only in its own folder", path.display());
+    let mut parts = path.components().filter(|part| *part != Component::CurDir);
+    match (parts.next(), parts.next()) {
+        (Some(Component::Normal(name)), None) => name.to_str().map(str::to_owned).ok_or_else(refused),
+        _ => Err(refused()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{DEFAULT_SCENE, built_in_scene};
+
+    #[test]
+    fn only_plain_names_are_in_the_folder() {
+        assert_eq!(plain_name(Path::new("a.png")), Ok("a.png".to_owned()));
+        assert_eq!(plain_name(Path::new("./a.png")), Ok("a.png".to_owned()));
+        for out in ["/etc/passwd", "../a.png", "a/../../b", "a/b.png", "", "..", "/"] {
+            assert!(plain_name(Path::new(out)).is_err(), "{out}");
+        }
+    }
+
+    #[test]
+    fn a_scene_is_saved_in_memory() {
+        let scene = built_in_scene(DEFAULT_SCENE).expect("it is built in");
+        let run = |script: &str| {
+            let lines = read_script(script.as_bytes(), &scene).expect("it is a script");
+            run(&lines, &scene, None)
+        };
+        let ran = run("key n\nsave-scene here.json\n").expect("it is within the bounds");
+        assert_eq!(ran.editor.message().text, "Wrote the scene to here.json.");
+        let refused = run("key n\nsave-scene ../out.json\n").err().expect("it leads out");
+        assert!(refused.starts_with("line 2: ../out.json: a script that is graded"), "{refused}");
+    }
+
+    #[test]
+    fn a_script_ends_where_it_quits() {
+        let scene = built_in_scene(DEFAULT_SCENE).expect("it is built in");
+        let lines = read_script(b"key n\nkey ctrl+q\nkey n\n", &scene).expect("it is a script");
+        let ran = run(&lines, &scene, None).expect("it is within the bounds");
+        assert_eq!((ran.trace.len(), ran.trace[1].state.keyframes), (2, 1));
+    }
+}

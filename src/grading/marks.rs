@@ -1,0 +1,72 @@
+//! The marks of a submission: points with reasons, and what its samples show.
+
+use super::item::{Item, ItemKind};
+use super::parsed::Parsed;
+use super::rubric::Rubric;
+use super::samples::{SamplesShow, note_of_too_many, samples_show};
+use super::verdicts::Marker;
+use crate::keyframe::KeyframeList;
+use crate::scene::SceneGraph;
+
+/// All marks of a submission.
+#[derive(Clone, Debug)]
+pub struct Marks {
+    /// The submission's name.
+    pub name: String,
+    /// What was graded, in the rubric's order.
+    pub items: Vec<Item>,
+    /// What its samples show.
+    pub samples: Vec<SamplesShow>,
+    /// The file that its keyframes are from, or the script that made them.
+    pub keyframe_file: Option<String>,
+    /// Its keyframes, where they can be read.
+    pub keyframes: Option<KeyframeList>,
+    /// What else there is to say.
+    pub notes: Vec<String>,
+}
+
+impl Marks {
+    /// Marks a submission by a rubric.
+    #[must_use]
+    pub fn of(name: &str, parsed: &Parsed, rubric: &Rubric, scene: &SceneGraph) -> Self {
+        let mut notes: Vec<String> = parsed.problem.iter().cloned().collect();
+        match &parsed.keyframes {
+            Ok(read) => notes.extend(read.inferred.clone()),
+            // Where reading gives no points, no item says what is wrong.
+            Err(problem) if rubric.points.readable == 0.0 && notes.is_empty() => notes.push(problem.clone()),
+            Err(_) => {}
+        }
+        notes.extend(note_of_too_many(parsed));
+        let samples = samples_show(parsed, rubric);
+        let marker = Marker { rubric, scene, parsed, samples: &samples };
+        let items = rubric.items().map(|(kind, out_of)| Item::new(kind, out_of, marker.verdict(kind))).collect();
+        let read = parsed.keyframes.as_ref().ok();
+        let keyframe_file = read.map(|read| read.file.clone());
+        Self {
+            name: name.to_owned(),
+            items,
+            samples,
+            keyframe_file,
+            keyframes: read.map(|read| read.list.clone()),
+            notes,
+        }
+    }
+
+    /// The points of all items.
+    #[must_use]
+    pub fn points(&self) -> f64 {
+        self.items.iter().map(|item| item.points).sum()
+    }
+
+    /// The points that could be had.
+    #[must_use]
+    pub fn out_of(&self) -> f64 {
+        self.items.iter().map(|item| item.out_of).sum()
+    }
+
+    /// The item of a kind, where it is graded.
+    #[must_use]
+    pub fn item(&self, kind: ItemKind) -> Option<&Item> {
+        self.items.iter().find(|item| item.kind == kind)
+    }
+}

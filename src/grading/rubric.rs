@@ -1,0 +1,282 @@
+//! The rubric: what is graded, and for how many points; JSON or TOML.
+
+use std::path::Path;
+
+use serde::Deserialize;
+
+use super::folder::{self, Traced};
+use super::item::ItemKind;
+use crate::difference::Tolerances;
+use crate::files::{self, FileError};
+use crate::interpolation::Interpolation;
+use crate::keyframe::{KeyframeList, PlayRange};
+use crate::scene::SceneGraph;
+use crate::script::Line;
+use crate::text::{line_and_column, without_byte_order_mark};
+use crate::text_layouts::read_keyframes;
+
+/// The largest rubric, and the largest of the files that it names, in bytes.
+const LARGEST_BYTES: u64 = 64 << 20;
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct RubricText {
+    format: String,
+    version: u64,
+    #[serde(default)]
+    title: String,
+    reference: String,
+    #[serde(default)]
+    script: Option<String>,
+    #[serde(default)]
+    tolerances: TolerancesText,
+    #[serde(default = "default_fps")]
+    fps: u32,
+    points: Points,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields, default)]
+struct TolerancesText {
+    translation: f64,
+    rotation_degrees: f64,
+}
+
+impl Default for TolerancesText {
+    fn default() -> Self {
+        let Tolerances { translation, rotation_degrees } = Tolerances::default();
+        Self { translation, rotation_degrees }
+    }
+}
+
+const fn default_fps() -> u32 {
+    10
+}
+
+/// Points for each thing that is graded; what is not named gives none and is left out.
+#[derive(Clone, Copy, Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Points {
+    /// For keyframes that can be read.
+    pub readable: f64,
+    /// For as many keyframes as the reference has.
+    pub keyframe_count: f64,
+    /// For each of the reference's keyframes.
+    pub each_keyframe: f64,
+    /// For linear playback.
+    pub linear_playback: f64,
+    /// For Catmull-Rom playback.
+    pub catmull_rom_playback: f64,
+    /// For beginning and ending where it should.
+    pub range_and_end: f64,
+    /// For a trace of the hotkey script that matches.
+    pub script: f64,
+}
+
+/// A rubric with all that it names.
+#[derive(Clone, Debug)]
+pub struct Rubric {
+    /// What the report is headed by.
+    pub title: String,
+    /// The points.
+    pub points: Points,
+    /// What difference passes.
+    pub tolerances: Tolerances,
+    /// Frames a second at which playback is compared.
+    pub fps: u32,
+    /// The right keyframes, enough to play.
+    pub reference: KeyframeList,
+    /// Milliseconds between the right keyframes.
+    pub ms_between_keyframes: u32,
+    /// The hotkey script, where one is graded.
+    pub script: Option<RubricScript>,
+}
+
+/// A hotkey script with what it should do.
+#[derive(Clone, Debug)]
+pub struct RubricScript {
+    /// Its lines.
+    pub lines: Vec<Line>,
+    /// The trace of a run with the reference, or why there is none.
+    pub expected: Result<Vec<Traced>, String>,
+}
+
+impl Rubric {
+    /// What is graded, and for how many points each, in the order of results.
+    pub fn items(&self) -> impl Iterator<Item = (ItemKind, f64)> + use<> {
+        let points = self.points;
+        let before = [(ItemKind::Readable, points.readable), (ItemKind::KeyframeCount, points.keyframe_count)];
+        let keyframes = (0..self.reference.len()).map(move |index| (ItemKind::Keyframe(index), points.each_keyframe));
+        let after = [
+            (ItemKind::Playback(Interpolation::Linear), points.linear_playback),
+            (ItemKind::Playback(Interpolation::CatmullRom), points.catmull_rom_playback),
+            (ItemKind::RangeAndEnd, points.range_and_end),
+            (ItemKind::Script, points.script),
+        ];
+        before.into_iter().chain(keyframes).chain(after).filter(|(_, out_of)| *out_of > 0.0)
+    }
+}
+
+/// Parses a rubric: TOML where its name ends so, else JSON. What is wrong is a sentence that ends with its line and column.
+fn parse(path: &Path, bytes: &[u8]) -> Result<RubricText, String> {
+    let is_toml = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
+    if !is_toml {
+        return serde_json::from_slice(bytes).map_err(|error| crate::json::sentence(&error));
+    }
+    let placed = |at: usize, what: &str| {
+        let (line, column) = line_and_column(bytes, at);
+        format!("{what} at line {line} column {column}")
+    };
+    let text = std::str::from_utf8(bytes).map_err(|error| placed(error.valid_up_to(), "not UTF-8"))?;
+    toml::from_str(text).map_err(|error| {
+        // The parser's sentences may have lines; what is missing is missing at the end.
+        let what = error.message().lines().collect::<Vec<_>>().join(", ");
+        let is_missing = what.starts_with("missing field") && error.span().is_none_or(|span| span.start == 0);
+        let at = if is_missing { bytes.len() } else { error.span().map_or(bytes.len(), |span| span.start) };
+        placed(at, &what)
+    })
+}
+
+impl RubricText {
+    /// The first thing that is wrong with what the rubric says.
+    fn problem(&self) -> Option<String> {
+        if self.format != "inbetween.rubric" {
+            return Some(format!("format is {:?}, expected \"inbetween.rubric\"", self.format));
+        }
+        if self.version != 1 {
+            return Some(format!("version is {}, and this program reads version 1", self.version));
+        }
+        if !(1..=1000).contains(&self.fps) {
+            return Some(format!("fps is {}, expected a whole number from 1 to 1000", self.fps));
+        }
+        // Taken apart, so that no field is forgotten.
+        let Points {
+            readable,
+            keyframe_count,
+            each_keyframe,
+            linear_playback,
+            catmull_rom_playback,
+            range_and_end,
+            script,
+        } = self.points;
+        let numbers = [
+            ("points.readable", readable),
+            ("points.keyframe_count", keyframe_count),
+            ("points.each_keyframe", each_keyframe),
+            ("points.linear_playback", linear_playback),
+            ("points.catmull_rom_playback", catmull_rom_playback),
+            ("points.range_and_end", range_and_end),
+            ("points.script", script),
+            ("tolerances.translation", self.tolerances.translation),
+            ("tolerances.rotation_degrees", self.tolerances.rotation_degrees),
+        ];
+        if let Some((name, number)) = numbers.into_iter().find(|(_, number)| !(0.0..=1e6).contains(number)) {
+            return Some(format!("{name} is {number}, expected 0 to 1000000"));
+        }
+        let has_no_script = script > 0.0 && self.script.is_none();
+        has_no_script.then(|| "points.script is there, but script names no file".to_owned())
+    }
+}
+
+impl Rubric {
+    /// Reads a rubric and the files that it names, by paths from its own folder.
+    ///
+    /// # Errors
+    /// [`FileError`]
+    pub fn load(path: &Path, scene: &SceneGraph) -> Result<Self, FileError> {
+        let bad = |problem: String| FileError::new(path.display(), problem);
+        let text = parse(path, without_byte_order_mark(&files::read(path, LARGEST_BYTES)?)).map_err(bad)?;
+        if let Some(problem) = text.problem() {
+            return Err(bad(problem));
+        }
+        let folder = path.parent().unwrap_or(Path::new(""));
+        let script = text.script.as_deref().map(|name| {
+            let path = folder.join(name);
+            Ok((files::read(&path, LARGEST_BYTES)?, path))
+        });
+        let script = script.transpose()?;
+        let lines = script.map(|(bytes, path)| {
+            folder::read_script(&bytes, scene).map_err(|problem| FileError::new(path.display(), problem))
+        });
+        let lines = lines.transpose()?;
+        let Reference { bytes: reference_bytes, list: reference, ms_between_keyframes } =
+            Reference::load(&folder.join(&text.reference), scene)?;
+        let script = lines.map(|lines| RubricScript {
+            expected: folder::run(&lines, scene, Some(&reference_bytes)).map(|ran| ran.trace),
+            lines,
+        });
+        let TolerancesText { translation, rotation_degrees } = text.tolerances;
+        Ok(Self {
+            title: text.title,
+            points: text.points,
+            tolerances: Tolerances { translation, rotation_degrees },
+            fps: text.fps,
+            reference,
+            ms_between_keyframes,
+            script,
+        })
+    }
+}
+
+/// The right keyframes, and the bytes of a file that holds them.
+struct Reference {
+    bytes: Vec<u8>,
+    list: KeyframeList,
+    ms_between_keyframes: u32,
+}
+
+impl Reference {
+    /// Reads a keyframe file, or runs a script that makes one.
+    fn load(path: &Path, scene: &SceneGraph) -> Result<Self, FileError> {
+        let bad = |problem: String| FileError::new(path.display(), problem);
+        let given = files::read(path, LARGEST_BYTES)?;
+        let (bytes, file) = match read_keyframes(&given, scene) {
+            Ok(read) => (given, read.file),
+            Err(problems) => {
+                let Ok(lines) = folder::read_script(&given, scene) else {
+                    return Err(FileError::all(path.display(), problems));
+                };
+                let made = folder::run(&lines, scene, None).map_err(bad)?.keyframe_file();
+                let read = read_keyframes(&made, scene).map_err(|problems| bad(problems.join("; ")))?;
+                (made, read.file)
+            }
+        };
+        let (list, _, ms_between_keyframes) = file.into_parts();
+        PlayRange::new(&list).map_err(|error| bad(error.to_string()))?;
+        Ok(Self { bytes, list, ms_between_keyframes })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn broken_rubrics_are_sentences_with_a_place() {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/grading");
+        for name in ["rubric.json", "rubric.toml"] {
+            let path = folder.join(name);
+            let text = files::read(&path, LARGEST_BYTES).unwrap();
+            assert!(parse(&path, &text).is_ok());
+            let mut refused = 0;
+            for at in 0..text.len() {
+                let mut broken: Vec<Vec<u8>> = vec![text[..at].to_vec(), [&text[..at], &text[at + 1..]].concat()];
+                for byte in [b'"', b'[', b'{', b'9', b'\n', 0, 0xff] {
+                    broken.push([&text[..at], &[byte], &text[at + 1..]].concat());
+                    broken.push([&text[..at], &[byte], &text[at..]].concat());
+                }
+                for text in broken {
+                    if let Err(sentence) = parse(&path, &text).map(|_| ()) {
+                        let place =
+                            sentence.rsplit_once(" at line ").and_then(|(_, place)| place.split_once(" column "));
+                        let (line, column) = place.unwrap_or_else(|| panic!("{sentence}"));
+                        assert!(line.parse::<usize>().is_ok() && column.parse::<usize>().is_ok(), "{sentence}");
+                        assert!(!sentence.contains('\n'), "{sentence}");
+                        refused += 1;
+                    }
+                }
+            }
+            assert!(refused > 1000, "{name}: {refused}");
+        }
+    }
+}

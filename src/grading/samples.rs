@@ -1,0 +1,65 @@
+//! What the samples of a submission show.
+
+use super::parsed::{MOST_SAMPLES, Parsed, ParsedFile};
+use super::rubric::Rubric;
+use super::shown::{ShownPoses, thinned};
+use crate::diagnosis::{Diagnosis, EQUAL_RESIDUALS, SampleRows, Sequence, diagnose};
+use crate::interpolation::Interpolation;
+
+/// What one file of samples shows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SamplesShow {
+    /// The file.
+    pub file: String,
+    /// Which playback they are of.
+    pub interpolation: Interpolation,
+    /// What explains them, or why that cannot be told.
+    pub diagnosis: Result<Diagnosis, String>,
+    /// The poses that pictures are of.
+    pub shown: Option<ShownPoses>,
+}
+
+/// Diagnoses the samples of a submission.
+pub fn samples_show(parsed: &Parsed, rubric: &Rubric) -> Vec<SamplesShow> {
+    // A program showed its own keyframes or the reference's: the samples tell.
+    let own = parsed.keyframes.as_ref().ok();
+    let own_sequence = own.and_then(|own| Some((Sequence::new(own.list.as_slice()).ok()?, own.ms_between_keyframes)));
+    let reference = Sequence::new(rubric.reference.as_slice()).ok().map(|right| (right, rubric.ms_between_keyframes));
+    let sequences: Vec<(Sequence, u32)> = own_sequence.into_iter().chain(reference).collect();
+    let one = |ParsedFile { name, content }: &ParsedFile<SampleRows>| {
+        let interpolation =
+            playback_named(name).unwrap_or_else(|| own.map_or_else(Interpolation::default, |own| own.interpolation));
+        let diagnosis = content.as_ref().map_err(Clone::clone).and_then(|rows| nearest(rows, &sequences));
+        let shown = match (content, &diagnosis) {
+            (Ok(rows), Ok(_)) => thinned(&rows.samples(rubric.ms_between_keyframes), interpolation, rubric),
+            _ => None,
+        };
+        SamplesShow { file: name.clone(), interpolation, diagnosis, shown }
+    };
+    parsed.samples.iter().map(one).collect()
+}
+
+/// A note where not all files of samples are looked at.
+pub fn note_of_too_many(parsed: &Parsed) -> Option<String> {
+    let count = parsed.samples_count;
+    (count > MOST_SAMPLES).then(|| format!("{count} files of samples, and only the first {MOST_SAMPLES} are looked at"))
+}
+
+/// The playback that a file's name tells.
+fn playback_named(name: &str) -> Option<Interpolation> {
+    let name = name.to_ascii_lowercase();
+    if name.contains("catmull") || name.contains("spline") {
+        Some(Interpolation::CatmullRom)
+    } else {
+        name.contains("linear").then_some(Interpolation::Linear)
+    }
+}
+
+/// The diagnosis against the sequence of keyframes that explains the samples best; the first of those that do equally well.
+fn nearest(rows: &SampleRows, sequences: &[(Sequence, u32)]) -> Result<Diagnosis, String> {
+    let diagnoses = sequences.iter().map(|(sequence, ms)| diagnose(sequence, &rows.samples(*ms)));
+    let nearer = |one: Diagnosis, other: Diagnosis| {
+        if other.best().residual < one.best().residual - EQUAL_RESIDUALS { other } else { one }
+    };
+    diagnoses.reduce(nearer).ok_or_else(|| "there are no keyframes to compare with".to_owned())
+}

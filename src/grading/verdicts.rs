@@ -1,0 +1,212 @@
+//! Whether each thing that a rubric grades is as it should be.
+
+use super::folder;
+use super::item::{ItemKind, Verdict};
+use super::parsed::{Parsed, ParsedFile};
+use super::rubric::Rubric;
+use super::samples::SamplesShow;
+use super::trace;
+use crate::diagnosis::{CORRECT, CORRECT_CATMULL_ROM, Diagnosis, advice, is_about_range};
+use crate::difference::{Played, compare, distances, frame_times_ms};
+use crate::interpolation::Interpolation;
+use crate::keyframe::{KeyframeList, PlayRange};
+use crate::pose::Pose;
+use crate::scene::SceneGraph;
+
+/// The most frames at which playback is compared.
+const MOST_FRAMES: usize = 20_000;
+
+const UNREADABLE: &str = "The keyframes cannot be read.";
+
+/// All that verdicts look at.
+pub struct Marker<'a> {
+    /// The rubric.
+    pub rubric: &'a Rubric,
+    /// The scene.
+    pub scene: &'a SceneGraph,
+    /// The submission.
+    pub parsed: &'a Parsed,
+    /// What its samples show.
+    pub samples: &'a [SamplesShow],
+}
+
+impl Marker<'_> {
+    /// The verdict on one thing.
+    pub fn verdict(&self, kind: ItemKind) -> Verdict {
+        match kind {
+            ItemKind::Readable => self.readable(),
+            ItemKind::KeyframeCount => self.count(),
+            ItemKind::Keyframe(index) => self.keyframe(index),
+            ItemKind::Playback(interpolation) => self.playback(interpolation),
+            ItemKind::RangeAndEnd => self.range_and_end(),
+            ItemKind::Script => self.script(),
+        }
+    }
+
+    fn list(&self) -> Option<&KeyframeList> {
+        self.parsed.keyframes.as_ref().ok().map(|read| &read.list)
+    }
+
+    fn readable(&self) -> Verdict {
+        match &self.parsed.keyframes {
+            Ok(read) => Verdict::met(format!("{} holds {} keyframes.", read.file, read.list.len())),
+            Err(problem) => Verdict::unmet(problem),
+        }
+    }
+
+    fn count(&self) -> Verdict {
+        let Some(list) = self.list() else { return Verdict::unmet(UNREADABLE) };
+        let (found, expected) = (list.len(), self.rubric.reference.len());
+        if found == expected {
+            Verdict::met(format!("{found} keyframes."))
+        } else {
+            Verdict::unmet(format!("{found} keyframes, expected {expected}."))
+        }
+    }
+
+    fn keyframe(&self, index: usize) -> Verdict {
+        let Some(list) = self.list() else { return Verdict::unmet(UNREADABLE) };
+        match list.as_slice().get(index) {
+            None => Verdict::unmet("It is not there."),
+            Some(found) => self.same_pose(&found.pose, &self.rubric.reference.as_slice()[index].pose),
+        }
+    }
+
+    fn same_pose(&self, found: &Pose, expected: &Pose) -> Verdict {
+        let tolerances = self.rubric.tolerances;
+        for ((found, expected), path) in found.iter().zip(expected.iter()).zip(self.scene.rbt_paths()) {
+            let (translation, degrees) = distances(found, expected);
+            if translation > tolerances.translation {
+                return Verdict::unmet(format!("The translation of {path} is {translation:.4} units off."));
+            }
+            if degrees > tolerances.rotation_degrees {
+                return Verdict::unmet(format!("The rotation of {path} is {degrees:.3} degrees off."));
+            }
+        }
+        Verdict::met("As in the reference.")
+    }
+
+    /// Samples of that playback decide; without any, how the keyframes play here.
+    fn playback(&self, interpolation: Interpolation) -> Verdict {
+        match self.samples.iter().find(|show| show.interpolation == interpolation) {
+            Some(show) => playback_shown(show, interpolation),
+            None => self.playback_of_keyframes(interpolation),
+        }
+    }
+
+    fn playback_of_keyframes(&self, interpolation: Interpolation) -> Verdict {
+        let Some(list) = self.list() else { return Verdict::unmet(UNREADABLE) };
+        let range = match PlayRange::new(list) {
+            Ok(range) => range,
+            Err(error) => return Verdict::unmet(format!("{error}.")),
+        };
+        let expected = match PlayRange::new(&self.rubric.reference) {
+            Ok(expected) => expected,
+            Err(error) => return Verdict::unmet(error.to_string()),
+        };
+        let played = |range| Played { range, interpolation, ms_between_keyframes: self.rubric.ms_between_keyframes };
+        let (right, own) = (played(&expected), played(&range));
+        let times = frame_times_ms(&right.length_ms(), self.rubric.fps, MOST_FRAMES);
+        let Some(times) = times.filter(|times| times.len() <= MOST_FRAMES) else {
+            return Verdict::unmet(format!("More than {MOST_FRAMES} frames to compare."));
+        };
+        let difference = match compare(right, own, &times, self.rubric.tolerances) {
+            Ok(difference) => difference,
+            Err(error) => return Verdict::unmet(error.to_string()),
+        };
+        let beyond = difference.nodes.iter().zip(self.scene.rbt_paths()).filter_map(|(node, path)| {
+            let at =
+                [node.translation.exceeds_at, node.rotation.exceeds_at].into_iter().flatten().min_by(f64::total_cmp)?;
+            Some((at, path, node))
+        });
+        match beyond.min_by(|a, b| a.0.total_cmp(&b.0)) {
+            None => Verdict::met(format!("Its keyframes play as the reference's over {} frames.", times.len())),
+            Some((at, path, node)) => Verdict::unmet(format!(
+                "Its keyframes play otherwise from key time {at:.3} on: {path} is up to {:.4} units and {:.3} degrees off.",
+                node.translation.largest, node.rotation.largest
+            )),
+        }
+    }
+
+    fn range_and_end(&self) -> Verdict {
+        let explained = |show: &SamplesShow| {
+            show.diagnosis.as_ref().ok().filter(|diagnosis| diagnosis.is_explained()).map(Diagnosis::best)
+        };
+        let wrong = self.samples.iter().find_map(|show| {
+            explained(show).filter(|best| is_about_range(best.name)).map(|best| (best.name, &show.file))
+        });
+        if let Some((name, file)) = wrong {
+            let advice = advice(name).map_or("", |advice| advice.what);
+            return Verdict::unmet(format!("{file}: {name}. {advice}"));
+        }
+        let Some(list) = self.list() else { return Verdict::unmet(UNREADABLE) };
+        let (keyframes, expected) = (list.as_slice(), self.rubric.reference.as_slice());
+        if keyframes.len() != expected.len() {
+            return Verdict::unmet(format!(
+                "{} keyframes play another range than {}.",
+                keyframes.len(),
+                expected.len()
+            ));
+        }
+        let last = expected.len() - 2;
+        for (what, index) in [("first", 1), ("last", last)] {
+            let Verdict { is_met, reason } = self.same_pose(&keyframes[index].pose, &expected[index].pose);
+            if !is_met {
+                return Verdict::unmet(format!("The {what} played keyframe, {index}: {reason}"));
+            }
+        }
+        Verdict::met(format!("It plays from keyframe 1 to keyframe {last}."))
+    }
+
+    /// A trace decides; without one the submission's own script, or what the rubric's script does with its keyframes.
+    fn script(&self) -> Verdict {
+        let Some(script) = &self.rubric.script else { return Verdict::unmet("The rubric has no script.") };
+        let expected = match &script.expected {
+            Ok(expected) => expected,
+            Err(problem) => return Verdict::unmet(problem),
+        };
+        let (what, problem_at, found) = if let Some(ParsedFile { name, content }) = &self.parsed.trace {
+            (name.clone(), name, content.clone())
+        } else if let Some(ParsedFile { name, content }) = &self.parsed.script {
+            let keyframes = self.parsed.first_keyframe_file.as_deref();
+            let ran =
+                content.as_ref().map_err(Clone::clone).and_then(|lines| folder::run(lines, self.scene, keyframes));
+            (name.clone(), name, ran.map(|ran| trace::objects_of(&ran.trace)))
+        } else {
+            let Ok(read) = &self.parsed.keyframes else { return Verdict::unmet(UNREADABLE) };
+            let ran = folder::run(&script.lines, self.scene, Some(&read.bytes));
+            (format!("the script with {}", read.file), &read.file, ran.map(|ran| trace::objects_of(&ran.trace)))
+        };
+        match found {
+            Ok(found) => trace::compared(&what, &found, expected),
+            Err(problem) => Verdict::unmet(format!("{problem_at}: {problem}.")),
+        }
+    }
+}
+
+/// What samples of a playback show of it.
+fn playback_shown(show: &SamplesShow, interpolation: Interpolation) -> Verdict {
+    let right = match interpolation {
+        Interpolation::Linear => CORRECT,
+        Interpolation::CatmullRom => CORRECT_CATMULL_ROM,
+    };
+    let diagnosis = match &show.diagnosis {
+        Ok(diagnosis) => diagnosis,
+        Err(problem) => return Verdict::unmet(format!("{}: {problem}.", show.file)),
+    };
+    let best = diagnosis.best();
+    let found = format!("{}: {}, residual {:.2e}.", show.file, best.name, best.residual);
+    let is_among = |name| diagnosis.candidates[..diagnosis.equals].iter().any(|candidate| candidate.name == name);
+    // A missing end is graded with the range.
+    if diagnosis.is_explained() && is_among(right) {
+        return Verdict::met(found);
+    }
+    Verdict::unmet(match advice(best.name).filter(|_| diagnosis.is_explained()) {
+        None => format!(
+            "{}: no known mistake explains the samples; {} is nearest, residual {:.2e}.",
+            show.file, best.name, best.residual
+        ),
+        Some(advice) if advice.change.is_empty() => format!("{found} {} Expected {right}.", advice.what),
+        Some(advice) => format!("{found} {} {}", advice.what, advice.change),
+    })
+}

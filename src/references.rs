@@ -1,0 +1,177 @@
+//! Reference pictures: what a folder's list asks for, drawn today and compared with the references beside it.
+
+mod list;
+
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+pub use list::{LIST_NAME, Shot, read_list};
+
+use crate::compare::{CompareError, Comparison, compare};
+use crate::export::{Animation, ExportError, Moment, Painter, Size, Source, Stage, View};
+use crate::files::{self, FileError, LARGEST_IMAGE_BYTES, WorkError, scene};
+use crate::render::Image;
+use crate::storage;
+
+/// What became of a reference that was taken from what is drawn today.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Accepted {
+    /// There was none before.
+    New,
+    /// It was another picture.
+    Updated,
+    /// It was the same file.
+    Unchanged,
+}
+
+/// Whether a picture looks like its reference.
+#[derive(Debug)]
+pub enum Verdict {
+    /// They were compared.
+    Compared {
+        /// What the comparison found.
+        found: Box<Comparison>,
+        /// The largest score that counts as the same.
+        tolerance: f32,
+    },
+    /// There is no reference.
+    Missing(PathBuf),
+    /// The reference cannot be read.
+    Unreadable(FileError),
+    /// The two cannot be compared.
+    Incomparable(CompareError),
+}
+
+impl Verdict {
+    /// Whether the picture is as it should be.
+    #[must_use]
+    pub fn is_good(&self) -> bool {
+        matches!(self, Self::Compared { found, tolerance } if found.is_within(*tolerance))
+    }
+}
+
+impl fmt::Display for Accepted {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(match self {
+            Self::New => "new",
+            Self::Updated => "updated",
+            Self::Unchanged => "unchanged",
+        })
+    }
+}
+
+impl fmt::Display for Verdict {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Compared { found, tolerance } => formatter.write_str(&found.sentence(*tolerance)),
+            Self::Missing(path) => {
+                write!(formatter, "the reference {} is missing (--update accepts what is drawn now)", path.display())
+            }
+            Self::Unreadable(error) => error.fmt(formatter),
+            Self::Incomparable(error) => error.fmt(formatter),
+        }
+    }
+}
+
+/// A folder of references, and how its pictures are drawn.
+pub struct References<'a> {
+    /// The folder.
+    folder: &'a Path,
+    /// The scene of pictures that name none.
+    scene: Option<&'a Path>,
+    /// Made anew for a picture of another size or number of samples.
+    painter: Painter,
+}
+
+impl<'a> References<'a> {
+    /// The references of a folder. `scene` is a built-in scene's name or a scene file.
+    #[must_use]
+    pub fn new(folder: &'a Path, scene: Option<&'a Path>, painter: Painter) -> Self {
+        Self { folder, scene, painter }
+    }
+
+    /// Draws a picture and takes it as the reference.
+    ///
+    /// # Errors
+    /// [`WorkError`]: it cannot be drawn or written.
+    pub fn accept(&mut self, shot: &Shot) -> Result<Accepted, WorkError> {
+        let png = self.draw(shot)?.to_png()?;
+        let path = self.folder.join(shot.reference());
+        let accepted = match storage::read(&path, LARGEST_IMAGE_BYTES).ok() {
+            Some(before) if before == png => return Ok(Accepted::Unchanged),
+            Some(_) => Accepted::Updated,
+            None => Accepted::New,
+        };
+        files::write(&path, &png)?;
+        Ok(accepted)
+    }
+
+    /// Draws a picture, compares it with its reference, and writes both the picture and, where it is not as it should be, the difference
+    /// into the folder `actual`.
+    ///
+    /// # Errors
+    /// [`WorkError`]: it cannot be drawn or written.
+    pub fn verify(&mut self, shot: &Shot, actual: &Path) -> Result<Verdict, WorkError> {
+        let drawn = self.draw(shot)?;
+        let name = &shot.name;
+        files::write(&actual.join(format!("{name}.png")), &drawn.to_png()?)?;
+        let difference = actual.join(format!("{name}-difference.png"));
+        // A difference that an earlier run left would be taken for this run's.
+        storage::remove(&difference).map_err(|reason| FileError::storage(&difference, reason))?;
+        let verdict = self.verdict(shot, &drawn);
+        if let Verdict::Compared { found, .. } = &verdict
+            && !verdict.is_good()
+        {
+            files::write(&difference, &found.difference().to_png()?)?;
+        }
+        Ok(verdict)
+    }
+
+    fn verdict(&self, shot: &Shot, drawn: &Image) -> Verdict {
+        let path = self.folder.join(shot.reference());
+        if !storage::exists(&path) {
+            return Verdict::Missing(path);
+        }
+        match files::image(&path).map(|reference| compare(&reference, drawn)) {
+            Ok(Ok(found)) => Verdict::Compared { found: Box::new(found), tolerance: shot.tolerance },
+            Ok(Err(error)) => Verdict::Incomparable(error),
+            Err(error) => Verdict::Unreadable(error),
+        }
+    }
+
+    fn draw(&mut self, shot: &Shot) -> Result<Image, WorkError> {
+        let [width, height] = shot.size;
+        let size = Size { width, height };
+        if (self.painter.size(), self.painter.samples()) != (size, shot.samples) {
+            self.painter = Painter::headless(size, Some(shot.samples))?;
+        }
+        self.draw_at_size(shot).map_err(|error| in_list(shot, error))
+    }
+
+    fn draw_at_size(&mut self, shot: &Shot) -> Result<Image, WorkError> {
+        // A scene in a file is in the folder; the name of a built-in one is no file there.
+        let named = shot.scene.as_ref().map(|name| {
+            let beside = self.folder.join(name);
+            if storage::exists(&beside) { beside } else { PathBuf::from(name) }
+        });
+        let scene = scene::load(named.as_deref().or(self.scene))?;
+        let file = shot.file.as_ref().map(|file| self.folder.join(file));
+        let animation = file.as_deref().map(|file| Animation::load(file, &scene, shot.interpolation())).transpose()?;
+        let source = Source { scene: &scene, animation: animation.as_ref(), file: file.as_deref() };
+        let view = View::named(shot.camera.as_deref(), &scene)?;
+        let shown = source.shown(shot.at, shot.keyframe)?;
+        let moment = Moment { shown, seconds: shot.seconds, start_ms: 0.0, turn: 0.0 };
+        let frame = Stage::new(source, view, 0, self.painter.size_px()).frame(&moment)?;
+        Ok(self.painter.image(&frame)?)
+    }
+}
+
+/// Bad input of a picture, with the picture's name.
+fn in_list(shot: &Shot, error: WorkError) -> WorkError {
+    let error = match error {
+        WorkError::File(error) => error,
+        WorkError::Export(ExportError::BadInput { place, problem }) => FileError::new(place, problem),
+        other @ WorkError::Export(_) => return other,
+    };
+    error.within(format_args!("picture \"{}\"", shot.name)).into()
+}

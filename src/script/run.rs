@@ -1,0 +1,130 @@
+//! Running a script against an editor without a window.
+//!
+//! Time passes only by `wait`. Questions that a window would ask its user need no answer: a script that writes over a file means to,
+//! and one that quits ends.
+
+use super::parse::{Action, Line};
+use super::trace::{State, TraceLine};
+use crate::clock::AnimationClock;
+use crate::editor::{Host, PathQuestion};
+
+/// What hosts without a window keep of what only a window can do.
+#[derive(Clone, Debug, Default)]
+pub struct NoWindow {
+    said: Option<&'static str>,
+    has_quit: bool,
+}
+
+impl NoWindow {
+    /// There is no dialog.
+    pub fn ask_for_path(&mut self, question: &PathQuestion) {
+        self.said = Some(match question {
+            PathQuestion::Open | PathQuestion::SaveAs => "Without a window there is no dialog: use --keyframes FILE.",
+            PathQuestion::SaveSceneAs => "Without a window there is no dialog: use save-scene FILE.",
+            PathQuestion::Export { .. } => NO_EXPORT,
+        });
+    }
+
+    /// There is no export.
+    pub fn refuse_export(&mut self) {
+        self.said = Some(NO_EXPORT);
+    }
+
+    /// The script ends.
+    pub fn quit(&mut self) {
+        self.has_quit = true;
+    }
+}
+
+const NO_EXPORT: &str = "Without a window nothing is exported: use `inbetween render`.";
+
+/// A host without a window.
+pub trait Windowless: Host {
+    /// What it keeps instead of a window.
+    fn no_window(&mut self) -> &mut NoWindow;
+}
+
+/// What a line led to.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Step {
+    /// What was said; empty where nothing was.
+    pub message: String,
+    /// Whether the script ends here.
+    pub is_last: bool,
+}
+
+/// Runs lines one after the other.
+pub struct Runner<H> {
+    host: H,
+    clock: AnimationClock,
+}
+
+impl<H: Windowless> Runner<H> {
+    /// A runner whose clock stands at zero.
+    pub fn new(host: H) -> Self {
+        Self { host, clock: AnimationClock::new() }
+    }
+
+    /// The host, with the editor as the lines left it.
+    pub fn into_host(self) -> H {
+        self.host
+    }
+
+    /// Runs all lines, to the end or to the command that quits, and gives back the host. `observe` gets the trace of each line; of a line
+    /// at which the host stops as well, with the reason as its message.
+    ///
+    /// # Errors
+    /// Why the host or the observer stopped; the lines after that have not run.
+    pub fn run<E>(mut self, lines: &[Line], mut observe: impl FnMut(&TraceLine<'_>) -> Result<(), E>) -> Result<H, E>
+    where
+        E: From<H::Stop>,
+        H::Stop: ToString,
+    {
+        for line in lines {
+            let outcome = self.step(line);
+            let message = match &outcome {
+                Ok(step) => step.message.clone(),
+                Err(stop) => stop.to_string(),
+            };
+            observe(&TraceLine { line, message, state: self.state() })?;
+            if outcome?.is_last {
+                break;
+            }
+        }
+        Ok(self.host)
+    }
+
+    /// Runs a line.
+    ///
+    /// # Errors
+    /// Why the host stopped.
+    pub fn step(&mut self, line: &Line) -> Result<Step, H::Stop> {
+        let was_playing = self.host.editor().is_playing();
+        match &line.action {
+            Action::Wait(duration) => {
+                let ticks = self.clock.advance(*duration);
+                let editor = self.host.editor();
+                editor.tick(ticks);
+                let has_ended = was_playing && !editor.is_playing();
+                let message = if has_ended { editor.message().text.clone() } else { String::new() };
+                Ok(Step { message, is_last: false })
+            }
+            Action::Apply(command) => {
+                let performed = self.host.carry_out(command.clone());
+                if self.host.editor().is_playing() && !was_playing {
+                    // The first tick comes a whole period after the start, whatever was waited for before.
+                    self.clock.restart();
+                }
+                performed?;
+                let NoWindow { said, has_quit } = std::mem::take(self.host.no_window());
+                let message = said.map_or_else(|| self.host.editor().message().text.clone(), str::to_owned);
+                Ok(Step { message, is_last: has_quit })
+            }
+        }
+    }
+
+    /// What the trace says of the editor now.
+    pub fn state(&mut self) -> State {
+        State::of(self.host.editor())
+    }
+}

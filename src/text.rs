@@ -1,0 +1,64 @@
+//! What reading and writing of texts share: byte order marks, locations, numbers of things and alternatives in sentences.
+
+const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
+
+/// A text without the byte order mark that some editors put before it.
+#[must_use]
+pub fn without_byte_order_mark(bytes: &[u8]) -> &[u8] {
+    bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes)
+}
+
+/// The same of a text that is known to be UTF-8.
+#[must_use]
+pub fn str_without_byte_order_mark(text: &str) -> &str {
+    text.strip_prefix('\u{feff}').unwrap_or(text)
+}
+
+/// The line and the column of a byte, both from 1; the column counts characters, a byte order mark not among them.
+#[must_use]
+pub fn line_and_column(bytes: &[u8], at: usize) -> (usize, usize) {
+    let before = &bytes[..at.min(bytes.len())];
+    let line = before.split(|&byte| byte == b'\n').count();
+    let line_start = before.iter().rposition(|&byte| byte == b'\n').map_or(0, |newline| newline + 1);
+    let in_line = without_byte_order_mark(&before[line_start..]);
+    // Bytes that continue a UTF-8 character take no column of their own.
+    let column = in_line.iter().filter(|&&byte| byte & 0xc0 != 0x80).count() + 1;
+    (line, column)
+}
+
+/// A number of things: `1 keyframe`, `2 keyframes`. The plural of `thing` ends in s.
+#[must_use]
+pub fn counted(count: usize, thing: &str) -> String {
+    if count == 1 { format!("1 {thing}") } else { format!("{count} {thing}s") }
+}
+
+/// Alternatives in a sentence: `a, b or c`.
+#[must_use]
+pub fn listed<T: AsRef<str>>(words: &[T]) -> String {
+    let words: Vec<&str> = words.iter().map(AsRef::as_ref).collect();
+    match words.as_slice() {
+        [all @ .., last] if !all.is_empty() => format!("{} or {last}", all.join(", ")),
+        _ => words.concat(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_count_characters() {
+        let text = "\u{feff}aé\nüb".as_bytes();
+        assert_eq!(line_and_column(text, 0), (1, 1));
+        assert_eq!(line_and_column(text, 6), (1, 3));
+        assert_eq!(line_and_column(text, 9), (2, 2));
+        assert_eq!(line_and_column(text, 99), (2, 3));
+    }
+
+    #[test]
+    fn numbers_and_alternatives() {
+        assert_eq!([0, 1, 2].map(|count| counted(count, "key")), ["0 keys", "1 key", "2 keys"]);
+        assert_eq!(listed(&["a"; 0]), "");
+        assert_eq!([listed(&["a"]), listed(&["a", "b"]), listed(&["a", "b", "c"])], ["a", "a or b", "a, b or c"]);
+    }
+}
