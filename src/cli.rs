@@ -54,7 +54,10 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
             let _ = error.print();
             ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2))
         }
-        Err(CliError::Failed { status, sentences, .. }) => {
+        Err(CliError::Failed { status, sentences, source }) => {
+            if let Some(source) = source {
+                log::debug!("the command failed: {source:?}");
+            }
             output::complain(&sentences.join("\n"));
             ExitCode::from(status)
         }

@@ -47,8 +47,8 @@ fn of_command_line(folder: &Path, name: &str, arguments: &[&str]) -> Vec<u8> {
 }
 
 fn export(editor: &mut Editor, options: ExportOptions, watch: &mut dyn FnMut(usize, usize) -> bool) -> ExportEnd {
-    let effects = editor.apply(Command::File(FileCommand::Export(Box::new(options)))).unwrap();
-    let [Effect::Export(options)] = &effects[..] else { panic!("{effects:?}") };
+    let effect = editor.apply(Command::File(FileCommand::Export(Box::new(options)))).unwrap();
+    let Some(Effect::Export(options)) = &effect else { panic!("{effect:?}") };
     Job::new(Arc::clone(editor.scene()), editor.animation(), editor.path().to_owned(), options.as_ref().clone())
         .run(watch)
 }

@@ -25,12 +25,10 @@ struct App {
 impl App {
     /// What the window does with a command.
     fn apply(&mut self, command: Command) {
-        for effect in self.editor.apply(command.clone()).unwrap_or_default() {
-            if let Effect::Window(command) = effect {
-                match self.ui.perform(&command, &mut self.settings) {
-                    Ok(said) => self.editor.say_of(Severity::Outcome, said),
-                    Err(error) => self.editor.say_of(Severity::Error, error.to_string()),
-                }
+        if let Ok(Some(Effect::Window(command))) = self.editor.apply(command.clone()) {
+            match self.ui.perform(&command, &mut self.settings) {
+                Ok(said) => self.editor.say_of(Severity::Outcome, said),
+                Err(error) => self.editor.say_of(Severity::Error, error.to_string()),
             }
         }
         self.commands.push(command);

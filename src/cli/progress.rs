@@ -1,8 +1,8 @@
-//! A line that says how far long work is, on a terminal only.
+//! A line that says how much of long work is done, on a terminal only.
 
 use std::io::{self, IsTerminal as _, Write as _};
 
-/// Progress of so many steps. Erased when dropped.
+/// Progress in steps. The line is erased when this is dropped.
 pub struct Progress {
     what: &'static str,
     steps: usize,
@@ -11,7 +11,7 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// No steps done yet, of so many; `what` names one of them.
+    /// Nothing done yet of `steps` steps; `what` names one of them.
     pub fn new(what: &'static str, steps: usize) -> Self {
         Self { what, steps, done: 0, is_shown: io::stderr().is_terminal() }
     }
@@ -21,7 +21,7 @@ impl Progress {
         self.reach(self.done + 1);
     }
 
-    /// So many steps are done.
+    /// `done` steps are done.
     pub fn reach(&mut self, done: usize) {
         if done == self.done {
             return;

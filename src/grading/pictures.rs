@@ -16,7 +16,7 @@ use crate::render::Image;
 use crate::scene::SceneGraph;
 use crate::view::frame_of_scene;
 
-/// The pictures' size in pixels.
+/// Width and height of the pictures in pixels.
 pub const SIZE: Size = Size { width: 200, height: 150 };
 /// How long the animated picture takes, in milliseconds.
 const LENGTH_MS: usize = 2400;
@@ -121,12 +121,13 @@ fn played(list: &KeyframeList, interpolation: Interpolation, rubric: &Rubric) ->
     let times = frame_times_ms(&right.length_ms(), rubric.fps, MOST_FRAMES).filter(|times| times.len() <= MOST_FRAMES);
     let moments = times.and_then(|times| {
         let difference = compare(right, own, &times, rubric.tolerances).ok()?;
-        Some(farthest(&difference.off_by_frame).into_iter().filter_map(|place| shown(&times[place])).collect())
+        Some(farthest(&difference.off_by_frame).into_iter().filter_map(|index| shown(&times[index])).collect())
     });
     Some(ShownPoses { frames, moments: moments.unwrap_or_default() })
 }
 
-/// Draws a pose. What is no number, or out of this world, is not drawn; where the camera is such, it is where it should be.
+/// Draws a pose. Shapes whose transforms are not finite, or that are farther away than [`FARTHEST`], are left out; a camera with such a
+/// transform is put where it is in `right`.
 fn draw(pose: &Pose, right: &Pose, scene: &SceneGraph, painter: &mut Painter) -> Result<Image, ExportError> {
     let eye = scene.eyes()[0];
     let own = scene.world_from_rbt(pose, 0.0, eye);
@@ -181,7 +182,7 @@ fn base64(bytes: &[u8]) -> String {
     let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
     for three in bytes.chunks(3) {
         let bits =
-            three.iter().enumerate().fold(0_u32, |bits, (place, &byte)| bits | u32::from(byte) << (16 - 8 * place));
+            three.iter().enumerate().fold(0_u32, |bits, (index, &byte)| bits | u32::from(byte) << (16 - 8 * index));
         for letter in 0..4 {
             let is_there = letter <= three.len();
             text.push(if is_there { LETTERS[(bits >> (18 - 6 * letter)) as usize & 63] as char } else { '=' });

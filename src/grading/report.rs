@@ -28,7 +28,7 @@ figure{margin:0;width:200px}figcaption{font-size:.8rem;color:#5b6472}img{display
 .sum,figcaption{color:#a0a8b4}.bar{background:#333a44}}
 @media print{body{background:#fff}section{break-inside:avoid}}";
 
-/// Text as it stands in HTML, in an attribute too. Control characters, and those that turn the direction of writing, become blanks.
+/// Text escaped for HTML, attributes included. Control characters, and those that change the direction of writing, become blanks.
 pub fn escaped(text: &str) -> String {
     let mut safe = String::with_capacity(text.len());
     for c in text.chars() {

@@ -16,33 +16,33 @@ use crate::rbt::Rbt;
 pub const FRAMES: usize = 16;
 /// How many moments are shown beside the reference.
 const MOMENTS: usize = 2;
-/// What is no number is as far off as this many tolerances.
-const NO_NUMBER: f64 = 1e6;
+/// NaN and infinity count as this many tolerances.
+const NOT_FINITE: f64 = 1e6;
 
-/// A pose that was shown; perhaps with what is no number, and with rotations that are not of unit length.
+/// A pose that was shown. It may hold NaN, and rotations that are not of unit length.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ShownPose {
     /// The key time at which it was shown.
     pub key_time: f64,
-    /// The pose; a node without a sample is where it should be.
+    /// The pose; a node without a sample has its right transform.
     pub pose: Pose,
     /// What should have been shown.
     pub right: Pose,
 }
 
-/// What is kept of samples.
+/// The poses of samples that pictures are of.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ShownPoses {
     /// At most [`FRAMES`], in order of time.
     pub frames: Vec<ShownPose>,
-    /// The moments at which it is farthest off; none where all is right.
+    /// The moments with the largest errors, in order of time; none where all is right.
     pub moments: Vec<ShownPose>,
 }
 
-/// Thins samples out.
+/// Chooses poses of samples: evenly spread ones, and those with the largest errors. `None` where the reference cannot be played.
 pub fn thinned(samples: &Samples, interpolation: Interpolation, rubric: &Rubric) -> Option<ShownPoses> {
     let range = PlayRange::new(&rubric.reference).ok()?;
-    // Key times are finite and not negative: their bits are in their order.
+    // Key times are finite and not negative, so their bits order them as their values would.
     let mut by_time: BTreeMap<u64, Vec<&Row>> = BTreeMap::new();
     for row in &samples.rows {
         by_time.entry(row.key_time.to_bits()).or_default().push(row);
@@ -60,17 +60,17 @@ pub fn thinned(samples: &Samples, interpolation: Interpolation, rubric: &Rubric)
             let off = |row: &&Row| {
                 let shown = rbt(row);
                 let (translation, degrees) = distances(shown, right.get(RbtIndex::new(row.node)));
-                // A rotation that is not of unit length makes its part smaller or larger.
+                // A rotation that is not of unit length scales what it turns.
                 let length = f64::from((shown.rotation.length() - 1.0).abs());
                 let off = (translation + length) / tolerances.translation.max(1e-9)
                     + degrees / tolerances.rotation_degrees.max(1e-9);
-                if off.is_finite() { off.min(NO_NUMBER) } else { NO_NUMBER }
+                if off.is_finite() { off.min(NOT_FINITE) } else { NOT_FINITE }
             };
             Some(rows.iter().map(off).sum())
         })
         .collect();
-    let shown = |place: usize| {
-        let (key_time, rows) = &times[place];
+    let shown = |index: usize| {
+        let (key_time, rows) = &times[index];
         let right = right_at(*key_time)?;
         let mut pose = right.clone();
         for row in rows {
@@ -89,17 +89,18 @@ fn rbt(row: &Row) -> Rbt {
     Rbt { translation: row.translation.as_vec3(), rotation: Quat::from_xyzw(x, y, z, w) }
 }
 
-/// The frames that are farthest off, in order of time: the worst, and the worst of those well away from it; none where all are right.
+/// The indices of the frames with the largest errors, in order of time: the worst, and the worst of those at least a tenth of all frames
+/// away from it. Frames with an error of at most 1 are right and never chosen.
 pub fn farthest(off_by_frame: &[f64]) -> Vec<usize> {
     let apart = (off_by_frame.len() / 10).max(1);
     let mut found: Vec<usize> = Vec::new();
     while found.len() < MOMENTS {
         let is_free =
-            |place: &usize| found.iter().all(|other| place.abs_diff(*other) >= apart) && off_by_frame[*place] > 1.0;
+            |index: &usize| found.iter().all(|other| index.abs_diff(*other) >= apart) && off_by_frame[*index] > 1.0;
         let farthest =
             (0..off_by_frame.len()).filter(is_free).max_by(|a, b| off_by_frame[*a].total_cmp(&off_by_frame[*b]));
-        let Some(place) = farthest else { break };
-        found.push(place);
+        let Some(index) = farthest else { break };
+        found.push(index);
     }
     found.sort_unstable();
     found

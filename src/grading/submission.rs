@@ -23,7 +23,7 @@ pub struct Submission {
     /// Its name in the results; no two are the same.
     pub name: String,
     path: PathBuf,
-    /// What links must not lead out of: the folder that was given, if one was.
+    /// The folder that the submission was found in, if one was given: its links must not lead out of that.
     root: Option<PathBuf>,
 }
 
@@ -36,8 +36,8 @@ pub struct Member {
     pub bytes: Vec<u8>,
 }
 
-/// Finds the submissions: each file or zip that is named, and each entry of each folder that is named. In the order of the arguments,
-/// entries by name; names that begin with a dot are passed over.
+/// Finds the submissions: each file or zip that is named, and each entry of each folder that is named. They are in the order of the
+/// arguments, entries of a folder by name; names that begin with a dot are ignored.
 ///
 /// # Errors
 /// [`FileError`]: something that is named is not there, or there are too many.
@@ -45,7 +45,7 @@ pub fn find(arguments: &[PathBuf]) -> Result<Vec<Submission>, FileError> {
     let mut found: Vec<Submission> = Vec::new();
     for path in arguments {
         let bad = |error| FileError::storage(path, error);
-        // What is named by hand may be a link.
+        // A link that the user names is followed.
         if storage::list(path, 0).is_err() {
             storage::kind(path).map_err(bad)?;
             let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();

@@ -7,7 +7,8 @@ use super::rubric::Rubric;
 
 /// A row for each submission, a column for each item. Safe to open in a spreadsheet: no cell is a formula.
 ///
-/// Written here and not by the `csv` crate: that quotes fewer cells, and these bytes are what scripts of graders are tested with.
+/// Not written by the `csv` crate, which would leave blanks, semicolons and apostrophes unquoted: in some locales spreadsheets split
+/// cells at semicolons.
 #[must_use]
 pub fn csv(marks: &[Marks]) -> String {
     let mut header = vec!["submission".to_owned(), "points".to_owned(), "out_of".to_owned(), "diagnosis".to_owned()];
@@ -27,7 +28,7 @@ pub fn csv(marks: &[Marks]) -> String {
     text
 }
 
-/// What each file of samples shows, in a word.
+/// What each file of samples shows: the name of what explains it, `not explained` or `unreadable`.
 pub fn diagnoses(marks: &Marks) -> Vec<String> {
     let show = |diagnosis: &Result<crate::diagnosis::Diagnosis, String>| match diagnosis {
         Ok(diagnosis) if diagnosis.is_explained() => diagnosis.best().name.to_owned(),
@@ -37,7 +38,7 @@ pub fn diagnoses(marks: &Marks) -> Vec<String> {
     marks.samples.iter().map(|samples| show(&samples.diagnosis)).collect()
 }
 
-/// A number without needless zeros, to four decimals.
+/// A number with at most four decimals, without trailing zeros.
 pub fn number(number: f64) -> String {
     let text = format!("{number:.4}");
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
@@ -49,8 +50,8 @@ fn row(cells: &[String]) -> String {
     line
 }
 
-/// A cell that no spreadsheet takes for a formula: where it would begin as one, an apostrophe comes first. Line ends within and other
-/// control characters become blanks.
+/// A cell that no spreadsheet takes for a formula: a text that begins like one gets an apostrophe before it. Line ends and other control
+/// characters become blanks.
 fn cell(text: &str) -> String {
     let begins_formula = text.trim_start().starts_with(['=', '+', '-', '@']) || text.starts_with(['\t', '\r', '\n']);
     let plain: String = text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();

@@ -1,6 +1,5 @@
 use std::collections::BTreeMap;
 use std::io::{Cursor, Write as _};
-use std::time::{Duration, Instant};
 
 use inbetween::scene::{DEFAULT_SCENE, built_in_scene};
 use serde_json::{Value, json};
@@ -117,9 +116,7 @@ fn thirty_submissions_are_each_diagnosed_rightly() {
     sandbox.write("all/=1+1.json", "=2+2");
     assert_eq!(std::fs::read_dir(sandbox.path("all")).unwrap().count(), 30);
 
-    let start = Instant::now();
     let graded = graded(&sandbox);
-    assert!(start.elapsed() < Duration::from_secs(20), "{:?}", start.elapsed());
     assert_eq!(graded.len(), 30);
     for (name, mistake) in &expected {
         let graded = &graded[name];
@@ -196,7 +193,8 @@ fn scripts_stay_in_their_own_folder() {
     for (name, script) in [
         ("out", "screenshot ../stolen.png\n"),
         ("absolute", "screenshot /tmp/inbetween-stolen.png\n"),
-        ("writes", "key n\nkey w\nscreenshot shot.png\n"),
+        ("writes", "key n\nkey w\nsave-scene scene.json\nscreenshot shot.png\n"),
+        ("scene", "save-scene ../stolen.json\n"),
         ("waits", "wait 1000000s\n"),
         ("right", "key i\nkey >\nkey n\nkey y\nwait 300ms\nkey t\nwait 60s\n"),
     ] {
@@ -210,6 +208,10 @@ fn scripts_stay_in_their_own_folder() {
         ("out", "script.txt: line 1: ../stolen.png: a script that is graded reads and writes only in its own folder."),
         ("absolute", "a script that is graded reads and writes only in its own folder."),
         ("writes", "script.txt: after command 1 (key i), keyframes is 1, expected 8."),
+        (
+            "scene",
+            "script.txt: line 1: ../stolen.json: a script that is graded reads and writes only in its own folder.",
+        ),
         ("waits", "script.txt: line 1: it waits for more than 3600 s."),
         ("right", "script.txt: all 7 commands match."),
     ] {
@@ -219,7 +221,9 @@ fn scripts_stay_in_their_own_folder() {
     assert_eq!(item(&graded["right"], "script")["points"], 3.0);
     let after: Vec<String> = sandbox.names().into_iter().filter(|name| name != "out").collect();
     assert_eq!(after, before);
-    assert!(!sandbox.path("all/writes/shot.png").exists() && !sandbox.path("all/writes/animation.json").exists());
+    for name in ["shot.png", "animation.json", "scene.json"] {
+        assert!(!sandbox.path(&format!("all/writes/{name}")).exists(), "{name}");
+    }
 }
 
 #[test]
@@ -281,9 +285,7 @@ fn every_bound_is_named_when_it_is_hit() {
         "writes",
         &[("keys.json", keys.into_bytes()), ("script.txt", [&b"key i\n"[..], &b"key n\nkey w\n".repeat(900)].concat())],
     );
-    let start = Instant::now();
     let graded = graded(&sandbox);
-    assert!(start.elapsed() < Duration::from_secs(30), "{:?}", start.elapsed());
     for (name, place, sentence) in [
         ("deep", "readable", "folders more than 8 deep"),
         ("entries.zip", "readable", "the zip has 801 entries, and at most 800 are looked at"),

@@ -38,6 +38,30 @@ fn wrong_usage_is_status_2() {
 }
 
 #[test]
+fn a_mistyped_command_is_wrong_usage_with_a_suggestion() {
+    let sandbox = Sandbox::new();
+    sandbox.write("a.json", keyframe_file(4).to_string());
+    let similar = "a similar subcommand exists: 'check'";
+    let file = "to open the window on a new keyframe file, give its name an ending: 'nosuch.json'";
+    for (arguments, suggestion) in [
+        (&["chekc"][..], similar),
+        (&["chekc", "a.json"], similar),
+        (&["--scene", "cylinder", "chekc", "a.json"], similar),
+        (&["chekc", "--fps", "10"], similar),
+        (&["nosuch"], file),
+        (&["nosuch", "--scene", "cylinder"], file),
+    ] {
+        let outcome = sandbox.run(arguments);
+        assert!(outcome.stderr.contains(suggestion), "{arguments:?}: {}", outcome.stderr);
+        outcome.misuses();
+    }
+    // Where the command is right, what is wrong is said of the rest.
+    let outcome = sandbox.run(&["check", "a.json", "--ftp"]);
+    assert!(outcome.stderr.contains("unexpected argument '--ftp'"), "{}", outcome.stderr);
+    outcome.misuses();
+}
+
+#[test]
 fn help_and_version_are_no_errors() {
     let sandbox = Sandbox::new();
     assert!(sandbox.run(&["--version"]).succeeds().starts_with("inbetween "));
@@ -61,8 +85,10 @@ fn nodes_are_the_twenty_two() {
 #[test]
 fn without_a_display_the_window_is_status_3() {
     let sandbox = Sandbox::new();
-    sandbox.write("a.json", keyframe_file(4).to_string());
-    for arguments in [&[][..], &["a.json"], &["none.json"]] {
+    for name in ["a.json", "animation"] {
+        sandbox.write(name, keyframe_file(4).to_string());
+    }
+    for arguments in [&[][..], &["a.json"], &["none.json"], &["animation"], &["./none"], &["none/"]] {
         let mut command = sandbox.command(arguments);
         for variable in ["DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET"] {
             command.env_remove(variable);

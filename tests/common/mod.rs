@@ -22,7 +22,7 @@ pub fn editor() -> Editor {
 /// Applies a command; refusals are messages. The editor's invariants are asserted after it.
 pub fn apply(editor: &mut Editor, command: Command) -> Vec<Effect> {
     let shown = format!("{command:?}");
-    let effects = editor.apply(command).unwrap_or_default();
+    let effects = editor.apply(command).unwrap_or_default().into_iter().collect();
     assert_invariants(editor, &shown);
     effects
 }
