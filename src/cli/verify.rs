@@ -8,7 +8,7 @@ use super::arguments::VerifyArguments;
 use super::progress::Progress;
 use super::{CliError, compare, output, scene};
 use crate::compare::compare as compare_pictures;
-use crate::export::{Animation, Moment, Painter, Size, Source, Stage, View};
+use crate::export::{Animation, Moment, Painter, Size, Source, Stage, Viewpoint};
 use crate::render::Image;
 use crate::storage;
 use list::{LIST_NAME, Picture};
@@ -82,7 +82,7 @@ fn draw(picture: &Picture, folder: &Path, scene: Option<&Path>, painter: &mut Pa
     let animation = file.as_deref().map(|file| Animation::load(file, &scene, picture.interpolation()));
     let animation = animation.transpose().map_err(in_list)?;
     let source = Source { scene: &scene, animation: animation.as_ref(), file: file.as_deref() };
-    let view = View::named(picture.camera.as_deref(), &scene).map_err(|error| in_list(error.into()))?;
+    let view = Viewpoint::named(picture.camera.as_deref(), &scene).map_err(|error| in_list(error.into()))?;
     let shown = source.shown(picture.at, picture.keyframe).map_err(|error| in_list(error.into()))?;
     let moment = Moment { shown, seconds: picture.seconds, start_ms: 0.0, turn: 0.0 };
     let frame = Stage::new(source, view, 0, painter.size_px()).frame(&moment).map_err(|error| in_list(error.into()))?;
