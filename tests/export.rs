@@ -289,7 +289,7 @@ fn the_dialog_makes_the_command() {
     ask(&mut harness);
     click(&mut harness, "Background");
     click(&mut harness, "Transparent");
-    let text = "MP4 and Y4M have no opacity: a transparent background is for PNG, GIF and APNG.";
+    let text = "MP4 and Y4M have no opacity: a transparent background is for PNG, WebP, GIF and APNG.";
     assert!(harness.query_by_label(text).is_some());
     assert!(harness.get_by_label("Export").accesskit_node().is_disabled());
     click(&mut harness, "Format");
