@@ -23,6 +23,6 @@ pub use moments::{Moment, Moments, Shown, Source, Span};
 pub use painter::{Painter, Size};
 pub use pipeline::{Drawing, Watch};
 pub use request::{PlannedRender, RenderRequest, Subject, check_format, write_picture};
-pub use stage::{Stage, View};
+pub use stage::{Stage, Viewpoint};
 pub use times::{FrameTime, frame_times};
 pub use write::{write_film, write_folder};

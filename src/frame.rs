@@ -59,6 +59,17 @@ pub struct DrawItem {
     pub outlined: bool,
 }
 
+impl DrawItem {
+    /// Whether it is ground: a plane. It casts no shadow, has no ghost, and does not count for a scene's extent.
+    #[must_use]
+    pub const fn is_ground(&self) -> bool {
+        match self.mesh {
+            MeshKind::Plane => true,
+            MeshKind::Box | MeshKind::Sphere | MeshKind::Cylinder | MeshKind::Cone | MeshKind::Capsule => false,
+        }
+    }
+}
+
 /// A translucent, outlined copy of a shape, drawn over the scene without a shadow.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ghost {

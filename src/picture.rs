@@ -73,6 +73,29 @@ impl Rows<'_> {
         Image { width: self.width, height: self.height, rgba }
     }
 
+    /// Packs the pixels tightly, three bytes each where all are opaque, else four; says whether all are.
+    pub(crate) fn pack(&self, packed: &mut Vec<u8>) -> bool {
+        packed.resize(3 * self.width as usize * self.height as usize, 0);
+        let (mut least_opacity, mut read) = (u8::MAX, 0);
+        for row in self.rows() {
+            let pixels = row.as_chunks::<4>().0;
+            let outputs = packed.as_chunks_mut::<3>().0.iter_mut().skip(read);
+            for (output, &[red, green, blue, opacity]) in outputs.zip(pixels) {
+                *output = [red, green, blue];
+                least_opacity = least_opacity.min(opacity);
+            }
+            read += pixels.len();
+        }
+        // Where there are too few or too many, the encoder says so.
+        packed.resize(3 * read, 0);
+        let is_opaque = least_opacity == u8::MAX;
+        if !is_opaque {
+            packed.clear();
+            self.rows().for_each(|row| packed.extend_from_slice(row));
+        }
+        is_opaque
+    }
+
     /// The picture as a PNG: 8 bits a channel, not interlaced, marked as sRGB; without an alpha channel where all is opaque.
     /// The same picture always gives the same bytes.
     ///
@@ -92,25 +115,8 @@ impl Rows<'_> {
     /// As [`Rows::to_png`].
     pub fn to_png_in<'a>(&self, room: &'a mut PngRoom) -> Result<&'a [u8], png::EncodingError> {
         let PngRoom { packed, bytes } = room;
+        let is_opaque = self.pack(packed);
         let pixels = self.width as usize * self.height as usize;
-        packed.resize(3 * pixels, 0);
-        let (mut least_opacity, mut read) = (u8::MAX, 0);
-        for row in self.rows() {
-            let pixels = row.as_chunks::<4>().0;
-            let places = packed.as_chunks_mut::<3>().0.iter_mut().skip(read);
-            for (place, &[red, green, blue, opacity]) in places.zip(pixels) {
-                *place = [red, green, blue];
-                least_opacity = least_opacity.min(opacity);
-            }
-            read += pixels.len();
-        }
-        // Where there are too few or too many, the encoder says so.
-        packed.resize(3 * read, 0);
-        let is_opaque = least_opacity == u8::MAX;
-        if !is_opaque {
-            packed.clear();
-            self.rows().for_each(|row| packed.extend_from_slice(row));
-        }
         bytes.clear();
         bytes.reserve(PngRoom::usual_bytes(pixels));
         let mut encoder = png::Encoder::new(&mut *bytes, self.width, self.height);

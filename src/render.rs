@@ -31,4 +31,4 @@ pub use gpu::{Gpu, GpuError};
 pub use identity::node_picture;
 pub use offscreen::Offscreen;
 pub use read_back::{Drawn, ReadBack};
-pub use renderer::{Background, Renderer, Viewport, default_samples};
+pub use renderer::{Background, Renderer, Target, Viewport, default_samples};

@@ -8,9 +8,10 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use inbetween::editor::{Command, Edit, Editor, Effect, FileCommand, Severity, WindowCommand};
 use inbetween::export::Job;
-use inbetween::film::{APNG, ExportBackground, ExportEnd, ExportOptions, PNG, Y4M};
+use inbetween::film::{APNG, ExportBackground, ExportEnd, ExportOptions, FORMATS, PNG, Y4M};
 use inbetween::scene::{DEFAULT_SCENE, built_in_scene};
 use inbetween::settings::{Language, Settings};
+use inbetween::ui::words::Words;
 use inbetween::ui::{Exporting, Ui, theme};
 
 /// Every third of a second a picture, so that it is quick.
@@ -288,7 +289,7 @@ fn the_dialog_makes_the_command() {
     ask(&mut harness);
     click(&mut harness, "Background");
     click(&mut harness, "Transparent");
-    let text = "MP4 and Y4M have no opacity: a transparent background is for PNG, GIF and APNG.";
+    let text = "MP4 and Y4M have no opacity: a transparent background is for PNG, WebP, GIF and APNG.";
     assert!(harness.query_by_label(text).is_some());
     assert!(harness.get_by_label("Export").accesskit_node().is_disabled());
     click(&mut harness, "Format");
@@ -335,4 +336,17 @@ fn progress_shows_and_can_be_cancelled() {
     harness.state_mut().ui.ask_before_quitting();
     harness.run();
     assert!(harness.query_by_label("내보내기가 끝나기 전에 종료할까요?").is_some());
+}
+
+/// The dialog says a format's own limits in the window's language.
+#[test]
+fn limits_of_formats_are_said_in_korean() {
+    let korean = Words::new(Language::Korean);
+    for format in FORMATS {
+        for (size, fps) in [([641, 481], 1000), ([1 << 20, 2], 1)] {
+            if let Some(limit) = (format.limit)(size, Some(fps)) {
+                assert!(korean.knows(limit), "{limit}");
+            }
+        }
+    }
 }

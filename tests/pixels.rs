@@ -4,7 +4,7 @@ mod support;
 
 use glam::{Affine3A, Quat, Vec3, Vec4};
 use inbetween::frame::{ArcballMark, Dot, DrawItem, Frame, Ghost, Line};
-use inbetween::render::{Arrangement, Background, Gpu, Image, Offscreen, Renderer, Viewport};
+use inbetween::render::{Arrangement, Background, Gpu, Image, Offscreen, Renderer, Target, Viewport};
 use inbetween::scene::Shape;
 use support::{frame, ground, item, posed_items, sample_items};
 
@@ -331,7 +331,8 @@ fn draw_into(format: wgpu::TextureFormat, frame: &Frame, viewport: Viewport) -> 
         view_formats: &[],
     });
     let mut renderer = Renderer::new(&gpu, format, 1);
-    renderer.render(&gpu, frame, &texture.create_view(&wgpu::TextureViewDescriptor::default()), viewport);
+    let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
+    renderer.render(&gpu, frame, Target { view: &view, viewport });
     let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
         label: None,
         size: u64::from(4 * width * height),

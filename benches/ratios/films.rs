@@ -3,9 +3,10 @@
 use std::hint::black_box;
 use std::path::Path;
 
-use inbetween::export::{Animation, Drawing, Moments, Painter, Size, Source, Span, Stage, View, write_folder};
+use inbetween::export::{Animation, Drawing, Moments, Painter, Size, Source, Span, Stage, Viewpoint, write_folder};
 use inbetween::frame::Frame;
 use inbetween::keyframe::keyframes_from_json;
+use inbetween::picture::PngRoom;
 use inbetween::render::Gpu;
 use inbetween::scene::{DEFAULT_SCENE, built_in_scene};
 
@@ -24,7 +25,7 @@ pub fn frames(report: &mut Report) {
         keyframes_from_json(&bytes, &scene).expect("the animation is valid").into_parts();
     let animation = Animation { keyframes, interpolation, ms_between_keyframes };
     let source = Source { scene: &scene, animation: Some(&animation), file: None };
-    let view = View::named(None, &scene).expect("the scene has an eye");
+    let view = Viewpoint::named(None, &scene).expect("the scene has an eye");
     let moments = Moments::of_film(Span::default(), source, view, FRAMES_PER_SECOND).expect("it plays");
     let painter = || Painter::on(Gpu::headless().expect("an adapter"), SIZE, None).expect("the size can be drawn");
     let (mut ours, mut theirs) = (painter(), painter());
@@ -36,7 +37,8 @@ pub fn frames(report: &mut Report) {
     let mut write = || {
         let mut watch = |_, _| true;
         let mut drawing = Drawing { stage: &stage, moments: &moments, painter: &mut ours, watch: &mut watch };
-        write_folder(folder.path(), &mut drawing, &mut |_, _| written += 1).expect("the frames can be written");
+        write_folder(folder.path(), "png", |_| Box::new(PngRoom::default()), &mut drawing, &mut |_, _| written += 1)
+            .expect("the frames can be written");
     };
     let mut draw = || {
         for frame in &frames {

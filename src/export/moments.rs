@@ -5,7 +5,7 @@ use std::path::Path;
 use num_rational::BigRational;
 use num_traits::FromPrimitive as _;
 
-use super::{Animation, ExportError, FrameTime, Size, View, frame_times};
+use super::{Animation, ExportError, FrameTime, Size, Viewpoint, frame_times};
 use crate::film::{Grid, Plan};
 use crate::keyframe::{KeyframeIndex, KeyframeList, PlayRange, SampleError};
 use crate::scene::SceneGraph;
@@ -144,7 +144,7 @@ impl Moments {
     ///
     /// # Errors
     /// [`ExportError`]: a range that is not there, or nothing that moves.
-    pub fn of_film(span: Span, source: Source<'_>, view: View, fps: u32) -> Result<Self, ExportError> {
+    pub fn of_film(span: Span, source: Source<'_>, viewpoint: Viewpoint, fps: u32) -> Result<Self, ExportError> {
         let seconds_at = |ms: f64| span.seconds + ms / 1000.0;
         let still = |start_ms| Moment { shown: Shown::Rest, seconds: seconds_at(start_ms), start_ms, turn: 0.0 };
         let mut all: Vec<Moment> = if let Some(animation) = source.animation {
@@ -168,7 +168,7 @@ impl Moments {
             }
         } else if let Some(last_second) = source.scene.last_second().filter(|&second| second > span.seconds) {
             starts((last_second - span.seconds) * 1000.0, fps).map(still).collect()
-        } else if view == View::Turntable {
+        } else if viewpoint == Viewpoint::Turntable {
             // The end would be the start again.
             starts(f64::from(TURN_MS), fps).take((TURN_MS * fps / 1000) as usize).map(still).collect()
         } else {

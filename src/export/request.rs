@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::ffmpeg::find_ffmpeg;
 use super::write::{Written, unwritten, write_film, write_folder, write_through_ffmpeg};
-use super::{Drawing, ExportError, Moments, Painter, Size, Source, Span, Stage, View, Watch};
+use super::{Drawing, ExportError, Moments, Painter, Size, Source, Span, Stage, Viewpoint, Watch};
 use crate::film::{Cell, Encoder, Format, FormatProblem, Grid, StartStill, contact_sheet};
 use crate::frame::Frame;
 use crate::storage;
@@ -52,7 +52,7 @@ pub struct RenderRequest<'a> {
 /// A request whose moments are known: all that can be wrong with the animation was found.
 pub struct PlannedRender<'a> {
     request: RenderRequest<'a>,
-    view: View,
+    viewpoint: Viewpoint,
     moments: Moments,
 }
 
@@ -82,15 +82,15 @@ impl<'a> RenderRequest<'a> {
     /// # Errors
     /// [`ExportError`]: an eye, a key time or a keyframe that is not there, or nothing that moves.
     pub fn plan(self) -> Result<PlannedRender<'a>, ExportError> {
-        let view = View::named(self.camera, self.source.scene)?;
+        let viewpoint = Viewpoint::named(self.camera, self.source.scene)?;
         let moments = match self.subject {
             Subject::Picture { at, keyframe } => {
                 Moments::of_picture(self.source.shown(at, keyframe)?, self.span.seconds)
             }
             Subject::Sheet(grid) => Moments::of_sheet(self.span, self.source, grid)?,
-            Subject::Film { fps } => Moments::of_film(self.span, self.source, view, fps)?,
+            Subject::Film { fps } => Moments::of_film(self.span, self.source, viewpoint, fps)?,
         };
-        Ok(PlannedRender { request: self, view, moments })
+        Ok(PlannedRender { request: self, viewpoint, moments })
     }
 }
 
@@ -149,7 +149,7 @@ impl PlannedRender<'_> {
     }
 
     fn stage(&self, painter: &Painter) -> Stage<'_> {
-        Stage::new(self.request.source, self.view, self.request.ghosts, painter.size_px())
+        Stage::new(self.request.source, self.viewpoint, self.request.ghosts, painter.size_px())
     }
 }
 

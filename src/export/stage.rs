@@ -8,7 +8,7 @@ use crate::frame::{DrawItem, Frame};
 use crate::keyframe::PlayRange;
 use crate::pose::{Pose, RbtIndex};
 use crate::rbt::Rbt;
-use crate::scene::{MeshKind, SceneGraph};
+use crate::scene::SceneGraph;
 use crate::view::{Neighbours, add_ghosts, frame_of_scene};
 
 /// How far the turntable's camera looks down, in degrees.
@@ -16,14 +16,14 @@ const TURNTABLE_DOWN: f32 = 12.0;
 
 /// Where it is seen from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum View {
+pub enum Viewpoint {
     /// One of the scene's eyes.
     Eye(RbtIndex),
     /// A camera that goes around the world's centre.
     Turntable,
 }
 
-impl View {
+impl Viewpoint {
     /// The view of that name; the scene's first eye where none is named.
     ///
     /// # Errors
@@ -44,7 +44,7 @@ impl View {
 /// A scene with its animation and a camera.
 pub struct Stage<'a> {
     source: Source<'a>,
-    view: View,
+    viewpoint: Viewpoint,
     ghosts: u8,
     size_px: Vec2,
     /// How far the turntable's camera is from the world's centre, in scene units.
@@ -54,9 +54,9 @@ pub struct Stage<'a> {
 impl<'a> Stage<'a> {
     /// A stage for pictures of a size, with the ghosts of so many keyframes before and after.
     #[must_use]
-    pub fn new(source: Source<'a>, view: View, ghosts: u8, size_px: Vec2) -> Self {
-        let mut stage = Self { source, view, ghosts, size_px, distance: 1.0 };
-        if view == View::Turntable {
+    pub fn new(source: Source<'a>, viewpoint: Viewpoint, ghosts: u8, size_px: Vec2) -> Self {
+        let mut stage = Self { source, viewpoint, ghosts, size_px, distance: 1.0 };
+        if viewpoint == Viewpoint::Turntable {
             stage.distance = stage.fitting_distance();
         }
         stage
@@ -97,9 +97,9 @@ impl<'a> Stage<'a> {
 
     fn camera(&self, pose: &Pose, moment: &Moment) -> Camera {
         let scene = self.source.scene;
-        let world_from_eye = match self.view {
-            View::Eye(eye) => scene.world_from_rbt(pose, moment.seconds, eye),
-            View::Turntable => self.world_from_turntable(moment.turn),
+        let world_from_eye = match self.viewpoint {
+            Viewpoint::Eye(eye) => scene.world_from_rbt(pose, moment.seconds, eye),
+            Viewpoint::Turntable => self.world_from_turntable(moment.turn),
         };
         Camera { world_from_eye, vertical_fov: scene.vertical_fov(), size_px: self.size_px }
     }
@@ -129,7 +129,7 @@ impl<'a> Stage<'a> {
                 .fold(0.0, f32::max);
             item.world_from_shape.translation.length() + radius
         };
-        let farthest = frame.items.iter().filter(|item| item.mesh != MeshKind::Plane).map(reach).fold(0.5, f32::max);
+        let farthest = frame.items.iter().filter(|item| !item.is_ground()).map(reach).fold(0.5, f32::max);
         let half_height = (scene.vertical_fov() * 0.5).tan();
         let half_angle = (half_height * (self.size_px.x / self.size_px.y).min(1.0)).atan();
         farthest / half_angle.sin()

@@ -5,6 +5,7 @@ mod gif;
 mod mp4;
 mod palette;
 mod png;
+mod webp;
 mod y4m;
 
 use super::{Encoder, Format};
@@ -17,13 +18,13 @@ pub use png::PNG;
 pub use y4m::Y4M;
 
 /// All formats, in the order in which they are proposed: films, then those of single pictures.
-pub static FORMATS: [&Format; 5] = [&GIF, &APNG, &MP4, &Y4M, &PNG];
+pub static FORMATS: [&Format; 6] = [&GIF, &APNG, &MP4, &Y4M, &PNG, &webp::WEBP];
 
 /// The most frames a second of formats with no limit of their own.
 pub const MOST_FRAMES_PER_SECOND: u32 = 1000;
 
 /// Endings of pictures and films that other programs write, which are refused rather than taken for a PNG's name.
-pub const NOT_WRITTEN: [&str; 10] = ["jpg", "jpeg", "webp", "webm", "avi", "mov", "mkv", "bmp", "tif", "tiff"];
+pub const NOT_WRITTEN: [&str; 9] = ["jpg", "jpeg", "webm", "avi", "mov", "mkv", "bmp", "tif", "tiff"];
 
 /// The format whose files end so, in lower case and without the dot.
 #[must_use]

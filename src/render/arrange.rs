@@ -32,9 +32,9 @@ pub struct Arranged {
     /// The items' boxes.
     pub bounds: Vec<Bounds>,
     runs: Vec<Bounds>,
-    /// Places in the frame of what may be seen: for each mesh what is not outlined, then what is.
+    /// Indices in the frame of items that may be seen: for each mesh those without an outline, then those with one.
     pub seen: [[Vec<u32>; 2]; MESHES],
-    keys: Vec<u32>,
+    distance_keys: Vec<u32>,
 }
 
 impl Arranged {
@@ -50,19 +50,19 @@ impl Arranged {
         }
         self.seen.as_flattened_mut().iter_mut().for_each(Vec::clear);
         let sides = ViewSides::of(&frame.view, detail.widest_error());
-        for ((run, items), places) in self.runs.iter().zip(frame.items.chunks(RUN)).zip((0_u32..).step_by(RUN)) {
+        for ((run, items), first) in self.runs.iter().zip(frame.items.chunks(RUN)).zip((0_u32..).step_by(RUN)) {
             let of_run = match arrangement {
                 Arrangement::SortedAndCut => sides.sight(run),
                 Arrangement::AsGiven | Arrangement::Sorted => Sight::Whole,
             };
-            for (item, place) in items.iter().zip(places..) {
+            for (item, index) in items.iter().zip(first..) {
                 let may_be_seen = match of_run {
                     Sight::Whole => true,
                     Sight::None => false,
-                    Sight::Partial => sides.may_see(&self.bounds[place as usize], Vec3::ZERO),
+                    Sight::Partial => sides.may_see(&self.bounds[index as usize], Vec3::ZERO),
                 };
                 if may_be_seen {
-                    self.seen[detail.mesh(item)][usize::from(item.outlined)].push(place);
+                    self.seen[detail.mesh(item)][usize::from(item.outlined)].push(index);
                 }
             }
         }
@@ -74,12 +74,12 @@ impl Arranged {
 
     /// The nearest first; of equally near ones the frame's order.
     fn sort(&mut self, eye_in_world: Vec3) {
-        self.keys.clear();
+        self.distance_keys.clear();
         // Squares of distances are not negative, and the bits of such numbers are in their order.
         let key = |bounds: &Bounds| bounds.centre_in_world.distance_squared(eye_in_world).to_bits();
-        self.keys.extend(self.bounds.iter().map(key));
-        for places in self.seen.as_flattened_mut() {
-            places.sort_unstable_by_key(|&place| (self.keys[place as usize], place));
+        self.distance_keys.extend(self.bounds.iter().map(key));
+        for indices in self.seen.as_flattened_mut() {
+            indices.sort_unstable_by_key(|&index| (self.distance_keys[index as usize], index));
         }
     }
 }

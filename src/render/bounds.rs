@@ -71,7 +71,7 @@ pub struct ViewSides {
 }
 
 impl ViewSides {
-    /// The sides of a view that is so many radians wider along each of them.
+    /// The sides of a view, each moved outwards by `wider` radians.
     pub fn of(view: &View, wider: f32) -> Self {
         let up = (view.vertical_fov * 0.5).tan();
         // What is behind the eye is never seen.
@@ -145,9 +145,9 @@ pub fn rectangle_px(
             if w < 1e-3 {
                 return Some([0, 0, size_px[0], size_px[1]]);
             }
-            let place = glam::Vec2::new(0.5 + 0.5 * x / w, 0.5 - 0.5 * y / w) * size;
-            least = least.min(place);
-            most = most.max(place);
+            let at_px = glam::Vec2::new(0.5 + 0.5 * x / w, 0.5 - 0.5 * y / w) * size;
+            least = least.min(at_px);
+            most = most.max(at_px);
         }
     }
     let least = (least - margin_px).floor().clamp(glam::Vec2::ZERO, size);

@@ -1,4 +1,4 @@
-//! How finely things are drawn: of each kind's meshes the coarsest whose silhouette is not visibly wrong where it is seen.
+//! Level of detail: of each kind's meshes, the coarsest whose silhouette shows no visible error.
 
 use glam::Vec3;
 
@@ -7,31 +7,31 @@ use crate::render::light::SunBox;
 use crate::render::mesh::{LEVELS, PLACES};
 use crate::scene::MeshKind;
 
-/// A silhouette may be wrong by so much of the distance between samples.
+/// Allowed error of a silhouette, in distances between samples.
 const WRONG_SAMPLES: f32 = 0.4;
-/// A shadow's border may be wrong by so many texels of the sun's map, which is what looking up between texels blurs it by.
+/// Allowed error of a shadow's border, in texels of the shadow map: filtering blurs it by as much.
 const WRONG_TEXELS: f32 = 1.0;
 
-/// Where something is seen from, and how large.
+/// Who sees the shapes, and how large errors appear.
 #[derive(Clone, Copy, Debug)]
 enum Seen {
-    /// In full detail, from wherever.
+    /// Full detail, independent of the distance.
     Finest,
-    /// By the eye there; what is at distance 1 is so many times a silhouette's error large, for each scene unit.
+    /// Seen from `in_world`. A silhouette error of 1 unit at distance 1 covers `per_unit` of the allowed error.
     ByEye { in_world: Vec3, per_unit: f32 },
-    /// By the sun, so many times a border's error large, for each scene unit.
+    /// Seen by the sun. An error of 1 unit covers `per_unit` of the allowed error at any distance.
     BySun { per_unit: f32 },
 }
 
-/// What chooses meshes.
+/// Chooses the mesh of each item.
 #[derive(Clone, Copy, Debug)]
 pub struct Detail(Seen);
 
 impl Detail {
-    /// Everything as finely as there are meshes for.
+    /// The finest mesh of everything.
     pub const FINEST: Self = Self(Seen::Finest);
 
-    /// What a picture so many pixels high shows, with so many samples along a pixel's side.
+    /// For a picture `height_px` high with `samples_across` samples along a pixel's side.
     pub fn of_picture(view: &View, height_px: u32, samples_across: f32) -> Self {
         let pixels = 0.5 * height_px as f32 / (0.5 * view.vertical_fov).tan();
         Self(Seen::ByEye {
@@ -40,12 +40,12 @@ impl Detail {
         })
     }
 
-    /// What the sun's map shows.
+    /// For the shadow map.
     pub fn of_sun_map(sun: &SunBox) -> Self {
         Self(Seen::BySun { per_unit: 1.0 / (sun.texel * WRONG_TEXELS) })
     }
 
-    /// The angle in radians, seen from the eye, that a mesh other than the finest may reach beyond what it shows.
+    /// The largest angle in radians, seen from the eye, by which a coarse mesh may reach beyond the true shape.
     pub fn widest_error(self) -> f32 {
         match self.0 {
             // A little more, against rounding.
@@ -54,7 +54,7 @@ impl Detail {
         }
     }
 
-    /// The place in [`LEVELS`] of the mesh that shows an item.
+    /// The index in [`LEVELS`] of the mesh for an item.
     pub fn mesh(self, item: &DrawItem) -> usize {
         let places = PLACES[item.mesh as usize];
         let axes = item.world_from_shape.matrix3;
@@ -71,7 +71,7 @@ impl Detail {
         };
         let radius = match item.mesh {
             MeshKind::Cylinder | MeshKind::Cone => item.half_extents.x.max(item.half_extents.z),
-            _ => item.rounding,
+            MeshKind::Box | MeshKind::Sphere | MeshKind::Capsule | MeshKind::Plane => item.rounding,
         };
         let wrong = scale * radius * per_unit;
         (places.0..=places.1).rev().find(|&place| LEVELS[place].flattening * wrong <= distance).unwrap_or(places.0)

@@ -68,7 +68,7 @@ pub struct Stroke {
 /// Straight pieces of each of the arcball's circles.
 const CIRCLE_PIECES: u16 = 72;
 
-/// The bytes and where everything is in them. Kept from frame to frame, so that nothing is allocated while nothing grows.
+/// The bytes of a frame and the ranges in them. Kept from frame to frame, so that memory is reused.
 #[derive(Debug, Default)]
 pub struct Packed {
     /// What is uploaded.
@@ -89,16 +89,16 @@ pub struct Packed {
     pub arcball: Range<u32>,
     /// Strokes that are dots.
     pub dots: Range<u32>,
-    /// Casters' places in the frame, then ghosts', by mesh.
+    /// Indices in the frame by mesh: of casters, then of ghosts.
     by_mesh: [Vec<u32>; MESHES],
 }
 
-/// Where instances begin in the bytes: after the globals, where any adapter lets a buffer binding end.
+/// Offset of the instances in the bytes: after the globals, at a size that every adapter accepts for a uniform binding.
 pub const INSTANCES_START: usize = 512;
 
 impl Packed {
-    /// Replaces what was packed by a frame, its items as they are arranged, and again for the sun's map where that is to be drawn, in
-    /// the detail that it shows; ghosts in the picture's detail.
+    /// Packs a frame: its items as arranged, its ghosts in the picture's detail, and its casters in the shadow map's detail, if that map
+    /// is due.
     pub fn pack(
         &mut self,
         frame: &Frame,
@@ -118,16 +118,16 @@ impl Packed {
         }
         self.by_mesh.iter_mut().for_each(Vec::clear);
         if let Some(detail) = of_sun_map {
-            for (item, place) in frame.items.iter().zip(0..).filter(|(item, _)| item.mesh != MeshKind::Plane) {
-                self.by_mesh[detail.mesh(item)].push(place);
+            for (item, index) in frame.items.iter().zip(0..).filter(|(item, _)| !item.is_ground()) {
+                self.by_mesh[detail.mesh(item)].push(index);
             }
         }
         for (mesh, places) in self.by_mesh.iter().enumerate() {
             self.casters[mesh] = instances.push(mesh, opaque(frame, places));
         }
         self.by_mesh.iter_mut().for_each(Vec::clear);
-        for (ghost, place) in frame.ghosts.iter().zip(0..) {
-            self.by_mesh[of_picture.mesh(&ghost.item)].push(place);
+        for (ghost, index) in frame.ghosts.iter().zip(0..) {
+            self.by_mesh[of_picture.mesh(&ghost.item)].push(index);
         }
         for (mesh, places) in self.by_mesh.iter().enumerate() {
             let ghosts = places.iter().map(|&place| &frame.ghosts[place as usize]);

@@ -1,29 +1,27 @@
 //! The sun's box: which part of the world the shadow map covers.
 //!
-//! The box is fitted to what casts a shadow into the view, in steps, so that shadows do not swim and the map need not be drawn
-//! again while little moves. It is a function of the frame alone, and what neither is seen nor casts a shadow into the view
-//! has no part in it.
+//! The box is fitted to the shapes that cast a shadow into the view. Its size and centre change in steps, so that shadows do not shimmer
+//! and the map is not drawn again for small movements. It depends on the frame alone.
 
 use glam::{Mat4, Vec3};
 
 use crate::frame::Frame;
 use crate::render::bounds::{Bounds, ViewSides};
 use crate::render::look;
-use crate::scene::MeshKind;
 
-/// Texels along the longest side of the shadow map for each row of the picture: its texels are then about as large as pixels.
+/// Texels along the map's longest side for each row of the picture. Texels are then about as large as pixels.
 const TEXELS_PER_ROW: f32 = 1.2;
-/// The map's sides are multiples of so many texels, so that it is not another one for each picture.
+/// Sizes are rounded up to this many texels so that the texture can be reused.
 const TEXEL_STEP: u32 = 64;
 /// The longest side of the map in texels.
 const MOST_TEXELS: u32 = 2048;
-/// Texels beside what casts shadows: the border stays empty, and lookups reach between texels.
+/// Empty texels around the casters, for filtered lookups at the edge.
 const BORDER_TEXELS: u32 = 4;
-/// Beyond this distance from the eye nothing casts a shadow, in scene units.
+/// Shapes farther than this from the eye cast no shadow, in scene units.
 const FARTHEST_CASTER: f32 = 120.0;
-/// The longest way from a caster to its shadow, in scene units.
+/// The longest distance from a caster to its shadow, in scene units.
 const LONGEST_THROW: f32 = 80.0;
-/// The box's centre moves in steps of so many texels, and so its sides lie between the same texels of the world while they move.
+/// The box centre snaps to multiples of this many texels, so texel edges stay fixed in the world while the box moves (no shimmering).
 const CENTRE_TEXELS: u32 = 16;
 /// Steps for each doubling of a texel's side.
 const STEPS_PER_DOUBLING: f32 = 6.0;
@@ -65,15 +63,15 @@ impl SunBox {
             .map(|bounds| bounds.centre_in_world.y - bounds.reach(Vec3::Y))
             .fold(f32::INFINITY, f32::min);
         let (mut least, mut most) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
-        for (_, bounds) in frame.items.iter().zip(bounds).filter(|(item, _)| item.mesh != MeshKind::Plane) {
+        for (_, bounds) in frame.items.iter().zip(bounds).filter(|(item, _)| !item.is_ground()) {
             let centre = bounds.centre_in_world;
             let throw = ((centre.y + bounds.reach(Vec3::Y) - floor) / z.y).clamp(0.0, LONGEST_THROW);
             let near_enough = centre.distance(sides.eye_in_world) < FARTHEST_CASTER;
             if near_enough && sides.may_see(bounds, -z * throw) {
-                let place = Vec3::new(centre.dot(x), centre.dot(y), centre.dot(z));
+                let centre = Vec3::new(centre.dot(x), centre.dot(y), centre.dot(z));
                 let reach = Vec3::new(bounds.reach(x), bounds.reach(y), bounds.reach(z));
-                least = least.min(place - reach);
-                most = most.max(place + reach);
+                least = least.min(centre - reach);
+                most = most.max(centre + reach);
             }
         }
         if !(most - least).is_finite() || least.x > most.x {

@@ -1,10 +1,10 @@
-//! A target that is no window's.
+//! A texture as a target, and its way back to the CPU.
 
 use crate::frame::Frame;
 use crate::picture::Image;
 use crate::render::gpu::{Gpu, GpuError};
 use crate::render::read_back::{Drawn, ReadBack};
-use crate::render::renderer::{Renderer, Viewport};
+use crate::render::renderer::{Renderer, Target, Viewport};
 
 /// A texture to draw into, with its way back to the CPU. Kept for a run of pictures of one size, it allocates nothing more on the GPU
 /// than a buffer for each picture that is on its way or being read.
@@ -72,7 +72,7 @@ impl Offscreen {
     pub fn submit(&mut self, gpu: &Gpu, renderer: &mut Renderer, frame: &Frame) {
         let viewport = Viewport::whole(self.texture.width(), self.texture.height());
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        renderer.encode(gpu, &mut encoder, frame, &self.view, viewport);
+        renderer.encode(gpu, &mut encoder, frame, Target { view: &self.view, viewport });
         self.back.submit(gpu, Vec::new(), encoder, &self.texture);
     }
 

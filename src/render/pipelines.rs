@@ -11,9 +11,8 @@ use crate::render::shaders::{self, SOURCES, Source, Variant};
 
 /// Depth of pictures, and of the sun's map where it is small.
 pub const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
-/// Depth of the sun's map where it is large: memory is what it costs then. Its 65,536 steps are spread evenly over the depth of the box
-/// that it covers, a step 0.004 scene units or less unless a shape is itself longer than what casts shadows may be far; and what is
-/// looked up is compared with a shape's far side, which such a step does not matter to.
+/// Depth of a large shadow map: 16 bits, to save memory. One step is at most 0.004 units unless a single shape is longer than the
+/// shadow distance. Harmless, because back faces are compared.
 const LARGE_MAP_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth16Unorm;
 /// The outline's mask.
 pub const MASK_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
@@ -281,7 +280,7 @@ impl Pipelines {
                     wgpu::PrimitiveTopology::TriangleList
                 },
                 cull_mode: match recipe.input {
-                    // What a shape's lit side is compared with is its far side, which it cannot be mistaken for.
+                    // Back faces go into the shadow map, so that lit faces never shadow themselves (no bias needed).
                     Input::Instances if kind.is_shadow() => Some(wgpu::Face::Front),
                     Input::Instances => Some(wgpu::Face::Back),
                     _ => None,

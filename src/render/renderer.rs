@@ -28,7 +28,7 @@ pub fn default_samples(is_software: bool) -> u32 {
     if is_software { 1 } else { 4 }
 }
 
-/// What is behind everything.
+/// The background of a picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Background {
     /// The sky's gradient.
@@ -53,6 +53,15 @@ pub struct Viewport {
     pub width: u32,
     /// The picture's height.
     pub height: u32,
+}
+
+/// What a picture is drawn into.
+#[derive(Clone, Copy, Debug)]
+pub struct Target<'a> {
+    /// A view of `viewport.target_px` pixels in the renderer's format; all of it is cleared.
+    pub view: &'a wgpu::TextureView,
+    /// The part that the picture fills.
+    pub viewport: Viewport,
 }
 
 impl Viewport {
@@ -133,40 +142,33 @@ impl Renderer {
         self.format
     }
 
-    /// What is behind everything from now on.
+    /// Sets the background of the next frames.
     pub fn set_background(&mut self, background: Background) {
         self.background = background;
     }
 
-    /// How items are drawn from now on.
+    /// Sets how items of the next frames are arranged.
     pub fn set_arrangement(&mut self, arrangement: Arrangement) {
         self.arrangement = arrangement;
     }
 
-    /// How often the sun's map was drawn so far: only when shapes moved or the box it covers did.
+    /// Counts how often the shadow map was drawn: only when shapes or its box moved.
     #[must_use]
     pub fn sun_map_draws(&self) -> u64 {
         self.sun_map_draws
     }
 
-    /// Draws a frame and submits the work. `target` is a view of `viewport.target_px` pixels in the renderer's format; all of it is
-    /// cleared.
-    pub fn render(&mut self, gpu: &Gpu, frame: &Frame, target: &wgpu::TextureView, viewport: Viewport) {
+    /// Draws a frame and submits the work.
+    pub fn render(&mut self, gpu: &Gpu, frame: &Frame, target: Target<'_>) {
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        self.encode(gpu, &mut encoder, frame, target, viewport);
+        self.encode(gpu, &mut encoder, frame, target);
         gpu.queue.submit([encoder.finish()]);
     }
 
     /// As [`Renderer::render`], into an encoder that the caller goes on with and submits before encoding another frame.
-    pub fn encode(
-        &mut self,
-        gpu: &Gpu,
-        encoder: &mut wgpu::CommandEncoder,
-        frame: &Frame,
-        target: &wgpu::TextureView,
-        viewport: Viewport,
-    ) {
-        let Some(viewport) = viewport.inside() else { return };
+    pub fn encode(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, frame: &Frame, target: Target<'_>) {
+        let Some(viewport) = target.viewport.inside() else { return };
+        let target = Target { viewport, ..target };
         if self.targets.as_ref().is_none_or(|targets| targets.size_px != viewport.target_px) {
             self.targets = Some(Targets::new(&gpu.device, self.format, self.samples, viewport.target_px));
         }
@@ -192,18 +194,18 @@ impl Renderer {
                 self.draw_sun_map(&gpu.device, encoder);
             }
         }
-        // With no box the map is left as it was, for shapes that are now others.
+        // Without a box the map keeps its content, which belongs to other shapes by now.
         self.sun_map_box = sun;
-        self.draw_picture(gpu, encoder, frame, target, viewport);
+        self.draw_picture(gpu, encoder, frame, target);
         let outlined = frame.items.iter().filter(|item| item.outlined).map(Bounds::of);
         if let Some(rectangle) =
             rectangle_px(&frame.view, outlined, [viewport.width, viewport.height], look::OUTLINE_PX + 2.0)
         {
-            self.draw_outline(gpu, encoder, target, viewport, rectangle);
+            self.draw_outline(gpu, encoder, target, rectangle);
         }
     }
 
-    /// Sends what was packed, unless the GPU has it already.
+    /// Uploads the packed bytes that the GPU does not have yet.
     fn upload(&mut self, gpu: &Gpu) {
         let needed = self.packed.bytes.len() as u64;
         let grows = self.frame_buffer.size() < needed;
@@ -238,8 +240,7 @@ impl Renderer {
         });
     }
 
-    /// What the picture consists of but for its lines and what comes after them, in the order in which it is drawn: what hides other
-    /// things first.
+    /// The pipelines that are needed before lines are drawn, in drawing order: occluders first.
     fn kinds_behind_lines(&self) -> impl Iterator<Item = Kind> {
         let is_any = |meshes: &[Range<u32>]| meshes.iter().any(|instances| !instances.is_empty());
         let (shapes, plane) = self.uploaded.seen.split_at(PLANE);
@@ -258,7 +259,7 @@ impl Renderer {
             depth_stencil_attachment: Some(depth_attachment(view, wgpu::LoadOp::Clear(1.0), wgpu::StoreOp::Store)),
             ..Default::default()
         });
-        // The border stays as far away as can be: what is looked up outside is lit.
+        // The border keeps the farthest depth, so that lookups outside the map are lit.
         pass.set_scissor_rect(1, 1, width - 2, height - 2);
         pass.set_pipeline(self.pipelines.get(device, *kind));
         self.bind_instances(&mut pass);
@@ -267,19 +268,12 @@ impl Renderer {
         }
     }
 
-    fn draw_picture(
-        &mut self,
-        gpu: &Gpu,
-        encoder: &mut wgpu::CommandEncoder,
-        frame: &Frame,
-        target: &wgpu::TextureView,
-        viewport: Viewport,
-    ) {
+    fn draw_picture(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, frame: &Frame, target: Target<'_>) {
         let (Some(targets), Some(sun_map)) = (&self.targets, self.sun_maps.in_use()) else { return };
         let has_outline = frame.items.iter().any(|item| item.outlined);
         let (view, resolve_target) = match &targets.samples {
-            Some(samples) => (samples, Some(target)),
-            None => (target, None),
+            Some(samples) => (samples, Some(target.view)),
+            None => (target.view, None),
         };
         let is_resolved = resolve_target.is_some();
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
@@ -300,7 +294,7 @@ impl Renderer {
             )),
             ..Default::default()
         });
-        set_viewport(&mut pass, viewport);
+        set_viewport(&mut pass, target.viewport);
         self.bind_instances(&mut pass);
         pass.set_bind_group(1, &sun_map.bind_group, &[]);
         let device = &gpu.device;
@@ -357,7 +351,7 @@ impl Renderer {
     }
 }
 
-/// Where bytes differ from what they were, and what is new, in pieces of some length.
+/// Ranges in which bytes differ from `before`, or lie past its end, rounded to whole pieces.
 fn changed<'a>(before: &'a [u8], after: &'a [u8]) -> impl Iterator<Item = Range<usize>> + 'a {
     const PIECE: usize = 4096;
     let pieces = (0..after.len()).step_by(PIECE).map(|start| start..(start + PIECE).min(after.len()));

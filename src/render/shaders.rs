@@ -58,8 +58,8 @@ pub fn module(device: &wgpu::Device, source: Source, variant: Variant) -> wgpu::
 
 fn parsed(source: Source, variant: Variant) -> &'static Module {
     let Variant { encodes_srgb, is_software, is_multisampled } = variant;
-    let place = usize::from(encodes_srgb) | usize::from(is_software) << 1 | usize::from(is_multisampled) << 2;
-    PARSED[source as usize][place]
+    let index = usize::from(encodes_srgb) | usize::from(is_software) << 1 | usize::from(is_multisampled) << 2;
+    PARSED[source as usize][index]
         .get_or_init(|| wgsl::parse_str(&text(source, variant)).expect("the program's own shaders have no errors"))
 }
 

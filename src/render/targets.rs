@@ -65,8 +65,8 @@ const LARGE_TEXELS: u32 = 768;
 const KEPT_MAPS: usize = 4;
 
 impl SunMaps {
-    /// Takes into use the map of a size, for pictures whose maps may have so many texels along their longest side. What it holds, if
-    /// anything, is another box's. With no size it is whichever there is: pixels read one all the same.
+    /// Makes the map of a size the current one, for pictures whose maps have at most `most_texels` along the longest side. Its content, if
+    /// any, belongs to another box. Without a size any map will do: shaders bind one even if nothing casts a shadow.
     pub fn take(
         &mut self,
         device: &wgpu::Device,
@@ -79,9 +79,9 @@ impl SunMaps {
         }
         let size_texels = size_texels.unwrap_or([1, 1]);
         let kind = if most_texels < LARGE_TEXELS { Kind::Shadow } else { Kind::LargeShadow };
-        let place = self.0.iter().position(|map| (map.kind, map.size_texels) == (kind, size_texels));
-        let map = match place {
-            Some(place) => self.0.remove(place),
+        let index = self.0.iter().position(|map| (map.kind, map.size_texels) == (kind, size_texels));
+        let map = match index {
+            Some(index) => self.0.remove(index),
             None => SunMap::new(device, pipelines, kind, size_texels),
         };
         if self.0.len() == KEPT_MAPS {

@@ -1,4 +1,4 @@
-//! What is the same for every corner and pixel of a picture, laid out as in `shaders/common.wgsl`.
+//! Uniforms of a picture, laid out as in `shaders/common.wgsl`.
 
 use bytemuck::{Pod, Zeroable};
 use glam::{Mat4, Vec3, Vec4};
@@ -7,7 +7,6 @@ use crate::frame::{DrawItem, Frame};
 use crate::render::light::{SunBox, towards_sun_in_world};
 use crate::render::look;
 use crate::render::renderer::Viewport;
-use crate::scene::MeshKind;
 
 /// The ground's height where there is none, in scene units.
 const NO_GROUND: f32 = -1e6;
@@ -69,7 +68,7 @@ impl Globals {
 fn ground_height(frame: &Frame) -> f32 {
     let is_level = |item: &&DrawItem| {
         let up = item.world_from_shape.matrix3.y_axis.normalize_or_zero();
-        item.mesh == MeshKind::Plane && up.y > 0.99
+        item.is_ground() && up.y > 0.99
     };
     frame.items.iter().filter(is_level).map(|item| item.world_from_shape.translation.y).fold(NO_GROUND, f32::max)
 }

@@ -7,7 +7,7 @@ use glam::Vec3;
 use crate::colour::Colour;
 use crate::frame::{DrawItem, Frame, Ghost, MOST_GHOSTS};
 use crate::keyframe::{KeyframeIndex, KeyframeList};
-use crate::scene::{MeshKind, SceneGraph};
+use crate::scene::SceneGraph;
 
 /// Opacity of the nearest ghost.
 pub(super) const OPACITY: f32 = 0.38;
@@ -42,8 +42,7 @@ pub fn add_ghosts(frame: &mut Frame, scene: &SceneGraph, seconds: f64, neighbour
             let world_from_node = scene.world_from_nodes(&keyframe.pose, seconds);
             ghosts.extend(items.iter().filter_map(|item| {
                 let world_from_shape = world_from_node[item.node as usize].get();
-                let is_seen =
-                    item.mesh != MeshKind::Plane && !world_from_shape.abs_diff_eq(item.world_from_shape, SAME_PLACE);
+                let is_seen = !item.is_ground() && !world_from_shape.abs_diff_eq(item.world_from_shape, SAME_PLACE);
                 let item = DrawItem { world_from_shape, colour: tint, outlined: false, ..*item };
                 is_seen.then_some(Ghost { item, opacity: OPACITY / f32::from(away) })
             }));

@@ -18,7 +18,7 @@ use super::keys::{KeyInput, SpaceBar};
 use super::meter::{Meter, Work};
 use super::path::PathDrag;
 use super::pointer::Pointer;
-use super::stage::Stage;
+use super::stage::WindowSurface;
 use super::{Happening, WindowError, desktop, display, now};
 use crate::clock::AnimationClock;
 use crate::editor::{Command, Editor, FileCommand, Severity};
@@ -36,7 +36,7 @@ const SMALLEST: LogicalSize<f64> = LogicalSize::new(720.0, 480.0);
 pub struct Shell {
     pub(super) editor: Editor,
     pub(super) ui: Ui,
-    pub(super) stage: Option<Stage>,
+    pub(super) stage: Option<WindowSurface>,
     pub(super) proxy: EventLoopProxy<Happening>,
     pub(super) is_choosing_path: bool,
     pub(super) is_quitting: bool,
@@ -110,7 +110,7 @@ impl Shell {
         let attributes =
             Window::default_attributes().with_inner_size(SIZE).with_min_inner_size(SMALLEST).with_visible(false);
         let stage = match event_loop.create_window(attributes) {
-            Ok(window) => Stage::new(event_loop, Arc::new(window), &self.proxy, None),
+            Ok(window) => WindowSurface::new(event_loop, Arc::new(window), &self.proxy, None),
             Err(error) => Err(WindowError::NoDisplay { reason: error.to_string(), variables: display::variables() }),
         };
         match stage {
@@ -137,7 +137,7 @@ impl Shell {
         let reader = lost.input.accesskit.take();
         let window = Arc::clone(&lost.window);
         drop(lost);
-        match Stage::new(event_loop, window, &self.proxy, reader) {
+        match WindowSurface::new(event_loop, window, &self.proxy, reader) {
             Ok(stage) => {
                 stage.window.request_redraw();
                 self.stage = Some(stage);

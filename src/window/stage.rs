@@ -14,20 +14,20 @@ use super::{Happening, WindowError, now};
 use crate::editor::{Editor, PathDot};
 use crate::frame::Frame;
 use crate::pose::RbtIndex;
-use crate::render::{Gpu, GpuError, Image, Offscreen, Renderer, Viewport, default_samples};
+use crate::render::{Gpu, GpuError, Image, Offscreen, Renderer, Target, Viewport, default_samples};
 use crate::ui::{THUMBNAIL_PX, Ui, UiOutput, theme};
 use crate::view::{frame_of_displayed, frame_of_editor, mark_dot, outline};
 
 /// The 3D view, in physical pixels of the window.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct View {
+pub struct SceneArea {
     /// Its top left corner.
     pub min_px: Vec2,
     /// Its width and height.
     pub size_px: Vec2,
 }
 
-impl View {
+impl SceneArea {
     fn new(viewport: egui::Rect, pixels_per_point: f32) -> Self {
         let corner = |at: egui::Pos2| (Vec2::new(at.x, at.y) * pixels_per_point).round();
         let min_px = corner(viewport.min);
@@ -49,7 +49,7 @@ impl View {
 }
 
 /// Everything that a device belongs to.
-pub struct Stage {
+pub struct WindowSurface {
     /// The window.
     pub window: Arc<Window>,
     /// The panels' memory.
@@ -57,7 +57,7 @@ pub struct Stage {
     /// The panels' input.
     pub input: egui_winit::State,
     /// Where the scene was drawn last.
-    pub view: View,
+    pub view: SceneArea,
     gpu: Gpu,
     screen: Screen,
     renderer: Renderer,
@@ -77,7 +77,7 @@ pub struct LaidOut {
     pixels_per_point: f32,
 }
 
-impl Stage {
+impl WindowSurface {
     /// Makes everything for a window. `reader` is what a screen reader reads of it already, where the window is an old one.
     ///
     /// # Errors
@@ -113,7 +113,7 @@ impl Stage {
             None => input.init_accesskit(event_loop, &window, proxy.clone()),
         }
         window.set_visible(true);
-        Ok(Self { window, context, input, view: View::default(), gpu, screen, renderer, panels, thumbnails: None })
+        Ok(Self { window, context, input, view: SceneArea::default(), gpu, screen, renderer, panels, thumbnails: None })
     }
 
     /// The surface is configured anew before it is drawn on again.
@@ -143,7 +143,7 @@ impl Stage {
         }
         self.input.handle_platform_output(&self.window, std::mem::take(&mut shown.platform_output));
         let root = shown.viewport_output.get(&egui::ViewportId::ROOT);
-        self.view = View::new(output.viewport, shown.pixels_per_point);
+        self.view = SceneArea::new(output.viewport, shown.pixels_per_point);
         Some(LaidOut {
             output,
             again_after: root.map_or(Duration::MAX, |root| root.repaint_delay),
@@ -197,7 +197,8 @@ impl Stage {
             |format| texture.create_view(&wgpu::TextureViewDescriptor { format: Some(format), ..Default::default() });
         let mut encoder = self.gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         let viewport = viewport(self.view, self.screen.size_px());
-        self.renderer.encode(&self.gpu, &mut encoder, frame, &view(self.screen.scene_format()), viewport);
+        let target = Target { view: &view(self.screen.scene_format()), viewport };
+        self.renderer.encode(&self.gpu, &mut encoder, frame, target);
         let before = self.panels.draw(&self.gpu, &mut encoder, texture, &view(self.screen.format()));
         self.screen.show(&self.gpu, picture, before, encoder);
     }
@@ -229,7 +230,7 @@ impl Stage {
     }
 }
 
-fn viewport(view: View, target_px: [u32; 2]) -> Viewport {
+fn viewport(view: SceneArea, target_px: [u32; 2]) -> Viewport {
     let [x, y] = whole(view.min_px);
     let [width, height] = whole(view.size_px);
     Viewport { target_px, x, y, width, height }

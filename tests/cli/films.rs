@@ -330,3 +330,28 @@ fn the_readmes_films_are_made_by_the_commands_that_it_shows() {
         }
     }
 }
+
+#[test]
+fn a_webp_holds_a_picture_to_the_bit() {
+    let sandbox = sandbox();
+    let pixels = |name: &str| image::load_from_memory(&bytes(&sandbox, name)).unwrap().to_rgba8();
+    for more in [&["--at", "0.5"][..], &["--background", "transparent"], &["--sheet", "2x1"]] {
+        done(&render(&sandbox, &[&["a.json", "-o", "x.png"], more].concat()));
+        done(&render(&sandbox, &[&["a.json", "-o", "x.webp"], more].concat()));
+        done(&render(&sandbox, &[&["a.json", "-o", "again.webp"], more].concat()));
+        assert!(bytes(&sandbox, "x.webp").starts_with(b"RIFF"));
+        assert_eq!(bytes(&sandbox, "x.webp"), bytes(&sandbox, "again.webp"));
+        assert_eq!(pixels("x.webp"), pixels("x.png"), "{more:?}");
+    }
+    done(&render(&sandbox, &["a.json", "-o", "frames/", "--frames", "webp", "--fps", "2"]));
+    done(&render(&sandbox, &["a.json", "-o", "frames/", "--fps", "2"]));
+    assert_eq!(pixels("frames/frame-00002.webp"), pixels("frames/frame-00002.png"));
+    for arguments in [
+        &["a.json", "-o", "x.webp", "--id"][..],
+        &["a.json", "-o", "x.webp", "--fps", "10"],
+        &["a.json", "-o", "x.webp", "--frames", "webp"],
+        &["a.json", "-o", "x.gif", "--frames", "webp"],
+    ] {
+        render(&sandbox, arguments).misuses();
+    }
+}

@@ -1,6 +1,6 @@
 //! The outline around the chosen node's shapes.
 
-use super::{Renderer, Viewport, depth_attachment, draw_mesh, set_viewport};
+use super::{Renderer, Target, depth_attachment, draw_mesh, set_viewport};
 use crate::render::gpu::Gpu;
 use crate::render::mesh::geometry;
 use crate::render::pipelines::Kind;
@@ -12,8 +12,7 @@ impl Renderer {
         &mut self,
         gpu: &Gpu,
         encoder: &mut wgpu::CommandEncoder,
-        target: &wgpu::TextureView,
-        viewport: Viewport,
+        Target { view, viewport }: Target<'_>,
         [x, y, width, height]: [u32; 4],
     ) {
         let device = &gpu.device;
@@ -37,7 +36,7 @@ impl Renderer {
         drop(pass);
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("outline"),
-            color_attachments: &[colour_attachment(target, wgpu::LoadOp::Load)],
+            color_attachments: &[colour_attachment(view, wgpu::LoadOp::Load)],
             ..Default::default()
         });
         set_viewport(&mut pass, viewport);

@@ -53,6 +53,7 @@ pub static WORDS: &[(&str, &str)] = &[
     ),
     ("{} have no opacity: a transparent background is for {}", "{}에는 투명도가 없습니다. 투명 배경은 {}에 씁니다"),
     ("an MP4 needs an even width and height", "MP4의 너비와 높이는 짝수여야 합니다"),
+    ("a WebP is at most 16384 pixels wide and high", "WebP의 너비와 높이는 16384픽셀까지입니다"),
     ("a GIF shows at most 50 frames a second", "GIF는 초당 50프레임까지 보일 수 있습니다"),
     ("Exported 1 frame to {}.", "1프레임을 {}에 내보냈습니다."),
     ("Exported {} frames to {}.", "{}프레임을 {}에 내보냈습니다."),
