@@ -38,7 +38,7 @@ pub use path::PathDot;
 pub use playback::PlayMode;
 pub use playing::SPEED_PERCENT_RANGE;
 pub use said::Said;
-pub use scene_edits::{KeyAt, SceneEdit, Track};
+pub use scene_edits::{KeyAt, SceneEdit, TrackPath};
 pub use view::MOST_GHOSTS;
 
 use crate::keyframe::KeyframeIndex;

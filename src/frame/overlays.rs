@@ -134,7 +134,7 @@ pub(super) fn add_comparison(frame: &mut Frame, editor: &Editor) {
     let Ok(range) = PlayRange::new(&editor.document().keyframes) else { return };
     let scene = editor.scene();
     let robot = outermost_rbt(editor, chosen);
-    let tints = [OTHER_INTERPOLATION, NLERP, MATRICES].map(linear);
+    let tints: [_; Blend::OTHERS] = [OTHER_INTERPOLATION, NLERP, MATRICES].map(linear);
     for (blend, tint) in Blend::others(editor.document().interpolation).into_iter().zip(tints) {
         let world_from_node =
             scene.world_from_nodes_with(editor.seconds(), |rbt| range.blended_at(key_time, blend, rbt));
