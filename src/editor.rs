@@ -39,7 +39,7 @@ pub use path::PathDot;
 pub use playback::PlayMode;
 pub use playing::SPEED_PERCENT_RANGE;
 pub use said::Said;
-pub use scene_edits::{KeyAt, SceneEdit, Track};
+pub use scene_edits::{KeyAt, SceneEdit, TrackPath};
 
 use crate::keyframe::KeyframeIndex;
 use crate::pose::{Pose, RbtIndex};

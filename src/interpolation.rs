@@ -23,6 +23,12 @@ impl Interpolation {
     /// Every interpolation, in the order in which the hotkey goes through them.
     pub const ALL: [Self; 2] = [Self::Linear, Self::CatmullRom];
 
+    /// The names in files, as a sentence about a wrong one lists them: `"linear" or "catmull-rom"`.
+    #[must_use]
+    pub fn names_quoted() -> String {
+        Self::ALL.map(|interpolation| format!("{:?}", interpolation.name())).join(" or ")
+    }
+
     /// Its name in files and on the command line.
     #[must_use]
     pub const fn name(self) -> &'static str {
@@ -50,10 +56,7 @@ impl Interpolation {
     /// The one after this, around the end.
     #[must_use]
     pub const fn next(self) -> Self {
-        match self {
-            Self::Linear => Self::CatmullRom,
-            Self::CatmullRom => Self::Linear,
-        }
+        Self::ALL[(self as usize + 1) % Self::ALL.len()]
     }
 }
 
@@ -102,8 +105,7 @@ pub struct ControlPoints<V> {
     pub before_end: V,
 }
 
-/// By what the difference of a control point's two neighbours is divided to make a tangent: 6 at both ends where all intervals are of
-/// one length.
+/// The divisors d in tangent = (next − previous) / d: 6 at both ends where all intervals are of one length.
 ///
 /// For intervals of lengths p, q, r, the middle one being the curve's, the velocity at its start is `(c2 − c0)/(p + q)` and at its end
 /// `(c3 − c1)/(q + r)`; a cubic Bézier curve of length q leaves its start with `3 (d − c1)/q`. So `d = (c2 − c0) q/(3 (p + q)) + c1`,

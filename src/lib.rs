@@ -22,11 +22,12 @@
 //!
 //! # The modules, in reading order
 //!
-//! A module imports only from lines above its own; `tests/tidy.rs` checks it by reading the sources.
+//! A module imports only from modules of a lower level, and from those before it in its own row. `tests/tidy.rs` reads this table and
+//! checks it against the sources.
 //!
 //! | level | modules | may name |
 //! |---|---|---|
-//! | 0 | [`rbt`], [`interpolation`], [`json`], [`colour`], [`picture`], [`text`], [`parallel`] | glam |
+//! | 0 | [`rbt`], [`interpolation`], [`rotation_rules`], [`json`], [`colour`], [`picture`], [`text`], [`parallel`] | glam |
 //! | 1 | [`timed`], [`pose`], [`blend`], [`scene`], [`camera`] | serde, in file formats |
 //! | 2 | [`keyframe`], [`clock`], [`settings`], [`text_layouts`], [`frame`], [`film`] | serde, in file formats; `Duration`, never `Instant` |
 //! | 3 | [`editor`], [`diagnosis`], [`difference`] | no wgpu, egui, winit, file system |
@@ -44,7 +45,7 @@
 //! * The editor cannot fail because of the outside world: text, ticks and commands go in, values come out.
 //! * The clock on the wall is read only in `window` and `cli`, through one function each.
 //! * `render` never names `editor`: whatever can be drawn can be drawn headless.
-//! * No `Rc`, no `RefCell`, no global state.
+//! * No `Rc`, no `RefCell`, no mutable global state: a static is a constant, or a cache that is filled once with what never differs.
 //! * Playback never writes the document while it runs; ending, stopping and pausing are commands, which do.
 //!
 //! # Conventions
@@ -96,6 +97,7 @@ pub mod pose;
 pub mod rbt;
 pub mod references;
 pub mod render;
+pub mod rotation_rules;
 pub mod scene;
 pub mod script;
 pub mod settings;

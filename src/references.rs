@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 pub use list::{LIST_NAME, Shot, read_list};
 
 use crate::compare::{CompareError, Comparison, compare};
-use crate::export::{Animation, ExportError, Moment, Painter, Size, Source, Stage, View};
+use crate::export::{Animation, ExportError, Moment, Painter, Size, Source, Stage, Viewpoint};
 use crate::files::{self, FileError, LARGEST_IMAGE_BYTES, WorkError, scene};
 use crate::render::Image;
 use crate::storage;
@@ -158,7 +158,7 @@ impl<'a> References<'a> {
         let file = shot.file.as_ref().map(|file| self.folder.join(file));
         let animation = file.as_deref().map(|file| Animation::load(file, &scene, shot.interpolation())).transpose()?;
         let source = Source { scene: &scene, animation: animation.as_ref(), file: file.as_deref() };
-        let view = View::named(shot.camera.as_deref(), &scene)?;
+        let view = Viewpoint::named(shot.camera.as_deref(), &scene)?;
         let shown = source.shown(shot.at, shot.keyframe)?;
         let moment = Moment { shown, seconds: shot.seconds, start_ms: 0.0, turn: 0.0 };
         let frame = Stage::new(source, view, 0, self.painter.size_px()).frame(&moment)?;

@@ -1,9 +1,10 @@
 //! The scene: a graph of RBT nodes, control nodes and shape nodes, its file, and the scenes that are built in.
 //!
-//! Topology, shapes, the rest pose and the keys at their own times live here; where RBT nodes are is a [`crate::pose::Pose`].
+//! Topology, shapes, the rest pose and the timed keys live here; where RBT nodes are is a [`crate::pose::Pose`].
 
 mod builder;
 mod built_in;
+mod channel;
 mod edit;
 mod file;
 mod graph;
@@ -11,14 +12,17 @@ mod keys;
 mod pick;
 mod place;
 mod shape;
+mod tracks;
 mod walk;
 mod write;
 
 pub use builder::SceneBuilder;
 pub use built_in::{DEFAULT_SCENE, built_in_scene, built_in_scene_names};
+pub use channel::{Channel, KeyValue};
 pub use file::{SceneError, scene_from_json};
 pub use graph::{Node, NodeId, NodeKind, SceneGraph};
-pub use keys::{Channel, KeyValue, moved_seconds};
+pub use keys::moved_seconds;
 pub use pick::{Pick, Ray};
 pub use shape::{MeshKind, PlacedShape, Placement, Shape};
+pub use tracks::Tracks;
 pub use write::scene_to_json;

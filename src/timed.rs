@@ -1,10 +1,10 @@
-//! Keys at their own times: values at any number of seconds, interpolated between the neighbours.
+//! Timed keys: values at any number of seconds, interpolated between the neighbours.
 //!
 //! They drive parts of a scene by themselves, apart from the keyframe list. Time is elapsed seconds on the animation clock.
 
 use std::sync::Arc;
 
-use glam::{Affine3A, Quat, Vec3};
+use glam::{Quat, Vec3};
 use thiserror::Error;
 
 use crate::interpolation::{lerp, slerp};
@@ -67,15 +67,15 @@ impl Interpolate for Quat {
     }
 }
 
-/// Values at their own times, sorted by time; never empty. Cloning shares.
+/// The timed keys of one value, sorted by time; never empty. Cloning shares them.
 #[derive(Clone, Debug)]
-pub struct Keyframes<V> {
+pub struct Track<V> {
     seconds: Arc<[f64]>,
     values: Arc<[V]>,
     interpolate: fn(V, V, f64) -> V,
 }
 
-impl<V: Interpolate> Keyframes<V> {
+impl<V: Interpolate> Track<V> {
     /// Keys from (seconds, value) pairs in any order, with the value's usual interpolation.
     ///
     /// # Errors
@@ -83,15 +83,9 @@ impl<V: Interpolate> Keyframes<V> {
     pub fn new(pairs: impl IntoIterator<Item = (f64, V)>) -> Result<Self, KeyError> {
         Self::with_interpolation(pairs, V::interpolate)
     }
-
-    /// The same value at all times.
-    #[must_use]
-    pub fn constant(value: V) -> Self {
-        Self { seconds: [0.0].into(), values: [value].into(), interpolate: V::interpolate }
-    }
 }
 
-impl<V: Copy> Keyframes<V> {
+impl<V: Copy> Track<V> {
     /// Keys from (seconds, value) pairs in any order; `interpolate` gets two neighbours and the fraction of the way, 0 to 1.
     ///
     /// # Errors
@@ -185,61 +179,9 @@ impl<V: Copy> Keyframes<V> {
     }
 }
 
-impl<V: PartialEq> PartialEq for Keyframes<V> {
+impl<V: PartialEq> PartialEq for Track<V> {
     fn eq(&self, other: &Self) -> bool {
         self.seconds == other.seconds && self.values == other.values
-    }
-}
-
-/// A translation, a rotation and a scale, each with keys at its own times, or with none: then it is that of the identity.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct TransformKeyframes {
-    /// Translation in the parent's space, in scene units.
-    pub translation: Option<Keyframes<Vec3>>,
-    /// Rotation, by slerp.
-    pub rotation: Option<Keyframes<Quat>>,
-    /// Scale along each axis; above 0.
-    pub scale: Option<Keyframes<Vec3>>,
-}
-
-impl TransformKeyframes {
-    /// The translation at a time, in scene units.
-    #[must_use]
-    pub fn translation_at(&self, seconds: f64) -> Vec3 {
-        self.translation.as_ref().map_or(Vec3::ZERO, |keys| keys.value_at(seconds))
-    }
-
-    /// The rotation at a time.
-    #[must_use]
-    pub fn rotation_at(&self, seconds: f64) -> Quat {
-        self.rotation.as_ref().map_or(Quat::IDENTITY, |keys| keys.value_at(seconds))
-    }
-
-    /// The scale along each axis at a time.
-    #[must_use]
-    pub fn scale_at(&self, seconds: f64) -> Vec3 {
-        self.scale.as_ref().map_or(Vec3::ONE, |keys| keys.value_at(seconds))
-    }
-
-    /// The affine `T · R · S` at a time: `parent_from_node`.
-    #[must_use]
-    pub fn value_at(&self, seconds: f64) -> Affine3A {
-        Affine3A::from_scale_rotation_translation(
-            self.scale_at(seconds),
-            self.rotation_at(seconds),
-            self.translation_at(seconds),
-        )
-    }
-
-    /// The time of the last key of the three, in seconds; `None` where there is no key.
-    #[must_use]
-    pub fn last_second(&self) -> Option<f64> {
-        let lasts = [
-            self.translation.as_ref().map(Keyframes::last_second),
-            self.rotation.as_ref().map(Keyframes::last_second),
-            self.scale.as_ref().map(Keyframes::last_second),
-        ];
-        lasts.into_iter().flatten().reduce(f64::max)
     }
 }
 
@@ -258,36 +200,35 @@ mod tests {
 
     #[test]
     fn numbers_and_vectors_are_interpolated_linearly() {
-        let numbers = Keyframes::new([(6.0, 20.0), (0.0, 1.0), (3.0, 7.0)]).unwrap();
+        let numbers = Track::new([(6.0, 20.0), (0.0, 1.0), (3.0, 7.0)]).unwrap();
         assert_eq!(numbers.value_at(1.5), 4.0);
-        let vectors = Keyframes::new([(0.0, Vec3::X), (3.0, Vec3::Y), (6.0, Vec3::Z)]).unwrap();
+        let vectors = Track::new([(0.0, Vec3::X), (3.0, Vec3::Y), (6.0, Vec3::Z)]).unwrap();
         assert_eq!(vectors.value_at(1.5), Vec3::new(0.5, 0.5, 0.0));
     }
 
     #[test]
     fn outside_the_keys_the_nearest_counts() {
-        let numbers = Keyframes::new([(1.0, 10.0), (2.0, 20.0)]).unwrap();
+        let numbers = Track::new([(1.0, 10.0), (2.0, 20.0)]).unwrap();
         for (seconds, expected) in
             [(-5.0, 10.0), (0.999, 10.0), (1.0, 10.0), (2.0, 20.0), (7.0, 20.0), (f64::INFINITY, 20.0)]
         {
             assert_eq!(numbers.value_at(seconds), expected, "at {seconds}");
         }
-        assert_eq!(Keyframes::constant(3.0).value_at(1e9), 3.0);
     }
 
     #[test]
     fn bad_keys_are_refused() {
-        assert_eq!(Keyframes::<f64>::new([]), Err(KeyError::NoKeys));
-        assert_eq!(Keyframes::new([(f64::INFINITY, 1.0)]), Err(KeyError::TimeNotFinite { seconds: f64::INFINITY }));
-        assert!(Keyframes::new([(f64::NAN, 1.0)]).is_err());
-        assert_eq!(Keyframes::new([(2.0, 1.0), (1.0, 0.0), (2.0, 3.0)]), Err(KeyError::TwoAtOneTime { seconds: 2.0 }));
-        assert_eq!(Keyframes::new([(0.0, 1.0), (-0.0, 0.0)]), Err(KeyError::TwoAtOneTime { seconds: -0.0 }));
+        assert_eq!(Track::<f64>::new([]), Err(KeyError::NoKeys));
+        assert_eq!(Track::new([(f64::INFINITY, 1.0)]), Err(KeyError::TimeNotFinite { seconds: f64::INFINITY }));
+        assert!(Track::new([(f64::NAN, 1.0)]).is_err());
+        assert_eq!(Track::new([(2.0, 1.0), (1.0, 0.0), (2.0, 3.0)]), Err(KeyError::TwoAtOneTime { seconds: 2.0 }));
+        assert_eq!(Track::new([(0.0, 1.0), (-0.0, 0.0)]), Err(KeyError::TwoAtOneTime { seconds: -0.0 }));
     }
 
     #[test]
     fn keys_are_added_moved_and_taken_away() {
-        let keys = Keyframes::new([(0.0, 1.0), (1.0, 2.0), (2.0, 3.0)]).unwrap();
-        let pairs = |keys: &Keyframes<f64>| keys.keys().collect::<Vec<_>>();
+        let keys = Track::new([(0.0, 1.0), (1.0, 2.0), (2.0, 3.0)]).unwrap();
+        let pairs = |keys: &Track<f64>| keys.keys().collect::<Vec<_>>();
         assert_eq!(pairs(&keys.with_key(1.5, 9.0).unwrap()), [(0.0, 1.0), (1.0, 2.0), (1.5, 9.0), (2.0, 3.0)]);
         assert_eq!(pairs(&keys.with_key(1.0, 9.0).unwrap()), [(0.0, 1.0), (1.0, 9.0), (2.0, 3.0)]);
         assert!(keys.with_key(f64::NAN, 9.0).is_err());
@@ -305,7 +246,7 @@ mod tests {
 
     #[test]
     fn any_function_can_interpolate() {
-        let hold = Keyframes::with_interpolation([(0.0, 'a'), (1.0, 'b')], |from, _, _| from).unwrap();
+        let hold = Track::with_interpolation([(0.0, 'a'), (1.0, 'b')], |from, _, _| from).unwrap();
         assert_eq!((hold.value_at(0.99), hold.value_at(1.0)), ('a', 'b'));
     }
 
@@ -324,8 +265,8 @@ mod tests {
             times in prop::collection::hash_set(-1000i32..1000, 1..30), at in -1100.0f64..1100.0,
         ) {
             let pairs: Vec<(f64, f64)> = times.iter().map(|&time| (f64::from(time), f64::from(time * time))).collect();
-            let reversed = Keyframes::new(pairs.iter().rev().copied()).unwrap();
-            let keys = Keyframes::new(pairs.iter().copied()).unwrap();
+            let reversed = Track::new(pairs.iter().rev().copied()).unwrap();
+            let keys = Track::new(pairs.iter().copied()).unwrap();
             prop_assert_eq!(keys.value_at(at), reversed.value_at(at));
             for (seconds, value) in pairs {
                 prop_assert_eq!(keys.value_at(seconds), value);

@@ -1,61 +1,23 @@
 //! The architecture's rules, checked by reading the sources.
+//!
+//! `tidy/source.rs` parses them. Which module may import which is read from the table in `src/lib.rs`, its only home.
 
-use std::fs;
-use std::path::{Path, PathBuf};
+#[path = "tidy/source.rs"]
+mod source;
 
-fn sources() -> Vec<(String, String)> {
-    fn walk(folder: &Path, found: &mut Vec<PathBuf>) {
-        for entry in fs::read_dir(folder).expect("src is a folder") {
-            let path = entry.expect("it can be read").path();
-            if path.is_dir() {
-                walk(&path, found);
-            } else if path.extension().is_some_and(|extension| extension == "rs") {
-                found.push(path);
-            }
-        }
-    }
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
-    let mut found = Vec::new();
-    walk(&root, &mut found);
-    found.sort();
-    assert!(found.len() > 20);
-    found
-        .into_iter()
-        .map(|path| {
-            let name = path.strip_prefix(&root).unwrap().to_string_lossy().replace('\\', "/");
-            (name, fs::read_to_string(&path).expect("sources are text"))
-        })
-        .collect()
-}
+use std::collections::BTreeMap;
 
-/// The code of a source, without comments and without its unit tests.
-fn code(text: &str) -> String {
-    let text = text.split("#[cfg(test)]").next().unwrap_or_default();
-    text.lines().map(|line| line.split("//").next().unwrap_or_default()).collect::<Vec<_>>().join("\n")
-}
+use source::{Source, files, source, sources};
 
-/// The room that a source belongs to: its module of the top level.
-fn room(name: &str) -> &str {
-    name.split('/').next().unwrap().trim_end_matches(".rs")
-}
-
-fn names(code: &str, word: &str) -> bool {
-    code.match_indices(word).any(|(at, _)| {
-        let before = code[..at].chars().next_back();
-        let after = code[at + word.len()..].chars().next();
-        let is_part = |c: Option<char>| c.is_some_and(|c| c.is_alphanumeric() || c == '_');
-        !is_part(before) && !is_part(after)
-    })
-}
-
+/// Asserts that only some modules of the top level name any of these paths.
 #[track_caller]
-fn only(words: &[&str], allowed: &[&str]) {
-    for (name, text) in sources() {
-        let code = code(&text);
-        for word in words {
+fn only(paths: &[&str], allowed: &[&str]) {
+    for source in sources() {
+        for path in paths {
             assert!(
-                allowed.contains(&room(&name)) || !names(&code, word),
-                "src/{name} names {word}, which only {allowed:?} may"
+                allowed.contains(&source.room()) || !source.names(path),
+                "src/{} names {path}, which only {allowed:?} may",
+                source.name
             );
         }
     }
@@ -77,106 +39,166 @@ fn only_ui_and_window_name_egui() {
 }
 
 #[test]
-fn only_storage_touches_the_file_system() {
-    only(&["std::fs", "fs::read", "fs::write", "File::open", "File::create"], &["storage"]);
-}
-
-#[test]
 fn only_the_command_line_names_clap() {
     only(&["clap"], &["cli"]);
 }
 
-#[test]
-fn the_wall_clock_is_read_in_one_function_each() {
-    only(&["Instant", "SystemTime"], &["window", "cli"]);
-    for room_name in ["window", "cli"] {
-        let readings: usize = sources()
-            .iter()
-            .filter(|(name, _)| room(name) == room_name)
-            .map(|(_, text)| code(text).matches("Instant::now()").count())
-            .sum();
-        assert!(readings <= 1, "{room_name} reads the clock in {readings} places");
-    }
-}
+/// `main` chooses the drivers that the Vulkan loader opens, for which it looks at what is installed.
+const MAY_TOUCH_FILES: [&str; 2] = ["storage", "main"];
+
+/// Methods of `Path` that ask the file system. The names of the rest are those of other types too.
+const ASKING: [&str; 7] =
+    ["exists", "try_exists", "is_file", "canonicalize", "symlink_metadata", "read_dir", "read_link"];
 
 #[test]
-fn no_shared_mutable_state() {
-    only(&["Rc", "RefCell", "static mut", "thread_local", "lazy_static", "Mutex<Editor>"], &[]);
-}
-
-/// Rooms in the order of the architecture: each may name only rooms of a lower number, and itself.
-const ROOMS: &[(&str, u8, &[&str])] = &[
-    ("rbt", 0, &[]),
-    ("timed", 1, &[]),
-    ("interpolation", 0, &["rbt"]),
-    ("pose", 1, &[]),
-    ("blend", 1, &["pose"]),
-    ("scene", 1, &["pose", "blend", "json", "timed"]),
-    ("camera", 1, &["scene"]),
-    ("json", 0, &["rbt"]),
-    ("colour", 0, &[]),
-    ("picture", 0, &[]),
-    ("text", 0, &[]),
-    ("parallel", 0, &[]),
-    ("keyframe", 2, &[]),
-    ("clock", 2, &[]),
-    ("settings", 2, &[]),
-    ("frame", 2, &[]),
-    ("film", 2, &[]),
-    ("text_layouts", 2, &["keyframe"]),
-    ("editor", 3, &[]),
-    ("diagnosis", 3, &[]),
-    ("difference", 3, &[]),
-    ("view", 4, &[]),
-    ("render", 5, &[]),
-    ("ui", 5, &[]),
-    ("compare", 6, &[]),
-    ("storage", 6, &[]),
-    ("export", 7, &[]),
-    ("files", 8, &[]),
-    ("script", 8, &[]),
-    ("grading", 9, &[]),
-    ("references", 9, &[]),
-    ("window", 10, &[]),
-    ("cli", 10, &["window"]),
-    ("main", 11, &[]),
-    ("lib", 11, &[]),
-];
-
-#[test]
-fn modules_import_only_from_below() {
-    for (name, text) in sources() {
-        let room = room(&name);
-        let Some((_, level, peers)) = ROOMS.iter().find(|(known, ..)| *known == room) else {
-            panic!("src/{name} is in a room that the architecture does not know: {room}");
-        };
-        for (other, other_level, _) in ROOMS {
-            let is_named = code(&text).contains(&format!("crate::{other}::"));
-            let is_below = other_level < level || other == &room || peers.contains(other);
-            assert!(!is_named || is_below, "src/{name} imports from {other}, which is not below it");
+fn only_storage_touches_the_file_system() {
+    only(&["std::fs", "atomic_write_file", "tempfile"], &MAY_TOUCH_FILES);
+    for source in sources().iter().filter(|source| !MAY_TOUCH_FILES.contains(&source.room())) {
+        for method in ASKING {
+            assert!(!source.methods.contains(method), "src/{} asks the file system by .{method}()", source.name);
         }
     }
 }
 
 #[test]
+fn the_wall_clock_is_read_in_one_function_each() {
+    only(&["std::time::Instant", "std::time::SystemTime"], &["window", "cli"]);
+    for room in ["window", "cli"] {
+        let of_room = sources();
+        let of_room = of_room.iter().filter(|source| source.room() == room);
+        let readings: usize = of_room.filter_map(|source| source.calls.get("std::time::Instant::now")).sum();
+        assert!(readings <= 1, "{room} reads the clock in {readings} places");
+    }
+}
+
+/// Statics hold constants, and caches that are filled once with what never differs.
+#[test]
+fn no_mutable_global_state() {
+    const INNER_MUTABILITY: [&str; 6] = ["Cell", "RefCell", "UnsafeCell", "Mutex", "RwLock", "Once"];
+    for source in sources() {
+        for shared in ["Rc", "RefCell"] {
+            assert!(!source.names_part(shared), "src/{} names {shared}", source.name);
+        }
+        for local in ["thread_local", "lazy_static"] {
+            assert!(!source.macros.contains(local), "src/{} calls {local}!", source.name);
+        }
+        for (name, is_mutable, types) in &source.statics {
+            let is_inner = |part: &str| INNER_MUTABILITY.contains(&part) || part.starts_with("Atomic");
+            let changes = types.iter().find(|path| path.split("::").any(is_inner));
+            assert!(!is_mutable && changes.is_none(), "src/{}: the static {name} can change: {changes:?}", source.name);
+        }
+    }
+}
+
+/// The modules of the table in `src/lib.rs`: for each the row, the level, and the place in its row.
+fn table() -> BTreeMap<String, (usize, u8, usize)> {
+    let lib = include_str!("../src/lib.rs");
+    let rows = lib.lines().filter_map(|line| line.strip_prefix("//! | ")).enumerate();
+    let mut table = BTreeMap::new();
+    for (row, line) in rows {
+        let mut cells = line.split(" | ");
+        let Some(Ok(level)) = cells.next().map(str::parse) else { continue };
+        let modules = cells.next().expect("a row has modules").split("[`").skip(1);
+        for (place, module) in modules.filter_map(|module| module.split('`').next()).enumerate() {
+            let twice = table.insert(module.to_owned(), (row, level, place));
+            assert_eq!(twice, None, "{module} stands twice in the table of src/lib.rs");
+        }
+    }
+    assert!(table.len() > 20, "the table of src/lib.rs is not read: {table:?}");
+    table
+}
+
+/// The import that a file may not have: one of a module that is neither on a lower level nor before its own in its row.
+fn wrong_import<'a>(source: &'a Source, table: &BTreeMap<String, (usize, u8, usize)>) -> Option<&'a str> {
+    let own = table.get(source.room());
+    // `lib` and `main` stand above all.
+    let &(row, level, place) = own?;
+    source.rooms_named().into_iter().find(|other| {
+        table.get(*other).is_some_and(|&(other_row, other_level, other_place)| {
+            let is_before = other_row == row && other_place < place;
+            *other != source.room() && other_level >= level && !is_before
+        })
+    })
+}
+
+#[test]
+fn modules_import_only_from_below() {
+    let table = table();
+    for source in sources() {
+        let is_known = table.contains_key(source.room()) || matches!(source.room(), "lib" | "main");
+        assert!(is_known, "src/{} is in a module that the table of src/lib.rs does not have", source.name);
+        let wrong = wrong_import(&source, &table);
+        assert_eq!(wrong, None, "src/{} imports from a module that is not below it", source.name);
+    }
+}
+
+#[track_caller]
+fn parsed(name: &str, text: &str) -> Source {
+    source(name.to_owned(), &syn::parse_file(text).unwrap())
+}
+
+#[test]
+fn every_way_to_import_is_seen() {
+    let table = table();
+    for text in [
+        "use crate::render;",
+        "use crate::{scene, render};",
+        "use crate::{scene::SceneGraph, render::{self, Renderer as Draws}};",
+        "use super::super::render::Renderer;",
+        "use super::super::*; fn draw(renderer: super::super::render::Renderer) {}",
+        "fn draw() { crate::render::draw() }",
+        "fn draw() { println!(\"{}\", crate::render::draw()) }",
+        "#[cfg(test)] mod tests; fn draw() -> crate::render::Renderer { todo!() }",
+        "#[cfg(test)] mod tests { fn nothing() {} } use crate::render::Renderer;",
+        "mod inner { use super::super::super::render::Renderer; }",
+    ] {
+        assert_eq!(wrong_import(&parsed("editor/apply.rs", text), &table), Some("render"), "{text}");
+    }
+    for text in [
+        "use crate::scene;",
+        "use super::document::Document;",
+        "// use crate::render;",
+        "#[cfg(test)] mod tests { use crate::render; }",
+        "#[cfg(test)] use crate::render;",
+    ] {
+        assert_eq!(wrong_import(&parsed("editor/apply.rs", text), &table), None, "{text}");
+    }
+    for text in [
+        "use std::fs;",
+        "use std::{env, fs};",
+        "use std::fs::File;",
+        "use std::{env, fs}; fn list() { fs::read_dir(\".\"); }",
+        "use std::fs as files; fn list() { files::read_to_string(\".\"); }",
+        "fn list() { std::fs::read_dir(\".\"); }",
+        "fn list() { assert!(std::fs::read_dir(\".\").is_ok()); }",
+    ] {
+        assert!(parsed("ui/menu.rs", text).names("std::fs"), "{text}");
+    }
+    let clock = parsed("cli/grade.rs", "use std::time::Instant; fn f() { Instant::now(); vec![Instant::now()]; }");
+    assert_eq!(clock.calls.get("std::time::Instant::now"), Some(&2));
+}
+
+#[test]
 fn render_can_draw_whatever_there_is() {
-    for (name, text) in sources().iter().filter(|(name, _)| room(name) == "render") {
-        assert!(!names(&code(text), "editor") && !names(&code(text), "ui"), "src/{name} names the editor or the ui");
+    for source in sources().iter().filter(|source| source.room() == "render") {
+        for above in ["crate::editor", "crate::ui"] {
+            assert!(!source.names(above), "src/{} names {above}", source.name);
+        }
     }
 }
 
 #[test]
 fn films_know_no_editor() {
-    let may_know = ["view.rs", "view/editor.rs", "view/motion_path.rs", "view/comparison.rs"];
-    for (name, text) in sources() {
-        let is_below = ["frame", "film", "export", "view"].contains(&room(&name)) && !may_know.contains(&name.as_str());
-        assert!(!is_below || !code(&text).contains("crate::editor"), "src/{name} names the editor");
+    const MAY_KNOW: [&str; 4] = ["view.rs", "view/editor.rs", "view/motion_path.rs", "view/comparison.rs"];
+    for source in sources() {
+        let is_below = ["frame", "film", "export", "view"].contains(&source.room()) && !MAY_KNOW.contains(&&*source.name);
+        assert!(!is_below || !source.rooms_named().contains("editor"), "src/{} names the editor", source.name);
     }
 }
 
 #[test]
 fn files_are_one_idea_each() {
-    for (name, text) in sources() {
+    for (name, text) in files() {
         let lines = text.lines().count();
         assert!(lines <= 600, "src/{name} has {lines} lines, and none has more than 600");
     }
@@ -184,24 +206,25 @@ fn files_are_one_idea_each() {
 
 #[test]
 fn unwrap_is_for_tests() {
-    for (name, text) in sources().iter().filter(|(name, _)| !name.ends_with("tests.rs")) {
-        let code = code(text);
-        for word in [".unwrap()", "todo!(", "unimplemented!(", "dbg!("] {
-            assert!(!code.contains(word), "src/{name} has {word}");
+    assert!(parsed("rbt.rs", "fn f() { println!(\"{}\", x.unwrap()) }").methods.contains("unwrap"));
+    for source in sources() {
+        assert!(!source.methods.contains("unwrap"), "src/{} calls .unwrap()", source.name);
+        for unfinished in ["todo", "unimplemented", "dbg"] {
+            assert!(!source.macros.contains(unfinished), "src/{} calls {unfinished}!", source.name);
         }
     }
 }
 
 #[test]
 fn every_module_opens_with_what_it_is() {
-    for (name, text) in sources() {
+    for (name, text) in files() {
         assert!(text.starts_with("//!"), "src/{name} does not say what it is");
     }
 }
 
 #[test]
 fn no_test_is_switched_off() {
-    for (name, text) in sources() {
+    for (name, text) in files() {
         assert!(!text.contains(concat!("#[", "ignore")), "src/{name} switches a test off");
     }
 }

@@ -12,6 +12,7 @@ use super::{
 use crate::keyframe::{Keyframe, KeyframeIndex, KeyframeList, MS_BETWEEN_KEYFRAMES_RANGE};
 use crate::pose::RbtIndex;
 use crate::rbt::Rbt;
+use crate::rotation_rules::unit;
 
 /// How much `+` and `-` change the ms between keyframes.
 const MS_STEP: u32 = 100;
@@ -316,12 +317,6 @@ impl Editor {
             document.live_pose = keyframe.pose.clone();
         }
     }
-}
-
-/// A rotation of unit length, if this one has a direction.
-fn unit(rotation: Quat) -> Option<Quat> {
-    let length = rotation.length();
-    (rotation.is_finite() && length > 1e-6 && length.is_finite()).then(|| rotation / length)
 }
 
 /// Edits that a drag makes again and again: during one they are part of it.

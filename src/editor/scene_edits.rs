@@ -9,7 +9,7 @@ use crate::scene::{Channel, KeyValue, NodeId, SceneError, SceneGraph, moved_seco
 
 /// A channel of a node.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct Track {
+pub struct TrackPath {
     /// The node's path.
     pub node: Arc<str>,
     /// The channel.
@@ -20,7 +20,7 @@ pub struct Track {
 #[derive(Clone, Debug, PartialEq)]
 pub struct KeyAt {
     /// What it is a key of.
-    pub track: Track,
+    pub track: TrackPath,
     /// Its time in seconds.
     pub seconds: f64,
 }
@@ -29,7 +29,7 @@ impl KeyAt {
     /// A key of a channel of the node with this path.
     #[must_use]
     pub fn new(node: &str, channel: Channel, seconds: f64) -> Self {
-        Self { track: Track { node: node.into(), channel }, seconds }
+        Self { track: TrackPath { node: node.into(), channel }, seconds }
     }
 }
 
@@ -198,7 +198,7 @@ fn no_channel(scene: &SceneGraph, id: NodeId, channel: Channel) -> SceneError {
 }
 
 /// A channel's node, the channel, and the times of some of its keys.
-type TrackTimes<'a> = (NodeId, &'a Track, Vec<f64>);
+type TrackTimes<'a> = (NodeId, &'a TrackPath, Vec<f64>);
 
 /// The times of some keys, those of one channel together; all of them must be there.
 fn by_track<'a>(scene: &SceneGraph, keys: &'a [KeyAt]) -> Result<Vec<TrackTimes<'a>>, CommandError> {

@@ -2,13 +2,12 @@
 
 use std::sync::Arc;
 
-use glam::Quat;
-
 use super::apply::Outcome;
 use super::{Command, CommandError, Editor, TimelineEdit, ViewCommand};
 use crate::keyframe::{DURATION_RANGE, Easing, Keyframe, KeyframeIndex, KeyframeList, keyframes_counted};
 use crate::pose::{Pose, RbtIndex};
 use crate::rbt::Rbt;
+use crate::rotation_rules::unit;
 
 /// The longest name of a keyframe, in characters.
 const LONGEST_NAME: usize = 100;
@@ -91,11 +90,7 @@ impl Editor {
                 self.place_in_keyframe(keyframe, rbt, |from| Rbt { translation, ..from })
             }
             TimelineEdit::SetRotationInKeyframe(keyframe, rbt, rotation) => {
-                let length = rotation.length();
-                if !(length.is_finite() && length > 1e-6) {
-                    return Err(CommandError::NotAValue { what: "rotation" });
-                }
-                let rotation: Quat = rotation / length;
+                let rotation = unit(rotation).ok_or(CommandError::NotAValue { what: "rotation" })?;
                 self.place_in_keyframe(keyframe, rbt, |from| Rbt { rotation, ..from })
             }
         }

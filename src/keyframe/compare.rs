@@ -19,10 +19,18 @@ pub enum Blend {
 }
 
 impl Blend {
-    /// The ways to compare with `in_force`: the other interpolation, and the two that are wrong.
+    /// How many ways there are to compare with the interpolation that plays.
+    pub const OTHERS: usize = Interpolation::ALL.len() + 1;
+
+    /// The ways to compare with `playing`: every other interpolation, then the two that are wrong.
     #[must_use]
-    pub const fn others(in_force: Interpolation) -> [Self; 3] {
-        [Self::Played(in_force.next()), Self::Nlerp, Self::Matrices]
+    pub fn others(playing: Interpolation) -> [Self; Self::OTHERS] {
+        let mut others = [Self::Nlerp; Self::OTHERS];
+        let interpolations = Interpolation::ALL.into_iter().filter(|&other| other != playing).map(Self::Played);
+        for (place, other) in others.iter_mut().zip(interpolations.chain([Self::Nlerp, Self::Matrices])) {
+            *place = other;
+        }
+        others
     }
 
     /// Its name for people.
@@ -59,6 +67,23 @@ impl PlayRange<'_> {
                     ),
                     translation: column(from.translation, to.translation),
                 }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn all_interpolations_but_the_one_that_plays_are_compared() {
+        for playing in Interpolation::ALL {
+            let others = Blend::others(playing);
+            assert!(!others.contains(&Blend::Played(playing)));
+            assert!(others.ends_with(&[Blend::Nlerp, Blend::Matrices]));
+            for other in Interpolation::ALL.into_iter().filter(|&other| other != playing) {
+                assert_eq!(others.iter().filter(|&&blend| blend == Blend::Played(other)).count(), 1);
             }
         }
     }

@@ -6,10 +6,10 @@ use std::sync::Arc;
 use super::file::SceneError;
 use super::graph::{Index, Node, NodeId, NodeKind, SceneGraph};
 use super::shape::PlacedShape;
+use super::tracks::Tracks;
 use super::walk::Walk;
 use crate::pose::{Pose, RbtIndex};
 use crate::rbt::Rbt;
-use crate::timed::TransformKeyframes;
 
 /// Builds a [`SceneGraph`] node by node, in pre-order.
 #[derive(Debug, Default)]
@@ -46,13 +46,8 @@ impl SceneBuilder {
     ///
     /// # Errors
     /// When the name is empty, contains `/`, or stands twice under one parent.
-    pub fn open_control(
-        &mut self,
-        name: &str,
-        keys: TransformKeyframes,
-        is_in_paths: bool,
-    ) -> Result<NodeId, SceneError> {
-        let id = self.push(name, NodeKind::Control(keys))?;
+    pub fn open_control(&mut self, name: &str, tracks: Tracks, is_in_paths: bool) -> Result<NodeId, SceneError> {
+        let id = self.push(name, NodeKind::Control(tracks))?;
         self.nodes[id.get()].is_in_paths = is_in_paths;
         self.open.push(id);
         Ok(id)

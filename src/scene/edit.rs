@@ -3,7 +3,7 @@
 use super::builder::SceneBuilder;
 use super::file::SceneError;
 use super::graph::{Node, NodeId, NodeKind, SceneGraph};
-use crate::timed::TransformKeyframes;
+use super::tracks::Tracks;
 
 /// What becomes of one node.
 enum Change<'a> {
@@ -71,7 +71,7 @@ impl SceneGraph {
                     Change::Remove => continue,
                     Change::Rename { name: new } => name = new,
                     Change::PutAbove { name: new } => {
-                        builder.open_control(new, TransformKeyframes::default(), false)?;
+                        builder.open_control(new, Tracks::default(), false)?;
                         ends.push(self.subtree(id).end);
                     }
                 }
@@ -87,7 +87,7 @@ impl SceneGraph {
     fn add_to(&self, builder: &mut SceneBuilder, name: &str, node: &Node) -> Result<bool, SceneError> {
         match &node.kind {
             NodeKind::Rbt(rbt) => builder.open_rbt(name, self.rest_pose().get(*rbt))?,
-            NodeKind::Control(keys) => builder.open_control(name, keys.clone(), node.is_in_paths)?,
+            NodeKind::Control(tracks) => builder.open_control(name, tracks.clone(), node.is_in_paths)?,
             NodeKind::Shape(placed) => {
                 builder.shape(name, placed.clone())?;
                 return Ok(false);

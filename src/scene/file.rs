@@ -1,16 +1,19 @@
 //! The scene file: JSON text to a [`SceneGraph`]. The README documents the format.
 
-use glam::{Quat, Vec3};
+use glam::{Quat, Vec3, Vec4};
 use serde::Deserialize;
 use thiserror::Error;
 
 use super::builder::SceneBuilder;
+use super::channel::Channel;
 use super::graph::SceneGraph;
+use super::keys::keys_error;
 use super::place::Place;
 use super::shape::{PlacedShape, Placement, Shape};
+use super::tracks::Tracks;
 use crate::colour::Colour;
 use crate::rbt::Rbt;
-use crate::timed::{Interpolate, KeyError, Keyframes, TransformKeyframes, rotation_from_euler_degrees};
+use crate::timed::{KeyError, rotation_from_euler_degrees};
 
 pub(super) const FORMAT: &str = "inbetween.scene";
 /// What a file says, and what one says that has a control node which paths do not name.
@@ -250,12 +253,11 @@ fn add(builder: &mut SceneBuilder, node: &NodeText, parent_path: &str, version: 
         }
         let placement = Placement { translation, rotation, scale: scale(place, node.scale)? };
         let colour = node.colour.map_or(Colour::DEFAULT, |colour| colour.0);
-        let colour_keys = node
-            .colour_keys
-            .as_ref()
-            .map(|texts| keys(place, "colour_keys", texts, |colour| Ok(colour.0.to_linear())))
-            .transpose()?;
-        let placed = PlacedShape::new(self::shape(place, shape)?, colour, colour_keys, placement);
+        let mut tracks = Tracks::default();
+        set(&mut tracks, Channel::Colour, place, node.colour_keys.as_ref(), |colour| {
+            Ok(colour.0.to_linear().extend(0.0))
+        })?;
+        let placed = PlacedShape::new(self::shape(place, shape)?, colour, tracks, placement);
         builder.shape(&node.name, placed)?;
         return Ok(());
     }
@@ -281,32 +283,30 @@ fn add(builder: &mut SceneBuilder, node: &NodeText, parent_path: &str, version: 
     Ok(())
 }
 
-/// Keys from their texts; what is wrong with one is said with its time.
-fn keys<T: Copy, V: Interpolate>(
+/// Gives a channel the keys of a list, if the file has one; what is wrong with a key is said with its time.
+fn set<T: Copy>(
+    tracks: &mut Tracks,
+    channel: Channel,
     place: Place<'_>,
-    field: &'static str,
-    texts: &[(f64, T)],
-    value: impl Fn(T) -> Result<V, SceneError>,
-) -> Result<Keyframes<V>, SceneError> {
-    let pairs = texts.iter().map(|&(seconds, text)| Ok((seconds, value(text)?))).collect::<Result<Vec<_>, _>>()?;
-    Keyframes::new(pairs).map_err(|error| SceneError::Keys { path: place.path.to_owned(), field, error })
+    texts: Option<&Vec<(f64, T)>>,
+    numbers: impl Fn(T) -> Result<Vec4, SceneError>,
+) -> Result<(), SceneError> {
+    let Some(texts) = texts else { return Ok(()) };
+    let pairs = texts.iter().map(|&(seconds, text)| Ok((seconds, numbers(text)?))).collect::<Result<Vec<_>, _>>()?;
+    tracks.set(channel, pairs).map_err(|error| keys_error(place, channel, error))
 }
 
-fn control(place: Place<'_>, control: &ControlText) -> Result<TransformKeyframes, SceneError> {
+fn control(place: Place<'_>, control: &ControlText) -> Result<Tracks, SceneError> {
     let ControlText { translation, rotation, scale } = control;
-    let mut keys = TransformKeyframes::default();
-    if let Some(texts) = translation {
-        keys.translation = Some(self::keys(place, "control.translation", texts, |value| {
-            place.coordinates("control.translation", Vec3::from(value))
-        })?);
-    }
-    if let Some(texts) = rotation {
-        keys.rotation = Some(self::keys(place, "control.rotation", texts, |value| self::rotation(place, Some(value)))?);
-    }
-    if let Some(texts) = scale {
-        keys.scale = Some(self::keys(place, "control.scale", texts, |value| self::scale(place, Some(value)))?);
-    }
-    Ok(keys)
+    let mut tracks = Tracks::default();
+    set(&mut tracks, Channel::Translation, place, translation.as_ref(), |value| {
+        Ok(place.coordinates("control.translation", Vec3::from(value))?.extend(0.0))
+    })?;
+    set(&mut tracks, Channel::Rotation, place, rotation.as_ref(), |value| {
+        self::rotation(place, Some(value)).map(Vec4::from)
+    })?;
+    set(&mut tracks, Channel::Scale, place, scale.as_ref(), |value| Ok(self::scale(place, Some(value))?.extend(0.0)))?;
+    Ok(tracks)
 }
 
 fn rotation(place: Place<'_>, value: Option<RotationText>) -> Result<Quat, SceneError> {

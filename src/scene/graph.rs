@@ -7,11 +7,11 @@ use std::sync::Arc;
 use glam::Affine3A;
 
 use super::shape::PlacedShape;
+use super::tracks::Tracks;
 use super::walk::Walk;
 use crate::blend::AlignedAffine;
 use crate::pose::{Pose, RbtIndex};
 use crate::rbt::Rbt;
-use crate::timed::{Keyframes, TransformKeyframes};
 
 /// A node of a scene, by its place in the pre-order walk; issued by the [`SceneGraph`] it belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -37,7 +37,7 @@ pub enum NodeKind {
     /// Geometry; it has no children.
     Shape(PlacedShape),
     /// An affine that its own keys animate in elapsed seconds; poses do not record it.
-    Control(TransformKeyframes),
+    Control(Tracks),
 }
 
 /// One node.
@@ -64,7 +64,7 @@ impl Node {
         match &self.kind {
             NodeKind::Rbt(rbt) => parent_from_rbt(*rbt),
             NodeKind::Shape(placed) => placed.parent_from_shape(),
-            NodeKind::Control(keys) => keys.value_at(seconds),
+            NodeKind::Control(tracks) => tracks.parent_from_node(seconds),
         }
     }
 
@@ -72,8 +72,8 @@ impl Node {
     fn last_second(&self) -> Option<f64> {
         match &self.kind {
             NodeKind::Rbt(_) => None,
-            NodeKind::Shape(placed) => placed.colour_keys.as_ref().map(Keyframes::last_second),
-            NodeKind::Control(keys) => keys.last_second(),
+            NodeKind::Shape(placed) => placed.tracks().last_second(),
+            NodeKind::Control(tracks) => tracks.last_second(),
         }
     }
 }
@@ -247,7 +247,7 @@ impl SceneGraph {
     pub fn world_from_nodes_into(&self, pose: &Pose, seconds: f64, into: &mut Vec<AlignedAffine>) {
         debug_assert_eq!(pose.len(), self.rbt_count(), "a pose of another scene");
         let keys_of = |place: usize| match &self.nodes[place].kind {
-            NodeKind::Control(keys) => keys.value_at(seconds),
+            NodeKind::Control(tracks) => tracks.parent_from_node(seconds),
             NodeKind::Rbt(_) | NodeKind::Shape(_) => Affine3A::IDENTITY,
         };
         self.index.walk.world_from_nodes(pose, keys_of, into);

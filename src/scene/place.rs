@@ -3,12 +3,9 @@
 use glam::{Quat, Vec3};
 
 use super::file::SceneError;
+use crate::rotation_rules::Mending;
 
 const LARGEST_COORDINATE: f32 = 1e6;
-/// Rotations this near to unit length are kept bit for bit.
-const UNIT_TOLERANCE: f32 = 1e-6;
-/// Rotations this near to unit length are normalised; beyond, they are errors.
-const NORMALISED_TOLERANCE: f32 = 0.01;
 
 /// A node's path.
 #[derive(Clone, Copy)]
@@ -34,13 +31,13 @@ impl Place<'_> {
 
     /// A unit quaternion.
     pub fn rotation(self, rotation: Quat) -> Result<Quat, SceneError> {
-        let off = (rotation.length() - 1.0).abs();
-        if off <= UNIT_TOLERANCE {
-            Ok(rotation)
-        } else if off <= NORMALISED_TOLERANCE {
-            Ok(rotation.normalize())
-        } else {
-            Err(self.error("rotation", format!("of length {}", rotation.length()), "a unit quaternion [x, y, z, w]"))
+        match Mending::of_length(rotation.length().into()) {
+            Mending::Keep => Ok(rotation),
+            Mending::Normalise => Ok(rotation.normalize()),
+            Mending::Refuse => {
+                let found = format!("of length {}", rotation.length());
+                Err(self.error("rotation", found, "a unit quaternion [x, y, z, w]"))
+            }
         }
     }
 

@@ -1,9 +1,10 @@
 //! Shapes: the geometry under RBT nodes, as dimensions and a colour. No meshes here; those are the renderer's.
 
-use glam::{Affine3A, Quat, Vec3};
+use glam::{Affine3A, Quat, Vec3, Vec4};
 
+use super::channel::Channel;
+use super::tracks::Tracks;
 use crate::colour::Colour;
-use crate::timed::Keyframes;
 
 /// A solid in its own shape space: centred at the origin, its axis along Y. Lengths in scene units, all positive.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -126,8 +127,7 @@ pub struct PlacedShape {
     pub shape: Shape,
     /// Its colour, where no keys say otherwise.
     pub colour: Colour,
-    /// Its colour over time: linear-light red, green and blue, 0 to 1, at elapsed seconds.
-    pub colour_keys: Option<Keyframes<Vec3>>,
+    tracks: Tracks,
     placement: Placement,
     parent_from_shape: Affine3A,
 }
@@ -135,16 +135,22 @@ pub struct PlacedShape {
 impl PlacedShape {
     /// A shape in its place.
     #[must_use]
-    pub fn new(shape: Shape, colour: Colour, colour_keys: Option<Keyframes<Vec3>>, placement: Placement) -> Self {
+    pub fn new(shape: Shape, colour: Colour, tracks: Tracks, placement: Placement) -> Self {
         let Placement { translation, rotation, scale } = placement;
         let parent_from_shape = Affine3A::from_scale_rotation_translation(scale, rotation, translation);
-        Self { shape, colour, colour_keys, placement, parent_from_shape }
+        Self { shape, colour, tracks, placement, parent_from_shape }
     }
 
-    /// It with other keys of its colour, or with none.
+    /// The same with other timed keys.
     #[must_use]
-    pub fn with_colour_keys(&self, colour_keys: Option<Keyframes<Vec3>>) -> Self {
-        Self { colour_keys, ..self.clone() }
+    pub fn with_tracks(&self, tracks: Tracks) -> Self {
+        Self { tracks, ..self.clone() }
+    }
+
+    /// Its timed keys: those of its colour.
+    #[must_use]
+    pub const fn tracks(&self) -> &Tracks {
+        &self.tracks
     }
 
     /// Where it is.
@@ -162,6 +168,6 @@ impl PlacedShape {
     /// Its linear-light colour at a time.
     #[must_use]
     pub fn colour_at(&self, seconds: f64) -> Vec3 {
-        self.colour_keys.as_ref().map_or_else(|| self.colour.to_linear(), |keys| keys.value_at(seconds))
+        self.tracks.numbers_at(Channel::Colour, seconds).map_or_else(|| self.colour.to_linear(), Vec4::truncate)
     }
 }

@@ -1,13 +1,15 @@
 //! The scene file: a [`SceneGraph`] to JSON text, which reads back to the same scene. The README documents the format.
 
-use glam::{Quat, Vec3};
+use glam::{Quat, Vec3, Vec4};
 
+use super::channel::{Channel, Holder, scale_json};
 use super::file::FORMAT;
 use super::graph::{NodeId, NodeKind, SceneGraph};
 use super::shape::{PlacedShape, Shape};
+use super::tracks::Tracks;
 use crate::colour::Colour;
 use crate::json::{push_f32, push_f32s, push_f64};
-use crate::timed::{Keyframes, TransformKeyframes};
+use crate::timed::Track;
 
 /// The text of a scene's file. The same scene gives the same bytes; version 1 where that can say it all.
 #[must_use]
@@ -64,8 +66,8 @@ fn push_node(text: &mut String, scene: &SceneGraph, id: NodeId, depth: usize) {
             push_place(&mut fields, rest.translation, rest.rotation);
         }
         NodeKind::Shape(placed) => push_shape(&mut fields, placed, depth + 1),
-        NodeKind::Control(keys) => {
-            fields.push(format!("\"control\": {}", control(keys, depth + 1)));
+        NodeKind::Control(tracks) => {
+            fields.push(format!("\"control\": {}", control(tracks, depth + 1)));
             if !node.is_in_paths {
                 fields.push("\"in_paths\": false".to_owned());
             }
@@ -96,7 +98,8 @@ fn push_node(text: &mut String, scene: &SceneGraph, id: NodeId, depth: usize) {
     text.push('}');
 }
 
-fn numbers(numbers: &[f32]) -> String {
+/// Numbers as a JSON array.
+pub(super) fn numbers(numbers: &[f32]) -> String {
     let mut text = String::new();
     push_f32s(&mut text, numbers);
     text
@@ -117,14 +120,15 @@ fn push_shape(fields: &mut Vec<String>, placed: &PlacedShape, depth: usize) {
     let placement = placed.placement();
     push_place(fields, placement.translation, placement.rotation);
     if placement.scale != Vec3::ONE {
-        fields.push(format!("\"scale\": {}", scale(placement.scale)));
+        fields.push(format!("\"scale\": {}", scale_json(placement.scale)));
     }
     if placed.colour != Colour::DEFAULT {
         fields.push(format!("\"colour\": \"{}\"", placed.colour.to_hex()));
     }
-    if let Some(keys) = &placed.colour_keys {
-        let hex = |linear| format!("\"{}\"", Colour::nearest_to_linear(linear).to_hex());
-        fields.push(format!("\"colour_keys\": {}", key_list(keys, hex, depth)));
+    for &channel in Channel::of(Holder::Shape) {
+        if let Some(track) = placed.tracks().get(channel) {
+            fields.push(format!("\"{}\": {}", channel.field(), key_list(track, channel, depth)));
+        }
     }
 }
 
@@ -151,28 +155,19 @@ fn shape(shape: &Shape) -> String {
     format!("{{ \"{kind}\": {{ {} }} }}", fields.join(", "))
 }
 
-fn number(number: f32) -> String {
+/// A number as JSON.
+pub(super) fn number(number: f32) -> String {
     let mut text = String::new();
     push_f32(&mut text, number);
     text
 }
 
-/// One number where all axes are alike.
-fn scale(scale: Vec3) -> String {
-    if scale == Vec3::splat(scale.x) { number(scale.x) } else { numbers(&scale.to_array()) }
-}
-
-fn control(keys: &TransformKeyframes, depth: usize) -> String {
-    let vector = |value: Vec3| numbers(&value.to_array());
-    let channels = [
-        keys.translation.as_ref().map(|keys| ("translation", key_list(keys, vector, depth + 1))),
-        keys.rotation
-            .as_ref()
-            .map(|keys| ("rotation", key_list(keys, |value: Quat| numbers(&value.to_array()), depth + 1))),
-        keys.scale.as_ref().map(|keys| ("scale", key_list(keys, scale, depth + 1))),
-    ];
+fn control(tracks: &Tracks, depth: usize) -> String {
+    let lists = Channel::of(Holder::Control)
+        .iter()
+        .filter_map(|&channel| tracks.get(channel).map(|track| (channel.name(), key_list(track, channel, depth + 1))));
     let mut text = String::from("{");
-    for (place, (name, list)) in channels.into_iter().flatten().enumerate() {
+    for (place, (name, list)) in lists.enumerate() {
         if place > 0 {
             text.push(',');
         }
@@ -189,14 +184,10 @@ fn control(keys: &TransformKeyframes, depth: usize) -> String {
     text
 }
 
-/// Keys, one a line: `[seconds, value]`.
-fn key_list<V: Copy + crate::timed::Interpolate>(
-    keys: &Keyframes<V>,
-    value: impl Fn(V) -> String,
-    depth: usize,
-) -> String {
+/// The keys of a channel, one a line: `[seconds, value]`.
+fn key_list(track: &Track<Vec4>, channel: Channel, depth: usize) -> String {
     let mut text = String::from("[");
-    for (place, (seconds, key)) in keys.keys().enumerate() {
+    for (place, (seconds, key)) in track.keys().enumerate() {
         if place > 0 {
             text.push(',');
         }
@@ -204,7 +195,7 @@ fn key_list<V: Copy + crate::timed::Interpolate>(
         text.push('[');
         push_f64(&mut text, seconds);
         text.push_str(", ");
-        text.push_str(&value(key));
+        text.push_str(&channel.json(key));
         text.push(']');
     }
     push_line(&mut text, depth);

@@ -5,6 +5,7 @@ use super::error::{TextError, TextProblem, in_rows};
 use super::layout::Layout;
 use super::report::{Certainty, Finding};
 use super::structure::{Irregular, Structure, structure};
+use crate::rotation_rules::RECOGNISED;
 use crate::scene::SceneGraph;
 use crate::text::{counted, listed};
 
@@ -16,8 +17,6 @@ const MATRIX: usize = 16;
 const COURSE_NODES: usize = 22;
 /// How many nodes those have.
 const LATER_COURSE_NODES: [usize; 3] = [24, 25, 26];
-/// How far from unit length and from 0 the columns of a rotation may be.
-pub(super) const UNIT_TOLERANCE: f64 = 5e-3;
 
 /// Where the rows stand in a text.
 #[derive(Debug)]
@@ -123,7 +122,7 @@ impl Planner<'_> {
         let is_affine = [3, 7, 11].iter().all(|&place| first[place] == 0.0) && first[15] == 1.0;
         let is_unit = |column: usize| {
             let squares: f64 = first[column..column + 3].iter().map(|&number| f64::from(number).powi(2)).sum();
-            (squares.sqrt() - 1.0).abs() <= UNIT_TOLERANCE
+            (squares.sqrt() - 1.0).abs() <= RECOGNISED
         };
         if !is_affine || ![0, 4, 8].into_iter().all(is_unit) || structure.marks.divide() {
             return None;

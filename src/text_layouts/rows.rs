@@ -7,18 +7,14 @@ use super::error::{TextError, TextProblem};
 use super::joints::match_joints;
 use super::layout::{FieldOrder, Layout};
 use super::lexer::numbers;
-use super::plan::{Plan, UNIT_TOLERANCE};
+use super::plan::Plan;
 use super::report::Certainty;
 use crate::keyframe::Keyframe;
 use crate::pose::RbtIndex;
 use crate::rbt::Rbt;
+use crate::rotation_rules::{Mending, NORMALISED, RECOGNISED};
 use crate::scene::SceneGraph;
 use crate::text::counted;
-
-/// Rotations this near to unit length are kept bit for bit.
-const KEPT_TOLERANCE: f64 = 1e-6;
-/// How far from unit length a rotation may be where the order is given.
-const GIVEN_ORDER_TOLERANCE: f64 = 0.01;
 
 /// A row of the text and the byte at which it begins.
 type Row<const WIDTH: usize> = (usize, [f32; WIDTH]);
@@ -102,7 +98,11 @@ fn rbt([a, b, c, d, e, f, g]: [f32; 7], order: FieldOrder) -> Rbt {
 /// The rotation itself where it is unit, else normalised; the sign is kept.
 fn near_unit(rotation: Quat) -> Quat {
     let exact = rotation.as_dquat();
-    if (exact.length() - 1.0).abs() <= KEPT_TOLERANCE { rotation } else { exact.normalize().as_quat() }
+    match Mending::of_length(exact.length()) {
+        Mending::Keep => rotation,
+        // What is too far off was refused before.
+        Mending::Normalise | Mending::Refuse => exact.normalize().as_quat(),
+    }
 }
 
 /// A row whose four numbers are no unit quaternion.
@@ -136,7 +136,7 @@ fn field_order(
     named: Option<FieldOrder>,
     options: &Options,
 ) -> Result<FieldOrder, TextError> {
-    let tolerance = if options.order.is_some() { GIVEN_ORDER_TOLERANCE } else { UNIT_TOLERANCE };
+    let tolerance = if options.order.is_some() { NORMALISED } else { RECOGNISED };
     let not_unit = first_not_unit(bytes, plan, tolerance);
     let is_possible = not_unit.map(|row| row.is_none());
     let rows = counted(plan.keyframes * plan.nodes, "row");
@@ -203,7 +203,7 @@ fn check_matrices(bytes: &[u8], plan: &mut Plan, options: &Options) -> Result<()
 
 /// The transform of a column-major matrix, if it is rigid to within the tolerance.
 fn rigid(matrix: &[f32; 16]) -> Option<Rbt> {
-    let near = |number: f64, expected: f64| (number - expected).abs() <= UNIT_TOLERANCE;
+    let near = |number: f64, expected: f64| (number - expected).abs() <= RECOGNISED;
     let bottom = [3, 7, 11, 15].map(|place| f64::from(matrix[place]));
     if !bottom.into_iter().zip([0.0, 0.0, 0.0, 1.0]).all(|(number, expected)| near(number, expected)) {
         return None;

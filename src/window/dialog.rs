@@ -8,6 +8,7 @@ use rfd::FileDialog;
 use winit::event_loop::EventLoopProxy;
 
 use super::{Happening, now};
+use crate::storage;
 use crate::ui::PathPurpose;
 use crate::ui::words::Words;
 
@@ -27,7 +28,7 @@ pub enum Question {
 
 /// Asks the system for a path; the answer comes as [`Happening::PathChosen`].
 pub fn ask(question: Question, current: &Path, words: Words, proxy: EventLoopProxy<Happening>) {
-    let folder = current.parent().filter(|folder| folder.is_dir()).map(Path::to_owned);
+    let folder = current.parent().filter(|folder| storage::is_folder(folder)).map(Path::to_owned);
     let name = current.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
     thread::spawn(move || {
         let start = now();

@@ -1,24 +1,38 @@
 //! Python dictionaries of keys, to a scene with a control node.
 
 use glam::{Quat, Vec3};
-use inbetween::scene::{NodeKind, scene_from_json};
+use inbetween::scene::{Channel, KeyValue, SceneGraph, scene_from_json};
 use inbetween::text_layouts::{Imported, Options, import};
-use inbetween::timed::{TransformKeyframes, rotation_from_euler_degrees};
+use inbetween::timed::rotation_from_euler_degrees;
 
 use super::refusal;
 use super::samples::{PYTHON, scene};
 
+/// The scene that a text of keys becomes.
+struct Keyed(SceneGraph);
+
 #[track_caller]
-fn keys(text: &str) -> TransformKeyframes {
+fn keys(text: &str) -> Keyed {
     match import(text.as_bytes(), &scene(), &Options::default()) {
-        Ok(Imported::Scene(text, _)) => {
-            let scene = scene_from_json(&text).unwrap();
-            match &scene.node(scene.find("keyed").unwrap()).kind {
-                NodeKind::Control(keys) => keys.clone(),
-                other => panic!("{other:?}"),
-            }
-        }
+        Ok(Imported::Scene(text, _)) => Keyed(scene_from_json(&text).unwrap()),
         other => panic!("{other:?}"),
+    }
+}
+
+impl Keyed {
+    fn count(&self, channel: Channel) -> usize {
+        self.0.key_seconds(self.0.find("keyed").unwrap(), channel).len()
+    }
+
+    fn value(&self, channel: Channel, seconds: f64) -> KeyValue {
+        self.0.key_value_at(self.0.find("keyed").unwrap(), channel, seconds).unwrap()
+    }
+
+    fn rotation(&self, seconds: f64) -> Quat {
+        match self.value(Channel::Rotation, seconds) {
+            KeyValue::Rotation(rotation) => rotation,
+            other => panic!("{other:?}"),
+        }
     }
 }
 
@@ -26,29 +40,24 @@ fn keys(text: &str) -> TransformKeyframes {
 fn all_three_kinds() {
     for text in [PYTHON.to_owned(), PYTHON.replace('\n', "\r\n"), format!("\u{feff}{PYTHON}")] {
         let keys = keys(&text);
-        assert_eq!(keys.translation.as_ref().unwrap().value_at(1.0), Vec3::new(0.5, 0.5, 0.0));
-        assert_eq!(keys.translation.as_ref().unwrap().value_at(9.0), Vec3::new(0.0, -0.85, 0.0));
-        assert!(
-            keys.rotation.as_ref().unwrap().value_at(2.0).dot(rotation_from_euler_degrees([180.0, 45.0, 90.0])).abs()
-                > 0.999_999
-        );
-        assert!(
-            keys.rotation.as_ref().unwrap().value_at(3.0).dot(Quat::from_rotation_y(std::f32::consts::FRAC_PI_2)).abs()
-                > 0.999_999
-        );
-        assert_eq!(keys.rotation.as_ref().unwrap().value_at(4.0), Quat::from_xyzw(0.0, 0.0, 0.6, 0.8));
-        assert_eq!(keys.scale.as_ref().unwrap().value_at(2.0), Vec3::new(0.5, 1.0, 2.0));
-        assert_eq!(keys.scale.as_ref().unwrap().len(), 3);
+        let translation = |seconds| keys.value(Channel::Translation, seconds);
+        assert_eq!(translation(1.0), KeyValue::Translation(Vec3::new(0.5, 0.5, 0.0)));
+        assert_eq!(translation(9.0), KeyValue::Translation(Vec3::new(0.0, -0.85, 0.0)));
+        assert!(keys.rotation(2.0).dot(rotation_from_euler_degrees([180.0, 45.0, 90.0])).abs() > 0.999_999);
+        assert!(keys.rotation(3.0).dot(Quat::from_rotation_y(std::f32::consts::FRAC_PI_2)).abs() > 0.999_999);
+        assert_eq!(keys.rotation(4.0), Quat::from_xyzw(0.0, 0.0, 0.6, 0.8));
+        assert_eq!(keys.value(Channel::Scale, 2.0), KeyValue::Scale(Vec3::new(0.5, 1.0, 2.0)));
+        assert_eq!(keys.count(Channel::Scale), 3);
     }
 }
 
 #[test]
 fn a_dictionary_without_a_name_is_told_by_its_values() {
-    assert_eq!(keys("{0: vec(0, 0, 0), 2: vec(1, 1, 0)}").translation.unwrap().len(), 2);
-    assert_eq!(keys("{ 0 : 1, 2: .5, }").scale.unwrap().value_at(2.0), Vec3::splat(0.5));
-    assert_eq!(keys("{0: quaternion(), -1: quaternion(w=1)}").rotation.unwrap().len(), 2);
-    assert_eq!(keys("translate_keys={0: (0, 1, 2), 1: [0, 1, 2]}, scale_keys={}").translation.unwrap().len(), 2);
-    let radians = keys("{0: quaternion_from_axis_angle((0, 0, 2), radians=1.5707963)}").rotation.unwrap().value_at(0.0);
+    assert_eq!(keys("{0: vec(0, 0, 0), 2: vec(1, 1, 0)}").count(Channel::Translation), 2);
+    assert_eq!(keys("{ 0 : 1, 2: .5, }").value(Channel::Scale, 2.0), KeyValue::Scale(Vec3::splat(0.5)));
+    assert_eq!(keys("{0: quaternion(), -1: quaternion(w=1)}").count(Channel::Rotation), 2);
+    assert_eq!(keys("translate_keys={0: (0, 1, 2), 1: [0, 1, 2]}, scale_keys={}").count(Channel::Translation), 2);
+    let radians = keys("{0: quaternion_from_axis_angle((0, 0, 2), radians=1.5707963)}").rotation(0.0);
     assert!(radians.dot(Quat::from_rotation_z(std::f32::consts::FRAC_PI_2)) > 0.999_999);
 }
 

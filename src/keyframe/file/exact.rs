@@ -15,12 +15,8 @@ use crate::keyframe::easing::Easing;
 use crate::keyframe::list::{DURATION_RANGE, Keyframe};
 use crate::pose::Pose;
 use crate::rbt::Rbt;
+use crate::rotation_rules::Mending;
 use crate::scene::SceneGraph;
-
-/// Rotations this near to unit length are kept bit for bit.
-const UNIT_TOLERANCE: f64 = 1e-6;
-/// Rotations this near to unit length are normalised; beyond, they are errors.
-const NORMALISED_TOLERANCE: f64 = 0.01;
 
 /// A keyframe file as it stands there.
 #[derive(Deserialize)]
@@ -240,14 +236,14 @@ pub fn mend_rotation(rbt: &mut Rbt, keyframe: usize, path: &str) -> Option<Keyfr
         return not_finite("rotation");
     }
     let exact = rbt.rotation.as_dquat();
-    let off_unit = (exact.length() - 1.0).abs();
-    if off_unit > NORMALISED_TOLERANCE {
-        #[expect(clippy::cast_possible_truncation, reason = "it is for a message")]
-        let length = exact.length() as f32;
-        return Some(KeyframeFileError::NotUnit { keyframe, path: path.to_owned(), length });
-    }
-    if off_unit > UNIT_TOLERANCE {
-        rbt.rotation = exact.normalize().as_quat();
+    match Mending::of_length(exact.length()) {
+        Mending::Keep => {}
+        Mending::Normalise => rbt.rotation = exact.normalize().as_quat(),
+        Mending::Refuse => {
+            #[expect(clippy::cast_possible_truncation, reason = "it is for a message")]
+            let length = exact.length() as f32;
+            return Some(KeyframeFileError::NotUnit { keyframe, path: path.to_owned(), length });
+        }
     }
     None
 }

@@ -2,6 +2,8 @@
 
 use thiserror::Error;
 
+use crate::interpolation::Interpolation;
+
 /// A file can be wrong in each of its numbers: after so many problems the rest are only counted.
 const MOST_PROBLEMS: usize = 100;
 
@@ -27,7 +29,7 @@ pub enum KeyframeFileError {
         found: u64,
     },
     /// `interpolation` is unknown.
-    #[error("interpolation is {found:?}, expected \"linear\" or \"catmull-rom\"")]
+    #[error("interpolation is {found:?}, expected {}", Interpolation::names_quoted())]
     Interpolation {
         /// What the file says.
         found: String,

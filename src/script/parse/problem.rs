@@ -3,6 +3,7 @@
 use thiserror::Error;
 
 use super::forms::names_sentence;
+use crate::scene::Channel;
 
 /// A line that cannot be understood.
 #[derive(Clone, Debug, Error, PartialEq)]
@@ -77,7 +78,7 @@ pub enum LineProblem {
         word: String,
     },
     /// Nothing of that name has keys at their own times.
-    #[error("{word:?} has no keys; expected translation, rotation, scale or colour")]
+    #[error("{word:?} has no keys; expected {}", Channel::names())]
     Channel {
         /// What stands there.
         word: String,

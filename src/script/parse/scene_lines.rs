@@ -3,14 +3,11 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use glam::{Quat, Vec3};
-
 use super::forms::{Form, Rest, form, with_path};
 use super::{Action, LineProblem, Parser};
 use crate::colour::Colour;
 use crate::editor::{Command, Edit, FileCommand, KeyAt, SceneEdit, ViewCommand};
 use crate::scene::{Channel, KeyValue};
-use crate::timed::rotation_from_euler_degrees;
 
 type Parsed<T> = Result<T, LineProblem>;
 
@@ -113,26 +110,8 @@ fn seconds(word: &str) -> Parsed<f64> {
     seconds.ok_or_else(|| LineProblem::Number { word: word.to_owned() })
 }
 
-/// The value of a key: numbers with commas between them, or six hexadecimal digits.
+/// The value of a key.
 fn value(channel: Channel, word: &str) -> Parsed<KeyValue> {
-    let numbers: Option<Vec<f32>> = word.split(',').map(|number| number.parse().ok()).collect();
-    let numbers = numbers.unwrap_or_default();
-    let value = match (channel, numbers.as_slice()) {
-        (Channel::Translation, &[x, y, z]) => Some(KeyValue::Translation(Vec3::new(x, y, z))),
-        (Channel::Rotation, &[yaw, pitch, roll]) => {
-            Some(KeyValue::Rotation(rotation_from_euler_degrees([yaw, pitch, roll]).normalize()))
-        }
-        (Channel::Rotation, &[x, y, z, w]) => Some(KeyValue::Rotation(Quat::from_xyzw(x, y, z, w))),
-        (Channel::Scale, &[scale]) => Some(KeyValue::Scale(Vec3::splat(scale))),
-        (Channel::Scale, &[x, y, z]) => Some(KeyValue::Scale(Vec3::new(x, y, z))),
-        (Channel::Colour, _) => Colour::from_hex(&format!("#{word}")).map(KeyValue::Colour),
-        _ => None,
-    };
-    let expected = match channel {
-        Channel::Translation => "x,y,z",
-        Channel::Rotation => "yaw,pitch,roll in degrees, or a unit quaternion x,y,z,w",
-        Channel::Scale => "one number, or x,y,z",
-        Channel::Colour => "rrggbb",
-    };
-    value.ok_or_else(|| LineProblem::Value { word: word.to_owned(), channel: channel.name(), expected })
+    let wrong = || LineProblem::Value { word: word.to_owned(), channel: channel.name(), expected: channel.expected() };
+    channel.parse(word).ok_or_else(wrong)
 }

@@ -2,10 +2,8 @@
 
 use glam::{Quat, Vec3};
 
+use crate::rotation_rules::Mending;
 use crate::timed::rotation_from_euler_degrees;
-
-/// How far from unit length a quaternion may be.
-const UNIT_TOLERANCE: f32 = 0.01;
 
 /// All of them.
 pub(super) const FUNCTIONS: [&str; 4] = ["vec", "quaternion", "quaternion_from_euler", "quaternion_from_axis_angle"];
@@ -86,7 +84,7 @@ fn quaternion(arguments: &Arguments<'_>) -> Option<Term> {
         _ => [component(0, "x")?, component(1, "y")?, component(2, "z")?, component(3, "w")?],
     };
     let rotation = Quat::from_xyzw(x, y, z, w);
-    ((rotation.length() - 1.0).abs() <= UNIT_TOLERANCE).then(|| Term::Rotation(rotation.normalize()))
+    (Mending::of_length(rotation.length().into()) != Mending::Refuse).then(|| Term::Rotation(rotation.normalize()))
 }
 
 fn from_euler(arguments: &Arguments<'_>) -> Option<Term> {

@@ -14,7 +14,7 @@ use super::key_view::{KeyHit, KeyView, playhead};
 use super::keys::{Keys, add, pick, scene};
 use super::rows::Subject;
 use crate::colour::Colour;
-use crate::editor::{Command, Edit, Editor, GestureCommand, KeyAt, SceneEdit, TimelineEdit, Track, ViewCommand};
+use crate::editor::{Command, Edit, Editor, GestureCommand, KeyAt, SceneEdit, TimelineEdit, TrackPath, ViewCommand};
 use crate::scene::{Channel, KeyValue, NodeId, NodeKind};
 use crate::ui::angles::{degrees_from_rotation, rotation_from_degrees};
 use crate::ui::icons::was_pressed;
@@ -253,7 +253,7 @@ fn of_row(ui: &mut Ui, menu: &mut Menu, view: &KeyView<'_>, row: usize, commands
     }
     if let Subject::Control = menu.subject {
         let tracks = view.tracks(row);
-        for Track { node, channel } in tracks {
+        for TrackPath { node, channel } in tracks {
             let label = words.fill("Add a key: {}", &[channel_name(words, channel)]);
             if item(ui, &label, "", is_still) {
                 let key = KeyAt::new(&node, channel, menu.seconds);
@@ -319,7 +319,8 @@ pub fn of_rbt(response: &Response, editor: &Editor, id: NodeId, commands: &mut V
         }
         let shapes = graph.nodes_with_ids().filter(|(_, node)| {
             let hangs_here = node.parent == Some(id);
-            hangs_here && matches!(&node.kind, NodeKind::Shape(placed) if placed.colour_keys.is_none())
+            hangs_here
+                && matches!(&node.kind, NodeKind::Shape(placed) if placed.tracks().get(Channel::Colour).is_none())
         });
         for (_, node) in shapes {
             if item(ui, &words.fill("Key the colour of {}", &[&node.name]), "", is_still) {

@@ -7,7 +7,7 @@ use egui::Pos2;
 use super::drag::SNAP;
 use super::hit::{RADIUS, Target};
 use super::rows::{Row, has_key_rows};
-use crate::editor::{Command, Editor, KeyAt, Track, ViewCommand};
+use crate::editor::{Command, Editor, KeyAt, TrackPath, ViewCommand};
 
 /// What is at a point of a row of keys.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -103,11 +103,11 @@ impl KeyView<'_> {
     }
 
     /// The channels whose keys stand in a row.
-    pub fn tracks(&self, row: usize) -> Vec<Track> {
+    pub fn tracks(&self, row: usize) -> Vec<TrackPath> {
         let scene = self.editor.scene();
         let row = &self.rows[row];
         let node: Arc<str> = scene.node(row.node).path.as_str().into();
-        row.channels(scene).iter().map(|&channel| Track { node: Arc::clone(&node), channel }).collect()
+        row.channels(scene).iter().map(|&channel| TrackPath { node: Arc::clone(&node), channel }).collect()
     }
 
     /// The times of all keys of a row in seconds, a list for each channel.

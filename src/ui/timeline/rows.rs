@@ -116,7 +116,7 @@ fn has_row(scene: &SceneGraph, node: &Node) -> bool {
         NodeKind::Rbt(_) | NodeKind::Control(_) => true,
         NodeKind::Shape(placed) => {
             let hangs_on = node.parent.map(|parent| &scene.node(parent).kind);
-            placed.colour_keys.is_some() || matches!(hangs_on, Some(NodeKind::Control(_)))
+            placed.tracks().get(Channel::Colour).is_some() || matches!(hangs_on, Some(NodeKind::Control(_)))
         }
     }
 }
