@@ -3,9 +3,9 @@
 //! [`Command`]s go in through [`Editor::apply`], ticks through [`Editor::tick`]; what the shell must do comes out as [`Effect`]s, and
 //! its outcome comes back as text. The editor knows no window, no GPU, no file system and no clock, so it cannot fail because of them.
 
-mod applicable;
 mod apply;
 mod command;
+pub mod commands;
 mod document;
 mod error;
 mod export;

@@ -5,7 +5,7 @@
 //! ```text
 //! winit event ─ window::input ─┐
 //! egui widgets ─ ui ───────────┼─► Command ─► Editor::apply ─► Result<Vec<Effect>, CommandError>
-//! script lines ─ cli::script ──┘                    │               └► the shell performs: read, write, quit
+//! script lines ─ script ───────┘                    │               └► the shell performs: read, write, quit
 //! wall time ─ AnimationClock ─► n ticks ─► Editor::tick(n)
 //!                                                   ▼ (shared borrow from here on)
 //!                       Editor::displayed_pose() ─► Pose ─► Frame::of_editor
@@ -30,7 +30,7 @@
 //! | 1 | [`timed`], [`pose`], [`blend`], [`scene`], [`camera`] | serde, in file formats |
 //! | 2 | [`keyframe`], [`clock`], [`settings`], [`text_layouts`] | serde, in file formats; `Duration`, never `Instant` |
 //! | 3 | [`editor`], [`diagnosis`], [`difference`] | no wgpu, egui, winit, file system |
-//! | 4 | [`frame`] | |
+//! | 4 | [`frame`], [`script`] | |
 //! | 5 | [`render`], [`ui`] | wgpu; egui |
 //! | 6 | [`compare`], [`film`] | pictures in, numbers and bytes out |
 //! | 6 | [`storage`] | the file system |
@@ -89,6 +89,7 @@ pub mod pose;
 pub mod rbt;
 pub mod render;
 pub mod scene;
+pub mod script;
 pub mod settings;
 pub mod storage;
 pub mod text_layouts;

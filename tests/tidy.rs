@@ -122,6 +122,7 @@ const ROOMS: &[(&str, u8, &[&str])] = &[
     ("diagnosis", 3, &[]),
     ("difference", 3, &[]),
     ("frame", 4, &[]),
+    ("script", 4, &[]),
     ("render", 5, &[]),
     ("ui", 5, &[]),
     ("compare", 6, &[]),

@@ -1,6 +1,5 @@
 //! `inbetween script`: hotkeys and gestures out of a text file, through the same door as the window's.
 
-pub(super) mod parse;
 mod run;
 pub(super) mod trace;
 
@@ -13,13 +12,14 @@ use super::scene;
 use crate::editor::Command;
 use crate::export::Painter;
 use crate::scene::SceneGraph;
+use crate::script::{self, Action, Line};
 use crate::storage;
 
 /// The largest script that is read: 16 MiB.
 const LARGEST_SCRIPT_BYTES: u64 = 16 << 20;
 
 /// The lines that a script can have, as Markdown for the README.
-pub use parse::markdown as script_lines;
+pub use crate::script::markdown as script_lines;
 
 /// What a script's lines ask of the editor, in order; times that they wait are left out.
 ///
@@ -27,10 +27,10 @@ pub use parse::markdown as script_lines;
 /// What is wrong with each line that cannot be understood: `line 3: "jump" is not a command; …`.
 pub fn script_commands(bytes: &[u8], scene: &SceneGraph) -> Result<Vec<Command>, Vec<String>> {
     let lines =
-        parse::parse(bytes, scene).map_err(|problems| problems.iter().map(ToString::to_string).collect::<Vec<_>>())?;
+        script::parse(bytes, scene).map_err(|problems| problems.iter().map(ToString::to_string).collect::<Vec<_>>())?;
     let commands = lines.into_iter().filter_map(|line| match line.action {
-        parse::Action::Apply(command) => Some(command),
-        parse::Action::Wait(_) => None,
+        Action::Apply(command) => Some(command),
+        Action::Wait(_) => None,
     });
     Ok(commands.collect())
 }
@@ -43,14 +43,11 @@ pub fn run(arguments: &ScriptArguments, named_scene: Option<&Path>) -> Result<()
     let scene = scene::load(named_scene)?;
     let (place, bytes) = read(&arguments.file);
     let bytes = bytes.map_err(|error| CliError::bad_input(&place, error))?;
-    let lines = parse::parse(&bytes, &scene).map_err(|problems| CliError::BadInput {
+    let lines = script::parse(&bytes, &scene).map_err(|problems| CliError::BadInput {
         sentences: problems.iter().map(|problem| format!("{place}: {problem}")).collect(),
     })?;
-    let painter = if lines.iter().any(parse::Line::takes_screenshot) {
-        Some(Painter::headless(arguments.size, None)?)
-    } else {
-        None
-    };
+    let painter =
+        if lines.iter().any(Line::takes_screenshot) { Some(Painter::headless(arguments.size, None)?) } else { None };
     let editor = scene::editor_of(scene, named_scene, arguments.keyframes.clone());
     let trace = arguments.trace.then(trace::Trace::new);
     let editor = run::Runner::new(editor, painter, trace).run(&lines)?;

@@ -12,21 +12,16 @@ impl Editor {
     pub(super) fn file(&mut self, command: FileCommand) -> Result<(String, Vec<Effect>), CommandError> {
         let effect = match command {
             FileCommand::Import => {
-                self.refuse_while_playing("import")?;
                 self.commit_gesture();
                 Effect::ReadKeyframes { path: self.path.clone() }
             }
             FileCommand::Open(path) => {
-                self.refuse_while_playing("open a file")?;
                 self.commit_gesture();
                 Effect::ReadKeyframes { path }
             }
             FileCommand::Write => self.write_effect(self.path.clone()),
             FileCommand::SaveAs(path) => self.write_effect(path),
-            FileCommand::ChooseOpen => {
-                self.refuse_while_playing("open a file")?;
-                Effect::ChooseOpen
-            }
+            FileCommand::ChooseOpen => Effect::ChooseOpen,
             FileCommand::ChooseSaveAs => Effect::ChooseSaveAs,
             FileCommand::WriteScene => match self.scene_path.clone() {
                 Some(path) => self.write_scene_effect(path),

@@ -11,12 +11,12 @@ use std::time::Duration;
 use serde_json::Value;
 
 use crate::cli::arguments::DEFAULT_KEYFRAME_FILE;
-use crate::cli::script::parse::{self, Action, Line};
 use crate::cli::script::trace::line_json;
 use crate::clock::AnimationClock;
 use crate::editor::{Command, Editor, Effect};
 use crate::keyframe::keyframes_to_json;
 use crate::scene::SceneGraph;
+use crate::script::{self, Action, Line};
 
 /// The most lines of a script that is run while grading.
 pub const MOST_LINES: usize = 2_000;
@@ -32,8 +32,8 @@ const MOST_WRITTEN_BYTES: usize = 32 << 20;
 /// # Errors
 /// The first line that makes no sense, or the bound that is hit.
 pub fn parse(bytes: &[u8], scene: &SceneGraph) -> Result<Vec<Line>, String> {
-    let lines =
-        parse::parse(bytes, scene).map_err(|problems| problems.first().map(ToString::to_string).unwrap_or_default())?;
+    let lines = script::parse(bytes, scene)
+        .map_err(|problems| problems.first().map(ToString::to_string).unwrap_or_default())?;
     if lines.len() > MOST_LINES {
         return Err(format!("{} commands, and at most {MOST_LINES} are run", lines.len()));
     }

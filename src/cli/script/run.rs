@@ -5,7 +5,6 @@
 
 use std::path::Path;
 
-use super::parse::{Action, Line};
 use super::trace::Trace;
 use crate::cli::CliError;
 use crate::clock::AnimationClock;
@@ -13,6 +12,7 @@ use crate::editor::{Command, Editor, Effect};
 use crate::export::Painter;
 use crate::frame::Frame;
 use crate::keyframe::LARGEST_FILE_BYTES;
+use crate::script::{Action, Line};
 use crate::storage;
 
 /// An editor with what its effects need.

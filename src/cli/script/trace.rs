@@ -3,10 +3,10 @@
 use std::fmt::Write as _;
 use std::io::{self, BufWriter, StdoutLock, Write as _};
 
-use super::parse::Line;
 use crate::cli::CliError;
 use crate::cli::output::{push_paths, push_pose, push_quoted, standard_output};
 use crate::editor::Editor;
+use crate::script::Line;
 
 /// The trace on standard output. Where its reader leaves, the script goes on without.
 pub struct Trace {
