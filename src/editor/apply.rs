@@ -57,7 +57,7 @@ impl Editor {
             Command::Edit(edit) => silent(self.edit(edit, row)),
             Command::Playback(playback) => silent(self.play(playback)),
             Command::View(view) => silent(self.view(view)),
-            Command::File(file) => self.file(file),
+            Command::File(file) => Ok((String::new(), vec![self.file(file)])),
             Command::Gesture(gesture) => silent(self.gesture(gesture)),
             Command::Undo => silent(self.undo()),
             Command::Redo => silent(self.redo()),

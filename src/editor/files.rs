@@ -9,8 +9,8 @@ use crate::scene::scene_to_json;
 use crate::text_layouts::{ImportError, Imported, Options, import};
 
 impl Editor {
-    pub(super) fn file(&mut self, command: FileCommand) -> Result<(String, Vec<Effect>), CommandError> {
-        let effect = match command {
+    pub(super) fn file(&mut self, command: FileCommand) -> Effect {
+        match command {
             FileCommand::Import => {
                 self.commit_gesture();
                 Effect::ReadKeyframes { path: self.path.clone() }
@@ -34,8 +34,7 @@ impl Editor {
             FileCommand::CancelExport => Effect::CancelExport,
             FileCommand::ChooseExport { proposed, is_folder } => Effect::ChooseExport { proposed, is_folder },
             FileCommand::Quit => Effect::Quit,
-        };
-        Ok((String::new(), vec![effect]))
+        }
     }
 
     fn write_effect(&mut self, path: PathBuf) -> Effect {

@@ -40,7 +40,7 @@ fn edit_with(id: &'static str, owns: fn(&Command) -> bool) -> Row {
 }
 
 pub(super) fn rows() -> Vec<Row> {
-    [selection(), edits(), parameters(), window(), poses()].concat()
+    [selection(), edits(), intervals(), nodes(), window(), poses()].concat()
 }
 
 fn selection() -> Vec<Row> {
@@ -138,7 +138,7 @@ fn edits() -> Vec<Row> {
     ]
 }
 
-fn parameters() -> Vec<Row> {
+fn intervals() -> Vec<Row> {
     vec![
         edit_with("easing", |command| matches!(edit_of(command), Some(TimelineEdit::SetEasing(_)))).line(Line::new(
             "easing NAME",
@@ -198,6 +198,12 @@ fn parameters() -> Vec<Row> {
                     Some(format!("{} {}{end}", keyframe.get(), number_text(duration)))
                 },
             )),
+    ]
+}
+
+/// Changes of a node in a keyframe of the list.
+fn nodes() -> Vec<Row> {
+    vec![
         edit_with("set-keyframe-translation", |command| {
             matches!(edit_of(command), Some(TimelineEdit::SetTranslationInKeyframe(..)))
         })

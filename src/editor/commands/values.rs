@@ -139,7 +139,7 @@ pub(super) fn keyframes_text(indices: &[KeyframeIndex]) -> String {
     for index in indices.iter().map(|index| index.get()) {
         match runs.last_mut() {
             Some((first, last)) if last.checked_add(1) == Some(index) && index - *first < LONGEST_RANGE => {
-                *last = index
+                *last = index;
             }
             _ => runs.push((index, index)),
         }
