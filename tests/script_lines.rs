@@ -270,6 +270,22 @@ fn many_keys_are_edited_by_a_line() {
 }
 
 #[test]
+fn the_ends_of_the_list_are_a_command_away() {
+    let mut editor = editor_with(4);
+    for (line, expected) in [
+        ("do keyframe-first", "[0] 1 2 3 | 0"),
+        ("do keyframe-first", "[0] 1 2 3 | 0"),
+        ("do Last keyframe", "0 1 2 [3] | 3"),
+    ] {
+        run(&mut editor, line);
+        assert_eq!(shown(&editor), expected, "{line}");
+    }
+    let mut empty = editor_with(0);
+    run(&mut empty, "do keyframe-last");
+    assert_eq!(empty.message().text, "No keyframe is defined yet. Press n to create one.");
+}
+
+#[test]
 fn files_are_named_bare_or_in_double_quotes() {
     for (line, name) in [
         ("save-as my walk.json # note", "my walk.json"),

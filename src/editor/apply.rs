@@ -112,6 +112,8 @@ impl Editor {
             Edit::CreateKeyframe => Ok(self.create_keyframe()),
             Edit::GoToNext => self.step(1),
             Edit::GoToPrevious => self.step(-1),
+            Edit::GoToFirst => self.go_to_end(true),
+            Edit::GoToLast => self.go_to_end(false),
             Edit::GoTo(index) => self.go_to(index),
             Edit::DeleteCurrent => self.delete_current(),
             Edit::ResetPose => {
@@ -235,6 +237,11 @@ impl Editor {
             None if by > 0 => Ok(format!("Keyframe {} is the last one.", current.get())),
             None => Ok(format!("Keyframe {} is the first one.", current.get())),
         }
+    }
+
+    fn go_to_end(&mut self, is_first: bool) -> Outcome {
+        let last = self.document.keyframes.last().ok_or_else(|| self.no_keyframe())?;
+        self.go_to(if is_first { KeyframeIndex::new(0) } else { last })
     }
 
     fn go_to(&mut self, index: KeyframeIndex) -> Outcome {

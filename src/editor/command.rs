@@ -88,6 +88,10 @@ pub enum Edit {
     GoToNext,
     /// Makes the previous keyframe current and copies it to the scene.
     GoToPrevious,
+    /// Makes the first keyframe current and copies it to the scene.
+    GoToFirst,
+    /// Makes the last keyframe current and copies it to the scene.
+    GoToLast,
     /// Makes a keyframe current and copies it to the scene.
     GoTo(KeyframeIndex),
     /// Deletes the current keyframe.

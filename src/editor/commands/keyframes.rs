@@ -13,6 +13,14 @@ fn has_keyframes(editor: &Editor, _: &Command) -> bool {
     !editor.document.keyframes.is_empty()
 }
 
+fn is_after_first(editor: &Editor, _: &Command) -> bool {
+    editor.document.keyframes.current().is_some_and(|current| current.get() > 0)
+}
+
+fn is_before_last(editor: &Editor, _: &Command) -> bool {
+    editor.document.keyframes.current() != editor.document.keyframes.last()
+}
+
 pub(super) fn rows() -> Vec<Row> {
     let stepping = |id, edit, name, help, keys: &[&str]| {
         let binding = Binding::new(Group::Keyframes, id, Command::Edit(edit), name, help).repeating_hotkeys(keys);
@@ -43,7 +51,7 @@ pub(super) fn rows() -> Vec<Row> {
             "Go to the next keyframe and copy it to the scene",
             &[">", "."],
         )
-        .can(|editor, _| editor.document.keyframes.current() != editor.document.keyframes.last()),
+        .can(is_before_last),
         stepping(
             "keyframe-previous",
             Edit::GoToPrevious,
@@ -51,7 +59,25 @@ pub(super) fn rows() -> Vec<Row> {
             "Go to the previous keyframe and copy it to the scene",
             &["<", ","],
         )
-        .can(|editor, _| editor.document.keyframes.current().is_some_and(|current| current.get() > 0)),
+        .can(is_after_first),
+        listed(
+            "keyframe-first",
+            Edit::GoToFirst,
+            "First keyframe",
+            "Go to the first keyframe and copy it to the scene",
+            &[],
+        )
+        .refused("go to another keyframe")
+        .can(is_after_first),
+        listed(
+            "keyframe-last",
+            Edit::GoToLast,
+            "Last keyframe",
+            "Go to the last keyframe and copy it to the scene",
+            &[],
+        )
+        .refused("go to another keyframe")
+        .can(is_before_last),
         Row::of(Changes::Document, "go", |command| matches!(command, Command::Edit(Edit::GoTo(_))))
             .refused("go to another keyframe")
             .can(|editor, command| {
