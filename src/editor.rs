@@ -3,9 +3,9 @@
 //! [`Command`]s go in through [`Editor::apply`], ticks through [`Editor::tick`]; what is to be done outside comes out as an [`Effect`],
 //! which a [`Host`] performs. The editor knows no window, no GPU, no file system and no clock, so it cannot fail because of them.
 
-mod applicable;
 mod apply;
 mod command;
+pub mod commands;
 mod document;
 mod error;
 mod export;

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 pub use list::{LIST_NAME, Shot, read_list};
 
 use crate::compare::{CompareError, Comparison, compare};
-use crate::export::{Animation, ExportError, Moment, Painter, Size, Source, Stage, Viewpoint};
+use crate::export::{Animation, ErrorKind, Moment, Painter, Size, Source, Stage, Viewpoint};
 use crate::files::{self, FileError, LARGEST_IMAGE_BYTES, WorkError, scene};
 use crate::render::Image;
 use crate::storage;
@@ -170,7 +170,9 @@ impl<'a> References<'a> {
 fn in_list(shot: &Shot, error: WorkError) -> WorkError {
     let error = match error {
         WorkError::File(error) => error,
-        WorkError::Export(ExportError::BadInput { place, problem }) => FileError::new(place, problem),
+        WorkError::Export(error) if error.kind() == ErrorKind::Input => {
+            FileError::of_sentences(vec![error.to_string()])
+        }
         other @ WorkError::Export(_) => return other,
     };
     error.within(format_args!("picture \"{}\"", shot.name)).into()

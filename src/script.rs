@@ -1,16 +1,25 @@
-//! Scripts: hotkeys and gestures as text, through the same commands as the window's.
+//! Scripts: hotkeys, gestures and commands as text, through the same door as the window's.
 //!
-//! [`parse`] reads a whole script before any of it runs; [`Runner`] runs its lines against an editor without a window; [`TraceLine`]
-//! says what a line did.
+//! [`parse()`] reads a whole script before any of it runs, [`print()`] writes a command as a line that reads back to it, [`Runner`] runs
+//! lines against an editor without a window, and [`TraceLine`] says what a line did.
+//!
+//! The lines of commands stand in their rows of the table of commands ([`crate::editor::commands`]). A few lines are the script's own:
+//! `key`, `do`, `clamped` and `wait`.
 
 mod disk;
-pub mod parse;
+mod parse;
+mod print;
+mod problem;
 mod run;
+mod table;
 mod trace;
 
 pub use disk::{Disk, DiskStop};
-pub use parse::{Action, Line, markdown as script_lines};
+pub use parse::{Action, Line, parse};
+pub use print::print;
+pub use problem::{LineProblem, ScriptError};
 pub use run::{NoWindow, Runner, Step, Windowless};
+pub use table::{help, markdown};
 pub use trace::{State, TraceLine, state_json};
 
 use crate::editor::Command;
@@ -21,8 +30,7 @@ use crate::scene::SceneGraph;
 /// # Errors
 /// What is wrong with each line that cannot be understood: `line 3: "jump" is not a command; …`.
 pub fn script_commands(bytes: &[u8], scene: &SceneGraph) -> Result<Vec<Command>, Vec<String>> {
-    let lines =
-        parse::parse(bytes, scene).map_err(|problems| problems.iter().map(ToString::to_string).collect::<Vec<_>>())?;
+    let lines = parse(bytes, scene).map_err(|problems| problems.iter().map(ToString::to_string).collect::<Vec<_>>())?;
     let commands = lines.into_iter().filter_map(|line| match line.action {
         Action::Apply(command) => Some(command),
         Action::Wait(_) => None,

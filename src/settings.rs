@@ -78,7 +78,8 @@ impl Language {
 /// The settings.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
-    /// The keys of bindings that have others than the table's: the binding's name, and its chords as people write them.
+    /// The keys of bindings that have others than the table's: the binding's id, and its chords as people write them.
+    /// Older files have English names in place of ids.
     pub keys: BTreeMap<String, Vec<String>>,
     /// Which colours show.
     pub theme: ThemeChoice,
@@ -265,7 +266,7 @@ mod tests {
     #[test]
     fn what_is_written_is_read() {
         let mut settings = Settings { theme: ThemeChoice::Light, language: Language::Korean, ..Settings::default() };
-        settings.keys.insert("New keyframe".to_owned(), vec!["Ctrl+K".to_owned(), "n".to_owned()]);
+        settings.keys.insert("keyframe-new".to_owned(), vec!["Ctrl+K".to_owned(), "n".to_owned()]);
         settings.scale_percent = 125;
         settings.used(Path::new("folder/걷기.json"));
         assert!(settings.resized("side", 300.2));

@@ -31,6 +31,7 @@ use std::path::{Path, PathBuf};
 
 use egui::{CentralPanel, Frame, Margin, Panel, Rect, ScrollArea};
 
+use crate::editor::commands::WindowState;
 use crate::editor::keymap::{Binding, Keymap};
 use crate::editor::{Command, Editor, FileCommand};
 use crate::film::ExportOptions;
@@ -209,9 +210,9 @@ impl Ui {
         let plain = |fill, x, y| Frame::new().fill(fill).inner_margin(Margin::symmetric(x, y));
         let is_exporting = self.exporting.is_some();
         let shown = Shown { editor, keymap: &self.keymap, settings: &self.settings, is_exporting };
-        let on = menu::On { messages: self.log.is_shown(), statistics: self.statistics.is_some() };
+        let state = WindowState { messages: self.log.is_shown(), statistics: self.statistics.is_some() };
         Panel::top("menu bar").exact_size(theme::MENU_BAR).frame(plain(tokens.panel, 4, 1)).show(ui, |ui| {
-            menu::show(ui, shown, on, commands);
+            menu::show(ui, shown, state, commands);
         });
         Panel::bottom("status").exact_size(theme::STATUS).frame(plain(tokens.panel, 8, 2)).show(ui, |ui| {
             status::show(ui, editor, self.statistics.as_ref());

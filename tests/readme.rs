@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use inbetween::editor::keymap;
 use inbetween::scene::scene_from_json;
-use inbetween::script::script_lines;
+use inbetween::script::markdown as script_lines;
 
 fn path() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("README.md")

@@ -3,11 +3,12 @@
 mod common;
 
 use std::collections::BTreeSet;
+use std::path::Path;
 
 use common::{apply, editor_with, press, shown};
-use inbetween::editor::{Editor, PlayMode, Session};
+use inbetween::editor::{Editor, Effect, PlayMode, Session};
 use inbetween::keyframe::keyframes_to_json;
-use inbetween::script::{script_commands, script_lines};
+use inbetween::script::{markdown as script_lines, script_commands};
 
 fn run(editor: &mut Editor, script: &str) {
     let commands = script_commands(script.as_bytes(), editor.scene()).unwrap_or_else(|problems| panic!("{problems:?}"));
@@ -72,6 +73,10 @@ const EDITS: &[(&str, &str, &str, &str)] = &[
         "0 1 2 3 4 [8] | 8",
         "Keyframe 5 (0 to 5): updated by auto-key.",
     ),
+    ("select robot1", "rotate-by 0 0 1 0.5", "0 1 2 3 4 [5] | 5", ""),
+    ("select robot1", "wheel-by 1 0 0 0 0 0 1", "0 1 2 3 4 [5] | 6", ""),
+    ("select robot1", "drag begin\ndrag-by 1 0 0 0 0 0 1\ndrag end", "0 1 2 3 4 [5] | 6", ""),
+    ("", "clamped ms 7", "0 1 2 3 4 [5] | 5", "100 ms between keyframes."),
     ("scrub 1.5", "key n", "0 1 2 [2.5] 3 4 5 | 2.5", "Keyframe 3 (0 to 6): created after keyframe 2."),
     ("scrub 1.5", "key u", "0 1 2 3 4 [2.5] | 2.5", "Keyframe 5 (0 to 5): updated from the scene."),
 ];
@@ -221,7 +226,7 @@ fn refusals_are_sentences() {
 }
 
 /// What is tested elsewhere: times that are waited, pictures, and undo itself.
-const ELSEWHERE: [&str; 13] = [
+const ELSEWHERE: [&str; 19] = [
     "wait",
     "screenshot",
     "undo",
@@ -236,7 +241,67 @@ const ELSEWHERE: [&str; 13] = [
     "delete-key",
     "seconds",
     "save-scene",
+    // Below.
+    "add-keys",
+    "move-keys",
+    "delete-keys",
+    "select-keys",
+    "open",
+    "save-as",
 ];
+
+#[test]
+fn many_keys_are_edited_by_a_line() {
+    let mut editor = editor_with(0);
+    let seconds =
+        |editor: &Editor| -> Vec<f64> { editor.session().selected_keys.iter().map(|key| key.seconds).collect() };
+    run(&mut editor, "put-control robot1\nadd-keys translation 1 robot1_control scale 2 \"robot1_control\" # two");
+    assert_eq!((seconds(&editor), editor.message().text.as_str()), (vec![1.0, 2.0], "2 keys at 1.000 s."));
+    run(&mut editor, "move-keys 0.5 translation 1 robot1_control scale 2 robot1_control");
+    assert_eq!((seconds(&editor), editor.message().text.as_str()), (vec![1.5, 2.5], "Moved 2 keys by 0.500 s."));
+    run(&mut editor, "select-keys scale 2.5 robot1_control");
+    assert_eq!(seconds(&editor), [2.5]);
+    run(&mut editor, "select-keys none");
+    assert_eq!(seconds(&editor), [0.0; 0]);
+    run(&mut editor, "delete-keys translation 1.5 robot1_control scale 2.5 robot1_control");
+    assert_eq!(editor.message().text, "Deleted 2 keys.");
+    run(&mut editor, "undo\nundo\nundo\nundo");
+    assert!(!editor.has_unsaved_scene());
+}
+
+#[test]
+fn the_ends_of_the_list_are_a_command_away() {
+    let mut editor = editor_with(4);
+    for (line, expected) in [
+        ("do keyframe-first", "[0] 1 2 3 | 0"),
+        ("do keyframe-first", "[0] 1 2 3 | 0"),
+        ("do Last keyframe", "0 1 2 [3] | 3"),
+    ] {
+        run(&mut editor, line);
+        assert_eq!(shown(&editor), expected, "{line}");
+    }
+    let mut empty = editor_with(0);
+    run(&mut empty, "do keyframe-last");
+    assert_eq!(empty.message().text, "No keyframe is defined yet. Press n to create one.");
+}
+
+#[test]
+fn files_are_named_bare_or_in_double_quotes() {
+    for (line, name) in [
+        ("save-as my walk.json # note", "my walk.json"),
+        ("save-as \"take #2.json\" # note", "take #2.json"),
+        ("save-as say \"a#b\"", "say \"a"),
+    ] {
+        let mut editor = editor_with(2);
+        let [command] = script_commands(line.as_bytes(), editor.scene()).unwrap().try_into().unwrap();
+        let effects = apply(&mut editor, command);
+        assert!(matches!(effects, Some(Effect::WriteKeyframes { path, .. }) if path == Path::new(name)), "{line}");
+    }
+    let mut editor = editor_with(2);
+    let [command] = script_commands(b"open walk.json", editor.scene()).unwrap().try_into().unwrap();
+    let effects = apply(&mut editor, command);
+    assert!(matches!(effects, Some(Effect::ReadKeyframes { path }) if path == Path::new("walk.json")));
+}
 
 #[test]
 fn every_line_of_the_table_is_tested() {
@@ -261,10 +326,10 @@ fn every_line_of_the_table_is_tested() {
 fn sentences_name_the_keys_in_force() {
     use inbetween::editor::keymap::{Chord, Keymap};
     let mut keymap = Keymap::default();
-    for (name, key) in [("New keyframe", "k"), ("Play or stop", "F5"), ("Pause or go on", "F6")] {
-        keymap.set(name, vec![Chord::parse(key).unwrap()]).unwrap();
+    for (id, key) in [("keyframe-new", "k"), ("play-or-stop", "F5"), ("pause-or-resume", "F6")] {
+        keymap.set(id, vec![Chord::parse(key).unwrap()]).unwrap();
     }
-    keymap.set("Copy keyframes", vec![]).unwrap();
+    keymap.set("keyframes-copy", vec![]).unwrap();
     let mut editor = editor_with(0);
     editor.set_keymap(keymap.clone());
     run(&mut editor, "scrub 1");

@@ -58,7 +58,7 @@ pub enum Subcommand {
     /// Compare two PNG images by what an eye would notice (FLIP). Exit status: 0 within the tolerance, 1 beyond, 2 trouble.
     Compare(CompareArguments),
     /// Run a script of hotkeys and gestures with no window.
-    #[command(long_about = SCRIPT_HELP)]
+    #[command(long_about = script_help())]
     Script(ScriptArguments),
     /// Name the mistake that explains what a program showed, from samples of its playback.
     #[command(long_about = DIAGNOSE_HELP)]
@@ -91,21 +91,18 @@ angle-not-halved, identity-when-equal, second-control-point-on-wrong-keyframe, n
 no-conditional-negation-in-control-points, all-keyframes-played, one-keyframe-early, last-sample-missing, \
 quaternion-order-swapped, integer-tick.";
 
-const SCRIPT_HELP: &str = "\
+fn script_help() -> String {
+    format!(
+        "\
 Run a script of hotkeys and gestures with no window. One command a line; # starts a comment:
 
-  select PATH          the node to move, as `inbetween nodes` prints it; or: select none
-  rotate AXIS DEGREES  turn it about its own x, y or z axis
-  translate X Y Z      move it, in its parent's space
-  key K                press a hotkey: the character itself, or space, escape, f11, ctrl+z, shift+p, ...
-  wait 500ms           let so much time pass for the animation clock; or: wait 2s
-  undo
-  redo
-  screenshot PATH      write a PNG of what is displayed
-
+{lines}
 The script is read whole first: a line that makes no sense, or an unknown node, is an error, and nothing is run. While it runs, \
 what the window would refuse with a message is a message here too. A file that cannot be written ends it with exit status 1, \
-ctrl+q with 0.";
+ctrl+q with 0.",
+        lines = crate::script::help()
+    )
+}
 
 /// Arguments of `check`.
 #[derive(Debug, Args)]

@@ -7,7 +7,7 @@ use super::arguments::ScriptArguments;
 use super::{CliError, output};
 use crate::export::Painter;
 use crate::files::{self, FileError, scene};
-use crate::script::{Disk, Line, Runner, TraceLine, parse, state_json};
+use crate::script::{self, Disk, Line, Runner, TraceLine, state_json};
 use crate::storage;
 
 /// The largest script that is read: 16 MiB.
@@ -21,7 +21,7 @@ pub fn run(arguments: &ScriptArguments, named_scene: Option<&Path>) -> Result<()
     let scene = scene::load(named_scene)?;
     let (location, bytes) = read(&arguments.file);
     let bytes = bytes.map_err(|error| FileError::new(&location, error))?;
-    let lines = parse::parse(&bytes, &scene).map_err(|problems| FileError::all(&location, problems))?;
+    let lines = script::parse(&bytes, &scene).map_err(|problems| FileError::all(&location, problems))?;
     let takes_pictures = lines.iter().any(Line::takes_screenshot);
     let painter = takes_pictures.then(|| Painter::headless(arguments.size, None)).transpose()?;
     let editor = scene::editor_of(scene, named_scene, arguments.keyframes.clone());

@@ -2,13 +2,11 @@
 
 use glam::Quat;
 
+use super::commands::{Row, row_of};
 use super::history::Run;
 use super::keymap::Keymap;
 use super::playback::Playback;
-use super::{
-    Command, CommandError, Document, Edit, Editor, Effect, Message, PlaybackCommand, SceneEdit, Severity, TimelineEdit,
-    ViewCommand,
-};
+use super::{Command, CommandError, Document, Edit, Editor, Effect, Message, PlaybackCommand, Severity, ViewCommand};
 use crate::keyframe::{Keyframe, KeyframeIndex, KeyframeList, MS_BETWEEN_KEYFRAMES_RANGE};
 use crate::pose::RbtIndex;
 use crate::rbt::Rbt;
@@ -52,11 +50,15 @@ impl Editor {
 
     fn dispatch(&mut self, command: Command) -> Result<(String, Option<Effect>), CommandError> {
         let silent = |outcome: Outcome| outcome.map(|text| (text, None));
+        let row = row_of(&command);
+        if let Some(what) = row.refused_while_playing {
+            self.refuse_while_playing(what)?;
+        }
         match command {
-            Command::Edit(edit) => silent(self.edit(edit)),
+            Command::Edit(edit) => silent(self.edit(edit, row)),
             Command::Playback(playback) => silent(self.play(playback)),
             Command::View(view) => silent(self.view(view)),
-            Command::File(file) => self.file(file),
+            Command::File(file) => Ok((String::new(), Some(self.file(file)))),
             Command::Gesture(gesture) => silent(self.gesture(gesture)),
             Command::Undo => silent(self.undo()),
             Command::Redo => silent(self.redo()),
@@ -99,21 +101,20 @@ impl Editor {
         Err(CommandError::WhilePlaying { what, stop, pause })
     }
 
-    fn edit(&mut self, edit: Edit) -> Outcome {
-        if let Some(what) = what_playing_refuses(&edit) {
-            self.refuse_while_playing(what)?;
-        }
-        if !is_continuous(&edit) {
+    fn edit(&mut self, edit: Edit, row: &Row) -> Outcome {
+        if !row.is_continuous {
             self.commit_gesture();
         }
         match edit {
-            Edit::Timeline(edit) => self.edit_timeline(edit),
+            Edit::Timeline(edit) => self.edit_timeline(edit, row),
             Edit::Scene(edit) => self.edit_scene(edit),
             Edit::DisplayCurrent => self.display_current(),
             Edit::UpdateCurrent => Ok(self.update_current()),
             Edit::CreateKeyframe => Ok(self.create_keyframe()),
             Edit::GoToNext => self.step(1),
             Edit::GoToPrevious => self.step(-1),
+            Edit::GoToFirst => self.go_to_end(true),
+            Edit::GoToLast => self.go_to_end(false),
             Edit::GoTo(index) => self.go_to(index),
             Edit::DeleteCurrent => self.delete_current(),
             Edit::ResetPose => {
@@ -239,6 +240,11 @@ impl Editor {
         }
     }
 
+    fn go_to_end(&mut self, is_first: bool) -> Outcome {
+        let last = self.document.keyframes.last().ok_or_else(|| self.no_keyframe())?;
+        self.go_to(if is_first { KeyframeIndex::new(0) } else { last })
+    }
+
     fn go_to(&mut self, index: KeyframeIndex) -> Outcome {
         let count = self.document.keyframes.len();
         if index.get() >= count {
@@ -317,44 +323,4 @@ impl Editor {
             document.live_pose = keyframe.pose.clone();
         }
     }
-}
-
-/// Edits that a drag makes again and again: during one they are part of it.
-const fn is_continuous(edit: &Edit) -> bool {
-    matches!(
-        edit,
-        Edit::SetTranslation(..)
-            | Edit::SetRotation(..)
-            | Edit::RotateChosen { .. }
-            | Edit::TranslateChosen(_)
-            | Edit::Wheel(_)
-            | Edit::SetMsBetweenKeyframes(_)
-            | Edit::Scene(SceneEdit::MoveKeys { .. } | SceneEdit::SetKey { .. })
-            | Edit::Timeline(
-                TimelineEdit::SetDuration { .. }
-                    | TimelineEdit::SetTranslationInKeyframe(..)
-                    | TimelineEdit::SetRotationInKeyframe(..)
-            )
-    )
-}
-
-/// What an edit is called where playing refuses it; `None` where it does not.
-const fn what_playing_refuses(edit: &Edit) -> Option<&'static str> {
-    Some(match edit {
-        Edit::DisplayCurrent => "display a keyframe",
-        Edit::UpdateCurrent => "update a keyframe",
-        Edit::CreateKeyframe => "create a keyframe",
-        Edit::GoToNext | Edit::GoToPrevious | Edit::GoTo(_) => "go to another keyframe",
-        Edit::DeleteCurrent => "delete a keyframe",
-        Edit::ResetPose => "return to the rest pose",
-        Edit::SetTranslation(..) | Edit::TranslateChosen(_) | Edit::Wheel(_) => "move a node",
-        Edit::SetRotation(..) | Edit::RotateChosen { .. } => "turn a node",
-        Edit::Timeline(_) => "edit the timeline",
-        Edit::Scene(_) => "edit the scene",
-        Edit::NextInterpolation
-        | Edit::SetInterpolation(_)
-        | Edit::Faster
-        | Edit::Slower
-        | Edit::SetMsBetweenKeyframes(_) => return None,
-    })
 }

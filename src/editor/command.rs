@@ -60,9 +60,9 @@ pub enum WindowCommand {
     SetTheme(ThemeChoice),
     /// The language of the window's words.
     SetLanguage(Language),
-    /// Gives the binding of this name other keys; none: it has no key.
+    /// Gives the binding of this id other keys; none: it has no key.
     SetKeys(&'static str, Vec<Chord>),
-    /// Gives the binding of this name the keys of the table.
+    /// Gives the binding of this id the keys of the table.
     ResetKeys(&'static str),
     /// Gives every binding the keys of the table.
     ResetAllKeys,
@@ -89,6 +89,10 @@ pub enum Edit {
     GoToNext,
     /// Makes the previous keyframe current and copies it to the scene.
     GoToPrevious,
+    /// Makes the first keyframe current and copies it to the scene.
+    GoToFirst,
+    /// Makes the last keyframe current and copies it to the scene.
+    GoToLast,
     /// Makes a keyframe current and copies it to the scene.
     GoTo(KeyframeIndex),
     /// Deletes the current keyframe.

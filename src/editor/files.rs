@@ -9,24 +9,19 @@ use crate::scene::scene_to_json;
 use crate::text_layouts::{ImportError, Imported, Options, import};
 
 impl Editor {
-    pub(super) fn file(&mut self, command: FileCommand) -> Result<(String, Option<Effect>), CommandError> {
-        let effect = match command {
+    pub(super) fn file(&mut self, command: FileCommand) -> Effect {
+        match command {
             FileCommand::Import => {
-                self.refuse_while_playing("import")?;
                 self.commit_gesture();
                 Effect::ReadKeyframes { path: self.path.clone() }
             }
             FileCommand::Open(path) => {
-                self.refuse_while_playing("open a file")?;
                 self.commit_gesture();
                 Effect::ReadKeyframes { path }
             }
             FileCommand::Write => self.write_effect(self.path.clone()),
             FileCommand::SaveAs(path) => self.write_effect(path),
-            FileCommand::ChooseOpen => {
-                self.refuse_while_playing("open a file")?;
-                Effect::ChooseOpen
-            }
+            FileCommand::ChooseOpen => Effect::ChooseOpen,
             FileCommand::ChooseSaveAs => Effect::ChooseSaveAs,
             FileCommand::WriteScene => match self.scene_path.clone() {
                 Some(path) => self.write_scene_effect(path),
@@ -39,8 +34,7 @@ impl Editor {
             FileCommand::CancelExport => Effect::CancelExport,
             FileCommand::ChooseExport { proposed, is_folder } => Effect::ChooseExport { proposed, is_folder },
             FileCommand::Quit => Effect::Quit,
-        };
-        Ok((String::new(), Some(effect)))
+        }
     }
 
     fn write_effect(&mut self, path: PathBuf) -> Effect {

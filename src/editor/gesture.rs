@@ -17,7 +17,6 @@ impl Editor {
     pub(super) fn gesture(&mut self, command: GestureCommand) -> Outcome {
         match command {
             GestureCommand::Begin => {
-                self.refuse_while_playing("move a node")?;
                 self.commit_gesture();
                 self.history.end_run();
                 // What was scrubbed to stays on screen until the drag moves a node.
@@ -65,7 +64,6 @@ impl Editor {
     }
 
     pub(super) fn undo(&mut self) -> Outcome {
-        self.refuse_while_playing("undo")?;
         if self.gesture.is_some() {
             return Err(CommandError::DuringDrag);
         }
@@ -77,7 +75,6 @@ impl Editor {
     }
 
     pub(super) fn redo(&mut self) -> Outcome {
-        self.refuse_while_playing("redo")?;
         if self.gesture.is_some() {
             return Err(CommandError::DuringDrag);
         }

@@ -3,7 +3,8 @@
 use std::fmt::Display;
 use std::path::{Path, PathBuf};
 
-use super::{Command, CommandError, Editor, Effect, ExportOptions, WindowCommand};
+use super::{Command, CommandError, Editor, Effect, WindowCommand};
+use crate::film::ExportOptions;
 
 /// What became of a file: a value, or a sentence that says why not. The editor is told of either.
 pub type FileOutcome<T> = Result<T, String>;

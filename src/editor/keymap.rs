@@ -1,14 +1,13 @@
-//! Hotkeys: one table of bindings, from which the help, the menus and the README's block are made.
+//! Hotkeys: keys with modifiers, and the bindings of the table of commands that they mean.
 
 mod changes;
-mod table;
 
 use std::fmt::Write as _;
 
-pub use changes::{Keymap, KeymapError, can_change, chords_of_table};
-pub use table::bindings;
+pub use super::commands::{Binding, Group};
+pub use changes::{Keymap, KeymapError, by_id, can_change, chords_of_table};
 
-use super::Command;
+use super::commands;
 
 /// A key as it is named, apart from its modifiers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -129,58 +128,10 @@ pub struct KeyPress {
     pub is_repeat: bool,
 }
 
-/// Which part of the help a binding stands in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Group {
-    /// The keyframe list.
-    Keyframes,
-    /// The timeline.
-    Timeline,
-    /// Playing.
-    Playing,
-    /// Looking and handling.
-    View,
-    /// Files and undo.
-    File,
-    /// The window itself.
-    Window,
-}
-
-impl Group {
-    /// All of them, in the order of the help.
-    pub const ALL: [Self; 6] = [Self::Keyframes, Self::Timeline, Self::Playing, Self::View, Self::File, Self::Window];
-
-    /// Its heading.
-    #[must_use]
-    pub const fn heading(self) -> &'static str {
-        match self {
-            Self::Keyframes => "Keyframes",
-            Self::Timeline => "Timeline",
-            Self::Playing => "Playing",
-            Self::View => "Looking and handling",
-            Self::File => "Files and undo",
-            Self::Window => "Window",
-        }
-    }
-}
-
-/// One row of the table.
-#[derive(Clone, Debug)]
-pub struct Binding {
-    /// The keys, the first of them the one that menus show; empty for what only menus do.
-    pub chords: Vec<Chord>,
-    /// What it does.
-    pub command: Command,
-    /// Its stable id in kebab-case, as in `keyframe-new`: what settings and scripts call it.
-    pub id: &'static str,
-    /// Its name in menus and lists, as in "New keyframe".
-    pub name: &'static str,
-    /// What it does, in a sentence for the help.
-    pub help: &'static str,
-    /// Where it stands in the help.
-    pub group: Group,
-    /// Whether holding the key repeats it.
-    pub repeats: bool,
+/// All bindings with their default hotkeys, in the order of the help.
+#[must_use]
+pub fn bindings() -> Vec<Binding> {
+    commands::rows().iter().flat_map(|row| &row.bindings).cloned().collect()
 }
 
 impl Binding {

@@ -157,7 +157,6 @@ impl Editor {
     }
 
     fn step_ticks(&mut self, ticks: i32) -> Outcome {
-        self.refuse_while_playing("step by ticks")?;
         let timing = self.document.keyframes.timing().ok_or_else(|| self.too_few_to_play())?;
         let from = self.playback.elapsed().unwrap_or_else(|| self.elapsed_at_current(timing));
         let elapsed = (from + self.pace().elapsed(ticks)).clamp(BigRational::zero(), timing.total());

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::apply::Outcome;
+use super::commands::Row;
 use super::{Command, CommandError, Editor, TimelineEdit, ViewCommand};
 use crate::keyframe::{DURATION_RANGE, Easing, Keyframe, KeyframeIndex, KeyframeList, keyframes_counted};
 use crate::pose::{Pose, RbtIndex};
@@ -43,20 +44,11 @@ impl Editor {
         self.clipboard.pose.is_some()
     }
 
-    pub(super) fn edit_timeline(&mut self, edit: TimelineEdit) -> Outcome {
+    pub(super) fn edit_timeline(&mut self, edit: TimelineEdit, row: &Row) -> Outcome {
         if edit == TimelineEdit::DeleteKeyframes && !self.session.selected_keys.is_empty() {
             return self.delete_keys(self.session.selected_keys.clone());
         }
-        let shows_something_else = !matches!(
-            edit,
-            TimelineEdit::RenameKeyframe(..)
-                | TimelineEdit::SetDuration { .. }
-                | TimelineEdit::SetEasing(_)
-                | TimelineEdit::SetTranslationInKeyframe(..)
-                | TimelineEdit::SetRotationInKeyframe(..)
-                | TimelineEdit::PastePose
-        );
-        if shows_something_else {
+        if row.ends_scrub {
             self.end_scrub();
         }
         match edit {

@@ -111,4 +111,36 @@ impl Editor {
             None => "Nothing chosen: a drag moves the eye.".to_owned(),
         })
     }
+
+    /// What the eye is and how a drag moves, in a few words: `sky view · world-sky`.
+    #[must_use]
+    pub fn view_sentence(&self) -> String {
+        let eye = self.document.scene.node(self.document.scene.rbt_node(self.eye())).name.as_str();
+        let handled = match (self.session.chosen, self.session.eye, self.session.sky_mode) {
+            (Some(chosen), ..) => format!("moves {}", self.document.scene.rbt_path(chosen)),
+            (None, 0, SkyMode::WorldCentre) => "world-sky".to_owned(),
+            (None, 0, SkyMode::Eye) => "sky-sky".to_owned(),
+            (None, ..) => "moves itself".to_owned(),
+        };
+        format!("{eye} view · {handled}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::PathBuf;
+    use std::sync::Arc;
+
+    use super::*;
+
+    #[test]
+    fn the_view_is_named() {
+        let scene = crate::scene::built_in_scene(crate::scene::DEFAULT_SCENE).unwrap();
+        let mut editor = Editor::new(Arc::new(scene), PathBuf::from("animation.json"));
+        assert_eq!(editor.view_sentence(), "sky view · world-sky");
+        editor.apply(Command::View(ViewCommand::ToggleSkyMode)).unwrap();
+        assert_eq!(editor.view_sentence(), "sky view · sky-sky");
+        editor.apply(Command::View(ViewCommand::NextEye)).unwrap();
+        assert_eq!(editor.view_sentence(), "robot1 view · moves itself");
+    }
 }

@@ -101,6 +101,12 @@ pub enum ExportError {
     Cancelled,
 }
 
+impl From<png::EncodingError> for ExportError {
+    fn from(error: png::EncodingError) -> Self {
+        Self::Picture(error.into())
+    }
+}
+
 /// Whose fault an error is: what a command line makes its exit status of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ErrorKind {

@@ -9,10 +9,11 @@ use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
-use crate::editor::{CommandError, Editor, ExportOptions, FileAccess, FileOutcome, Host, PathQuestion, WindowCommand};
+use crate::editor::{CommandError, Editor, FileAccess, FileOutcome, Host, PathQuestion, WindowCommand};
+use crate::film::ExportOptions;
 use crate::keyframe::keyframes_to_json;
 use crate::scene::SceneGraph;
-use crate::script::{Action, Line, NoWindow, Runner, State, Windowless, parse};
+use crate::script::{self, Action, Line, NoWindow, Runner, State, Windowless};
 
 /// The most lines of a script that is run while grading.
 pub const MOST_LINES: usize = 2_000;
@@ -32,8 +33,8 @@ const SCREENSHOT_FILE: &str = "inbetween-0001.png";
 /// # Errors
 /// The first line that makes no sense, or the bound that is hit.
 pub fn read_script(bytes: &[u8], scene: &SceneGraph) -> Result<Vec<Line>, String> {
-    let lines =
-        parse::parse(bytes, scene).map_err(|problems| problems.first().map(ToString::to_string).unwrap_or_default())?;
+    let lines = script::parse(bytes, scene)
+        .map_err(|problems| problems.first().map(ToString::to_string).unwrap_or_default())?;
     if lines.len() > MOST_LINES {
         return Err(format!("{} commands, and at most {MOST_LINES} are run", lines.len()));
     }

@@ -10,8 +10,8 @@ use glam::{Quat, Vec3, Vec4};
 use super::file::SceneError;
 use super::graph::NodeKind;
 use super::place::Place;
-use crate::colour::Colour;
 use super::write::{number, numbers};
+use crate::colour::Colour;
 use crate::timed::{Interpolate, rotation_from_euler_degrees};
 
 /// A value of a node that timed keys can drive.

@@ -7,7 +7,6 @@ use super::file::SceneError;
 use super::graph::{NodeId, NodeKind, SceneGraph};
 use super::place::Place;
 use super::tracks::Tracks;
-use crate::colour::Colour;
 use crate::timed::{KeyError, Track};
 
 /// The latest time of a key that is made here, and the earliest below zero, in seconds: about eleven days.

@@ -6,8 +6,9 @@ use std::path::{Path, PathBuf};
 use thiserror::Error;
 
 use super::run::{NoWindow, Windowless};
-use crate::editor::{CommandError, Editor, ExportOptions, FileAccess, FileOutcome, Host, PathQuestion, WindowCommand};
+use crate::editor::{CommandError, Editor, FileAccess, FileOutcome, Host, PathQuestion, WindowCommand};
 use crate::export::{ExportError, Painter};
+use crate::film::ExportOptions;
 use crate::keyframe::LARGEST_FILE_BYTES;
 use crate::storage;
 use crate::view::frame_of_editor;

@@ -1,19 +1,13 @@
 //! The script's text: bytes to lines that can be run.
 
-mod forms;
-mod problem;
-mod scene_lines;
-mod values;
-
+use std::borrow::Cow;
 use std::time::Duration;
 
-pub use forms::markdown;
-use forms::{Rest, form_of};
-pub use problem::{LineProblem, ScriptError};
-
-use crate::editor::keymap::{Binding, bindings};
-use crate::editor::{Command, FileCommand};
-use crate::pose::RbtIndex;
+use super::problem::{LineProblem, ScriptError};
+use super::table::OWN_LINES;
+use crate::editor::commands::{self, ArgumentError, Arguments, Ending, quoted_prefix, tokens};
+use crate::editor::keymap::{binding_for, bindings, press_from_word};
+use crate::editor::{Command, Edit, FileCommand, SceneEdit};
 use crate::scene::SceneGraph;
 
 /// A line that does something.
@@ -49,7 +43,7 @@ impl Line {
 /// # Errors
 /// Every line that cannot be understood, in order; never empty.
 pub fn parse(bytes: &[u8], scene: &SceneGraph) -> Result<Vec<Line>, Vec<ScriptError>> {
-    let mut parser = Parser { scene: scene.clone(), bindings: bindings() };
+    let mut parser = Parser { scene: Cow::Borrowed(scene) };
     let mut lines = Vec::new();
     let mut problems = Vec::new();
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
@@ -64,62 +58,143 @@ pub fn parse(bytes: &[u8], scene: &SceneGraph) -> Result<Vec<Line>, Vec<ScriptEr
 }
 
 /// What reading a line needs to know.
-pub struct Parser {
+struct Parser<'s> {
     /// The scene as it is after the lines so far.
-    scene: SceneGraph,
-    bindings: Vec<Binding>,
+    scene: Cow<'s, SceneGraph>,
 }
 
-impl Parser {
+impl Parser<'_> {
     /// The line's text without its comment, and what it does; nothing where nothing is left.
     fn line<'t>(&mut self, line: &'t str) -> Result<Option<(&'t str, Action)>, LineProblem> {
-        let text = self.path_with_number_signs(line).or_else(|| quoted_name(line));
+        let text = self.text_with_number_signs(line.trim());
         let text = text.unwrap_or_else(|| line.split('#').next().unwrap_or_default().trim());
         if text.is_empty() {
             return Ok(None);
         }
-        self.action(text).map(|action| Some((text, action)))
+        let action = self.action(text)?;
+        self.follow(&action);
+        Ok(Some((text, action)))
+    }
+
+    /// The text without its comment of a line that may hold what elsewhere starts one.
+    fn text_with_number_signs<'t>(&self, line: &'t str) -> Option<&'t str> {
+        let (name, _) = name_and_rest(line);
+        let form = line_of(name)?;
+        match form.ending {
+            Ending::Plain => None,
+            Ending::NodePath => self.longest_path(form, line),
+            Ending::Name => text_to_end_of_quotes(line, line.find('"')?),
+            Ending::FilePath => text_to_end_of_quotes(line, line.len() - name_and_rest(line).1.len()),
+            Ending::QuotedWords => Some(&line[..tokens(line).1]),
+        }
     }
 
     /// A path may hold what elsewhere starts a comment: the longest reading that names a node counts.
-    fn path_with_number_signs<'t>(&self, line: &'t str) -> Option<&'t str> {
-        let line = line.trim();
-        let form = form_of(line.split_whitespace().next()?).filter(|form| form.ends_with_path)?;
+    fn longest_path<'t>(&self, form: &commands::Line, line: &'t str) -> Option<&'t str> {
         let ends = line.match_indices('#').map(|(end, _)| end).skip(1).chain([line.len()]);
         let readings: Vec<&str> = ends.map(|end| line[..end].trim_end()).filter(|text| text.contains('#')).collect();
         readings.into_iter().rev().find(|text| {
-            let rest = text.strip_prefix(form.name).unwrap_or_default().trim_start();
-            let words: Vec<&str> = rest.split_whitespace().collect();
-            matches!((form.read)(self, Rest { text: rest, words: &words }), Ok(Some(_)))
+            let (_, rest) = name_and_rest(text);
+            matches!(self.read(form, rest, false), Ok(Some(_)))
         })
     }
 
-    fn action(&mut self, text: &str) -> Result<Action, LineProblem> {
-        let (name, rest) = text.split_once(char::is_whitespace).unwrap_or((text, ""));
-        let rest = rest.trim_start();
-        let form = form_of(name).ok_or_else(|| LineProblem::Unknown { word: name.to_owned() })?;
+    fn read(&self, form: &commands::Line, rest: &str, takes_any: bool) -> Result<Option<Command>, ArgumentError> {
         let words: Vec<&str> = rest.split_whitespace().collect();
-        let action = (form.read)(self, Rest { text: rest, words: &words })?;
-        let action = action.ok_or_else(|| LineProblem::Usage { usage: form.usage, found: text.to_owned() })?;
-        self.follow(&action);
-        Ok(action)
+        form.read(&Arguments { scene: &self.scene, text: rest, words: &words, takes_any })
     }
 
-    fn rbt(&self, path: &str) -> Result<RbtIndex, LineProblem> {
-        let missing = || LineProblem::Node { path: path.to_owned(), scene: self.scene.name().to_owned() };
-        self.scene.find_rbt(path).ok_or_else(missing)
+    fn action(&self, text: &str) -> Result<Action, LineProblem> {
+        let (name, rest) = name_and_rest(text);
+        let own = OWN_LINES.iter().find(|(own, ..)| *own == name);
+        let (usage, action) = match (own, rest) {
+            (Some((_, usage, _)), "") => (*usage, None),
+            (Some((_, usage, _)), _) => (*usage, self.own_action(name, rest)?),
+            (None, _) => return self.command(text, false).map(Action::Apply),
+        };
+        action.ok_or_else(|| LineProblem::Usage { usage, found: text.to_owned() })
+    }
+
+    fn own_action(&self, name: &str, rest: &str) -> Result<Option<Action>, LineProblem> {
+        let is_one_word = !rest.contains(char::is_whitespace);
+        match name {
+            "wait" => is_one_word.then(|| duration(rest).map(Action::Wait)).transpose(),
+            "key" => is_one_word.then(|| hotkey(rest).map(Action::Apply)).transpose(),
+            "clamped" => self.command(rest, true).map(|command| Some(Action::Apply(command))),
+            _ => by_name(rest).map(|command| Some(Action::Apply(command))),
+        }
+    }
+
+    /// The command of a line that stands in the table of commands.
+    fn command(&self, text: &str, takes_any: bool) -> Result<Command, LineProblem> {
+        let (name, rest) = name_and_rest(text);
+        let form = line_of(name).ok_or_else(|| LineProblem::Unknown { word: name.to_owned() })?;
+        let command = self.read(form, rest, takes_any)?;
+        command.ok_or_else(|| LineProblem::Usage { usage: form.usage, found: text.to_owned() })
+    }
+
+    /// From here on the lines speak of the scene as an action leaves it. What cannot be is a message when the line runs.
+    fn follow(&mut self, action: &Action) {
+        let Action::Apply(Command::Edit(Edit::Scene(edit))) = action else { return };
+        let changed = match edit {
+            SceneEdit::PutControlAbove(path) => self.scene.find(path).map(|id| self.scene.with_control_above(id).0),
+            SceneEdit::RemoveControl(path) => self.scene.find(path).and_then(|id| self.scene.without_control(id).ok()),
+            SceneEdit::RenameControl(path, name) => {
+                self.scene.find(path).and_then(|id| self.scene.with_control_renamed(id, name).ok())
+            }
+            _ => None,
+        };
+        if let Some(scene) = changed {
+            self.scene = Cow::Owned(scene);
+        }
     }
 }
 
-/// The part of a line that renames a keyframe up to the end of the quoted name, after which only a comment stands.
-fn quoted_name(line: &str) -> Option<&str> {
-    let line = line.trim();
-    let at = line.strip_prefix("rename").filter(|rest| rest.starts_with(char::is_whitespace)).and(line.find('"'))?;
-    let mut texts = serde_json::Deserializer::from_str(&line[at..]).into_iter::<String>();
-    texts.next()?.ok()?;
-    let (text, rest) = line.split_at(at + texts.byte_offset());
+/// The first word of a text, and what stands after it without blanks before it.
+fn name_and_rest(text: &str) -> (&str, &str) {
+    let (name, rest) = text.split_once(char::is_whitespace).unwrap_or((text, ""));
+    (name, rest.trim_start())
+}
+
+/// The line of the table of commands with this first word.
+fn line_of(name: &str) -> Option<&'static commands::Line> {
+    commands::lines().find(|line| line.name == name)
+}
+
+/// The command of a default hotkey.
+fn hotkey(word: &str) -> Result<Command, LineProblem> {
+    let table = bindings();
+    let binding = press_from_word(word).and_then(|press| binding_for(&table, press));
+    binding.map(|binding| binding.command.clone()).ok_or_else(|| LineProblem::Hotkey { word: word.to_owned() })
+}
+
+/// The command of an id or of an English name, in any case.
+fn by_name(name: &str) -> Result<Command, LineProblem> {
+    let is_meant = |own: &str| own.eq_ignore_ascii_case(name);
+    let mut bindings = commands::rows().iter().flat_map(|row| &row.bindings);
+    let binding = bindings.find(|binding| is_meant(binding.id) || is_meant(binding.name));
+    binding.map(|binding| binding.command.clone()).ok_or_else(|| LineProblem::Name { name: name.to_owned() })
+}
+
+/// The text up to the end of the string in double quotes that begins at a byte, if only a comment stands after it.
+fn text_to_end_of_quotes(line: &str, at: usize) -> Option<&str> {
+    let (length, _) = quoted_prefix(&line[at..])?;
+    let (text, rest) = line.split_at(at + length);
     let rest = rest.trim_start();
     (rest.is_empty() || rest.starts_with('#')).then_some(text)
+}
+
+/// A time in milliseconds or seconds, to the nanosecond.
+fn duration(word: &str) -> Result<Duration, LineProblem> {
+    let (digits, per_second) = match word.strip_suffix("ms") {
+        Some(digits) => (digits, 1000.0),
+        None => (word.strip_suffix('s').unwrap_or_default(), 1.0),
+    };
+    digits
+        .parse::<f64>()
+        .ok()
+        .and_then(|count| Duration::try_from_secs_f64(count / per_second).ok())
+        .ok_or_else(|| LineProblem::Time { word: word.to_owned() })
 }
 
 #[cfg(test)]

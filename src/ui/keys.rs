@@ -38,14 +38,14 @@ impl KeysDialog {
         let words = Words::of(ui);
         ui.set_width(WIDTH);
         let mut outcome = Outcome::Stays;
-        if let Some((name, place)) = self.waiting {
+        if let Some((id, place)) = self.waiting {
             match press(ui) {
                 Some(Pressed::Nothing) => {
                     self.waiting = None;
                     outcome = Outcome::TookEscape;
                 }
-                Some(Pressed::Removes) => self.change(shown, name, place, None, words, commands),
-                Some(Pressed::Chord(chord)) => self.change(shown, name, place, Some(chord), words, commands),
+                Some(Pressed::Removes) => self.change(shown, id, place, None, words, commands),
+                Some(Pressed::Chord(chord)) => self.change(shown, id, place, Some(chord), words, commands),
                 None => {}
             }
         }
@@ -101,13 +101,13 @@ impl KeysDialog {
             if !is_fixed {
                 self.cap(ui, binding, next, "", false, words);
             }
-            if !is_fixed && binding.chords != chords_of_table(binding.name) {
+            if !is_fixed && binding.chords != chords_of_table(binding.id) {
                 let reset = ui.button(RichText::new(words.say("Reset")).small());
                 let says = words.fill("Reset the keys of {}", &[name]);
                 reset.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, &says));
                 if was_pressed(&reset) {
                     self.begin(None);
-                    commands.push(Command::Window(WindowCommand::ResetKeys(binding.name)));
+                    commands.push(Command::Window(WindowCommand::ResetKeys(binding.id)));
                 }
             }
         });
@@ -116,7 +116,7 @@ impl KeysDialog {
     /// The cap of a key, or of one more.
     fn cap(&mut self, ui: &mut Ui, binding: &Binding, place: usize, label: &str, is_fixed: bool, words: Words) {
         let tokens = Tokens::of(ui);
-        let is_waiting = self.waiting == Some((binding.name, place));
+        let is_waiting = self.waiting == Some((binding.id, place));
         let text = if is_waiting {
             RichText::new(words.say("Press a key…")).color(tokens.accent)
         } else {
@@ -141,7 +141,7 @@ impl KeysDialog {
         if response.clicked() {
             // The next press is not for the button.
             response.surrender_focus();
-            self.begin(Some((binding.name, place)));
+            self.begin(Some((binding.id, place)));
         }
     }
 
@@ -153,23 +153,23 @@ impl KeysDialog {
     fn change(
         &mut self,
         shown: Shown<'_>,
-        name: &'static str,
+        id: &'static str,
         place: usize,
         chord: Option<Chord>,
         words: Words,
         commands: &mut Vec<Command>,
     ) {
         self.begin(None);
-        let mut chords = shown.keymap.get(name).map(|binding| binding.chords.clone()).unwrap_or_default();
+        let mut chords = shown.keymap.get(id).map(|binding| binding.chords.clone()).unwrap_or_default();
         if place < chords.len() {
             chords.remove(place);
         }
         if let Some(chord) = chord.filter(|chord| !chords.contains(chord)) {
             chords.insert(place.min(chords.len()), chord);
         }
-        match shown.keymap.clash(name, &chords) {
+        match shown.keymap.clash(id, &chords) {
             Some(error) => self.refused = Some(words.message(&error.to_string())),
-            None => commands.push(Command::Window(WindowCommand::SetKeys(name, chords))),
+            None => commands.push(Command::Window(WindowCommand::SetKeys(id, chords))),
         }
     }
 }

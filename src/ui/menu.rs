@@ -1,4 +1,4 @@
-//! The menu bar: its items are rows of the table of bindings. At its right, the file and whether it has unsaved changes.
+//! The menu bar: its items are the bindings of the table of commands. At its right, the file and whether it has unsaved changes.
 
 use egui::{Align, Button, Label, Layout, MenuBar, Response, RichText, Sense, Ui, vec2};
 
@@ -7,88 +7,42 @@ use super::choices::{Choice, Topic, choices};
 use super::icons::{self, Icon, was_pressed};
 use super::theme::{ROW, Tokens};
 use super::words::Words;
-use crate::editor::keymap::{Binding, Group};
-use crate::editor::{Command, Editor, FileCommand, PlaybackCommand, ViewCommand, WindowCommand};
+use crate::editor::commands::{Binding, Menu, WindowState};
+use crate::editor::{Command, Editor, FileCommand, PlaybackCommand, WindowCommand};
 
-/// The menus.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Menu {
-    File,
-    Edit,
-    View,
-    Animation,
-    Help,
-}
-
-impl Menu {
-    const ALL: [Self; 5] = [Self::File, Self::Edit, Self::View, Self::Animation, Self::Help];
-
-    fn name(self, words: Words) -> &'static str {
-        match self {
-            Self::File => words.say("File"),
-            Self::Edit => words.say("Edit"),
-            Self::View => words.say("View"),
-            Self::Animation => words.say("Animation"),
-            Self::Help => words.say("Help"),
-        }
+/// The name of a menu.
+fn name_of(menu: Menu, words: Words) -> &'static str {
+    match menu {
+        Menu::File => words.say("File"),
+        Menu::Edit => words.say("Edit"),
+        Menu::View => words.say("View"),
+        Menu::Animation => words.say("Animation"),
+        Menu::Help => words.say("Help"),
     }
-}
-
-/// What the window shows that the editor does not know of.
-#[derive(Clone, Copy, Debug)]
-pub struct On {
-    /// All that was said.
-    pub messages: bool,
-    /// How fast the window is.
-    pub statistics: bool,
 }
 
 /// Room at both sides of an item, in points; at the left a tick stands in it.
 const INSET: f32 = 20.0;
 
-/// The menu that shows a row.
-fn menu_of(binding: &Binding) -> Menu {
-    match (&binding.command, binding.group) {
-        (Command::Undo | Command::Redo | Command::Cancel, _) | (_, Group::Keyframes | Group::Timeline) => Menu::Edit,
-        (Command::View(ViewCommand::ToggleHelp), _) => Menu::Help,
-        (Command::Window(WindowCommand::ShowCommands | WindowCommand::ShowKeys), _) => Menu::Help,
-        (_, Group::Playing) => Menu::Animation,
-        (_, Group::View | Group::Window) => Menu::View,
-        (_, Group::File) => Menu::File,
-    }
-}
-
-/// The place of a row in its menu, smaller first; between different places stands a line.
-fn order(command: &Command) -> u8 {
-    match command {
-        Command::Undo | Command::Redo | Command::File(FileCommand::ChooseOpen) => 0,
-        Command::File(FileCommand::Screenshot(_)) | Command::Window(WindowCommand::ShowExport) => 7,
-        Command::Window(_) => 8,
-        Command::Cancel | Command::File(FileCommand::Quit) => 9,
-        _ => 5,
-    }
-}
-
 /// Shows the bar.
-pub fn show(ui: &mut Ui, shown: Shown<'_>, on: On, commands: &mut Vec<Command>) {
+pub fn show(ui: &mut Ui, shown: Shown<'_>, window: WindowState, commands: &mut Vec<Command>) {
     let words = Words::of(ui);
     MenuBar::new().ui(ui, |ui| {
         for menu in Menu::ALL {
-            ui.menu_button(menu.name(words), |ui| {
+            ui.menu_button(name_of(menu, words), |ui| {
                 ui.set_min_width(240.0);
                 ui.spacing_mut().button_padding.x = INSET;
                 ui.spacing_mut().item_spacing.y = 0.0;
-                let rows = shown.keymap.bindings().iter();
-                let mut rows: Vec<&Binding> = rows.filter(|binding| menu_of(binding) == menu).collect();
-                rows.sort_by_key(|binding| order(&binding.command));
-                let mut last_order = rows.first().map_or(0, |binding| order(&binding.command));
-                for binding in rows {
-                    let own_order = order(&binding.command);
-                    if own_order > last_order {
+                let items = shown.keymap.bindings().iter();
+                let mut items: Vec<&Binding> = items.filter(|binding| binding.menu == menu).collect();
+                items.sort_by_key(|binding| binding.section);
+                let mut section = items.first().map_or(0, |binding| binding.section);
+                for binding in items {
+                    if binding.section > section {
                         ui.separator();
                     }
-                    last_order = own_order;
-                    item(ui, shown.editor, binding, on, commands);
+                    section = binding.section;
+                    item(ui, shown.editor, binding, window, commands);
                     if binding.command == Command::File(FileCommand::ChooseOpen) {
                         recent(ui, shown, commands);
                     }
@@ -100,7 +54,7 @@ pub fn show(ui: &mut Ui, shown: Shown<'_>, on: On, commands: &mut Vec<Command>) 
     });
 }
 
-fn item(ui: &mut Ui, editor: &Editor, binding: &Binding, on: On, commands: &mut Vec<Command>) {
+fn item(ui: &mut Ui, editor: &Editor, binding: &Binding, window: WindowState, commands: &mut Vec<Command>) {
     let words = Words::of(ui);
     let label = match (&binding.command, editor.undo_label(), editor.redo_label()) {
         (Command::Undo, Some(step), _) => words.fill("Undo {}", &[words.say(step)]),
@@ -111,22 +65,10 @@ fn item(ui: &mut Ui, editor: &Editor, binding: &Binding, on: On, commands: &mut 
         (Command::Playback(PlaybackCommand::PauseOrResume), ..) => words.say("Pause").to_owned(),
         _ => words.say(binding.name).to_owned(),
     };
-    let session = editor.session();
-    let is_on = match binding.command {
-        Command::View(ViewCommand::ToggleArcball) => session.shows_arcball,
-        Command::View(ViewCommand::TogglePath) => session.shows_path,
-        Command::View(ViewCommand::ToggleComparison) => session.compares,
-        Command::View(ViewCommand::ToggleHelp) => session.shows_help,
-        Command::View(ViewCommand::TogglePanels) => session.shows_panels,
-        Command::View(ViewCommand::StartPicking) => session.is_picking,
-        Command::Window(WindowCommand::ToggleMessages) => on.messages,
-        Command::Window(WindowCommand::ToggleStatistics) => on.statistics,
-        _ => false,
-    };
     let button =
         Button::new(label).shortcut_text(RichText::new(binding.menu_key()).monospace()).min_size(vec2(0.0, ROW));
     let response = ui.add_enabled(editor.can(&binding.command), button);
-    tick(ui, &response, is_on);
+    tick(ui, &response, (binding.is_on)(editor, window));
     let response = response.on_hover_text(words.say(binding.help));
     if was_pressed(&response) {
         commands.push(binding.command.clone());

@@ -9,7 +9,7 @@ use super::timeline::Ask;
 use super::words::Words;
 use super::{PanelSize, Ui};
 use crate::editor::WindowCommand;
-use crate::editor::keymap::{Binding, Chord, Keymap, KeymapError, chords_of_table};
+use crate::editor::keymap::{Chord, Keymap, KeymapError, chords_of_table};
 use crate::settings::{Settings, ThemeChoice};
 
 /// After so many frames without a button held, a panel has the size that its drag gave it.
@@ -54,8 +54,8 @@ impl Ui {
             WindowCommand::SetScale(percent) => settings.scale_percent = *percent,
             WindowCommand::SetTheme(theme) => settings.theme = *theme,
             WindowCommand::SetLanguage(language) => settings.language = *language,
-            WindowCommand::SetKeys(name, chords) => said = self.set_keys(name, chords.clone(), settings)?,
-            WindowCommand::ResetKeys(name) => said = self.set_keys(name, chords_of_table(name), settings)?,
+            WindowCommand::SetKeys(id, chords) => said = self.set_keys(id, chords.clone(), settings)?,
+            WindowCommand::ResetKeys(id) => said = self.set_keys(id, chords_of_table(id), settings)?,
             WindowCommand::ResetAllKeys => {
                 settings.keys.clear();
                 "All keys are as they were at first.".clone_into(&mut said);
@@ -69,14 +69,14 @@ impl Ui {
         Ok(said)
     }
 
-    fn set_keys(&self, name: &str, chords: Vec<Chord>, settings: &mut Settings) -> Result<String, KeymapError> {
+    fn set_keys(&self, id: &str, chords: Vec<Chord>, settings: &mut Settings) -> Result<String, KeymapError> {
         let mut keymap = self.keymap.clone();
-        keymap.set(name, chords)?;
-        match keymap.changes().remove(name) {
-            Some(chords) => settings.keys.insert(name.to_owned(), chords),
-            None => settings.keys.remove(name),
+        keymap.set(id, chords)?;
+        match keymap.changes().remove(id) {
+            Some(chords) => settings.keys.insert(id.to_owned(), chords),
+            None => settings.keys.remove(id),
         };
-        let keys = keymap.get(name).map(Binding::keys).unwrap_or_default();
+        let (name, keys) = keymap.get(id).map(|binding| (binding.name, binding.keys())).unwrap_or_default();
         Ok(if keys.is_empty() { format!("{name} has no key now.") } else { format!("{name}: {keys}.") })
     }
 

@@ -14,7 +14,8 @@ use crate::pose::RbtIndex;
 use crate::scene::NodeKind;
 
 /// Linear-light tints in the order of [`Blend::others`], worked out once.
-static TINTS: LazyLock<[Vec3; Blend::OTHERS]> = LazyLock::new(|| [Colour::BLUE, Colour::GREEN, Colour::RED].map(Colour::to_linear));
+static TINTS: LazyLock<[Vec3; Blend::OTHERS]> =
+    LazyLock::new(|| [Colour::BLUE, Colour::GREEN, Colour::RED].map(Colour::to_linear));
 
 /// Adds ghosts of the chosen robot as the other interpolations would place it, while playing.
 pub(super) fn add_comparison(frame: &mut Frame, editor: &Editor) {

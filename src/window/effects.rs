@@ -7,9 +7,10 @@ use std::path::{Path, PathBuf};
 use super::dialog::{self, Question};
 use super::shell::Shell;
 use crate::editor::{
-    Command, CommandError, Edit, Editor, ExportOptions, FileAccess, FileCommand, FileOutcome, Host, PathQuestion,
-    Severity, WindowCommand,
+    Command, CommandError, Edit, Editor, FileAccess, FileCommand, FileOutcome, Host, PathQuestion, Severity,
+    WindowCommand,
 };
+use crate::film::ExportOptions;
 use crate::keyframe::LARGEST_FILE_BYTES;
 use crate::storage;
 use crate::ui::words::Words;

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use crate::editor::keymap::by_id;
 use crate::settings::{LARGEST_SETTINGS_BYTES, Language, Settings};
 use crate::storage;
 
@@ -33,7 +34,11 @@ impl Kept {
             .map_err(|error| error.to_string())
             .and_then(|bytes| Settings::from_json(&bytes).map_err(|error| error.to_string()));
         match settings {
-            Ok(settings) => (kept(settings, Some(path), false), None),
+            Ok(settings) => {
+                // Older settings name bindings in English; the next time they are written, it is by ids.
+                let keys = by_id(&settings.keys);
+                (kept(Settings { keys, ..settings }, Some(path), false), None)
+            }
             Err(reason) => {
                 let sentence = format!(
                     "The settings in {} were not understood ({reason}): the usual ones are in force. The file is kept.",
@@ -100,5 +105,20 @@ mod tests {
         assert_eq!(storage::read(&copy, 100).unwrap(), b"{ \"version\": 9");
         assert_eq!(kept.write(), Ok(None));
         assert!(Settings::from_json(&storage::read(&path, 1000).unwrap()).is_ok());
+    }
+
+    #[test]
+    fn keys_of_english_names_are_written_by_ids() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("settings.json");
+        let old =
+            r#"{"format": "inbetween.settings", "version": 1, "keys": {"New keyframe": ["F5"], "arcball": ["F6"]}}"#;
+        std::fs::write(&path, old).unwrap();
+        let (mut kept, problem) = Kept::read_from(Some(path.clone()), Settings::default());
+        assert_eq!(problem, None);
+        assert_eq!(kept.write(), Ok(None));
+        let text = std::fs::read_to_string(&path).unwrap();
+        let json: serde_json::Value = serde_json::from_str(&text).unwrap();
+        assert_eq!(json["keys"], serde_json::json!({"keyframe-new": ["F5"], "arcball": ["F6"]}));
     }
 }

@@ -68,7 +68,17 @@ fn help_and_version_are_no_errors() {
     for command in [&["--help"][..], &["check", "--help"], &["sample", "--help"], &["render", "--help"]] {
         assert!(sandbox.run(command).succeeds().contains("Usage: inbetween"));
     }
-    assert!(sandbox.run(&["script", "--help"]).succeeds().contains("rotate AXIS DEGREES"));
+    // The help of scripts has every line that a script can have.
+    let help = sandbox.run(&["script", "--help"]).succeeds();
+    let table = inbetween::script::markdown();
+    let usages: Vec<String> = table
+        .lines()
+        .filter_map(|row| Some(row.strip_prefix("| `")?.split_once("` |")?.0.replace("\\|", "|")))
+        .collect();
+    assert!(usages.len() > 50);
+    for usage in usages {
+        assert!(help.lines().any(|line| line.trim() == usage), "{usage} is not in the help");
+    }
 }
 
 #[test]

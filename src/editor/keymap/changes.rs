@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use thiserror::Error;
 
 use super::{Binding, Chord, bindings};
-use crate::editor::Command;
+use crate::editor::{Command, commands};
 
 /// Why a change of keys is not made.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
@@ -46,95 +46,118 @@ impl Default for Keymap {
 
 impl Keymap {
     /// The table with the keys of some bindings changed, and what of that could not be done: those keep the table's keys.
+    ///
+    /// Bindings are named by their ids; English names, as older settings have them, are understood too.
     #[must_use]
     pub fn with_changes(changes: &BTreeMap<String, Vec<String>>) -> (Self, Vec<KeymapError>) {
         let mut keymap = Self::default();
         let mut errors = Vec::new();
-        for (name, chords) in changes {
-            if let Err(error) = keymap.take_in(name, chords) {
+        let changes = by_id(changes);
+        for (id, chords) in &changes {
+            if let Err(error) = keymap.take_in(id, chords) {
                 errors.push(error);
             }
         }
         // Changes may trade keys with each other, so that clashes are looked for when all are made.
-        while let Some((name, error)) = keymap.clash_of(changes.keys()) {
+        while let Some((id, error)) = keymap.clash_of(changes.keys()) {
             errors.push(error);
-            keymap.put(name, chords_of_table(name));
+            keymap.put(id, chords_of_table(id));
         }
         (keymap, errors)
     }
 
-    fn take_in(&mut self, name: &str, chords: &[String]) -> Result<(), KeymapError> {
-        let binding = self.get(name).filter(|binding| can_change(binding));
-        let name = binding.ok_or_else(|| KeymapError::NoSuchBinding { name: name.to_owned() })?.name;
+    fn take_in(&mut self, id: &str, chords: &[String]) -> Result<(), KeymapError> {
+        let Binding { id, name, .. } = *self.changeable(id)?;
         let chords = chords
             .iter()
             .map(|chord| {
                 Chord::parse(chord).ok_or_else(|| KeymapError::NoKey { chord: chord.clone(), name: name.to_owned() })
             })
             .collect::<Result<Vec<Chord>, _>>()?;
-        self.put(name, chords);
+        self.put(id, chords);
         Ok(())
     }
 
+    /// The binding of an id, if it may have other keys.
+    fn changeable(&self, id: &str) -> Result<&Binding, KeymapError> {
+        let binding = self.get(id).filter(|binding| can_change(binding));
+        binding.ok_or_else(|| KeymapError::NoSuchBinding { name: name_of(id).to_owned() })
+    }
+
     /// A binding that does not have the table's keys and shares one with another.
-    fn clash_of<'a>(&self, mut names: impl Iterator<Item = &'a String>) -> Option<(&'static str, KeymapError)> {
-        names.find_map(|name| {
-            let binding = self.get(name).filter(|binding| binding.chords != chords_of_table(binding.name))?;
-            self.clash(binding.name, &binding.chords).map(|error| (binding.name, error))
+    fn clash_of<'a>(&self, mut ids: impl Iterator<Item = &'a String>) -> Option<(&'static str, KeymapError)> {
+        ids.find_map(|id| {
+            let binding = self.get(id).filter(|binding| binding.chords != chords_of_table(binding.id))?;
+            self.clash(binding.id, &binding.chords).map(|error| (binding.id, error))
         })
     }
 
-    /// Why a binding cannot have these keys: another has one of them.
+    /// Why the binding of an id cannot have these keys: another has one of them.
     #[must_use]
-    pub fn clash(&self, name: &str, chords: &[Chord]) -> Option<KeymapError> {
+    pub fn clash(&self, id: &str, chords: &[Chord]) -> Option<KeymapError> {
         chords.iter().find_map(|chord| {
-            let others = self.0.iter().filter(|other| other.name != name);
+            let others = self.0.iter().filter(|other| other.id != id);
             let mut holders = others.filter(|other| other.chords.iter().any(|held| held.meets(*chord)));
             holders.next().map(|other| KeymapError::Clash { chord: chord.label(), other: other.name })
         })
     }
 
-    /// Gives a binding other keys.
+    /// Gives the binding of an id other keys.
     ///
     /// # Errors
     /// [`KeymapError`]; nothing has changed then.
-    pub fn set(&mut self, name: &str, chords: Vec<Chord>) -> Result<(), KeymapError> {
-        let binding = self.get(name).filter(|binding| can_change(binding));
-        let name = binding.ok_or_else(|| KeymapError::NoSuchBinding { name: name.to_owned() })?.name;
-        if let Some(error) = self.clash(name, &chords) {
+    pub fn set(&mut self, id: &str, chords: Vec<Chord>) -> Result<(), KeymapError> {
+        let id = self.changeable(id)?.id;
+        if let Some(error) = self.clash(id, &chords) {
             return Err(error);
         }
-        self.put(name, chords);
+        self.put(id, chords);
         Ok(())
     }
 
-    fn put(&mut self, name: &str, chords: Vec<Chord>) {
-        if let Some(binding) = self.0.iter_mut().find(|binding| binding.name == name) {
+    fn put(&mut self, id: &str, chords: Vec<Chord>) {
+        if let Some(binding) = self.0.iter_mut().find(|binding| binding.id == id) {
             binding.chords = chords;
         }
     }
 
-    /// What differs from the table, as the settings keep it.
+    /// What differs from the table, as the settings keep it: the keys of bindings by their ids.
     #[must_use]
     pub fn changes(&self) -> BTreeMap<String, Vec<String>> {
         self.0
             .iter()
-            .filter(|binding| binding.chords != chords_of_table(binding.name))
-            .map(|binding| (binding.name.to_owned(), binding.chords.iter().map(Chord::label).collect()))
+            .filter(|binding| binding.chords != chords_of_table(binding.id))
+            .map(|binding| (binding.id.to_owned(), binding.chords.iter().map(Chord::label).collect()))
             .collect()
     }
 
-    /// The rows, in the table's order.
+    /// The bindings, in the order of the help.
     #[must_use]
     pub fn bindings(&self) -> &[Binding] {
         &self.0
     }
 
-    /// The row of a name.
+    /// The binding of an id.
     #[must_use]
-    pub fn get(&self, name: &str) -> Option<&Binding> {
-        self.0.iter().find(|binding| binding.name == name)
+    pub fn get(&self, id: &str) -> Option<&Binding> {
+        self.0.iter().find(|binding| binding.id == id)
     }
+}
+
+/// Changes of keys with ids in place of the English names that older settings have. Where both stand there, the id counts; what names
+/// no binding stays as it is.
+#[must_use]
+pub fn by_id(changes: &BTreeMap<String, Vec<String>>) -> BTreeMap<String, Vec<String>> {
+    let id_of = |name: &str| table().find(|binding| binding.name == name).map(|binding| binding.id);
+    let mut renamed = BTreeMap::new();
+    for (name, chords) in changes {
+        if let Some(id) = id_of(name) {
+            renamed.insert(id.to_owned(), chords.clone());
+        }
+    }
+    let others = changes.iter().filter(|(name, _)| id_of(name).is_none());
+    renamed.extend(others.map(|(name, chords)| (name.clone(), chords.clone())));
+    renamed
 }
 
 /// Whether a binding may have other keys: Escape always leaves what is at hand.
@@ -143,10 +166,19 @@ pub fn can_change(binding: &Binding) -> bool {
     binding.command != Command::Cancel
 }
 
-/// The keys that the table gives a binding.
+/// The keys that the table gives the binding of an id.
 #[must_use]
-pub fn chords_of_table(name: &str) -> Vec<Chord> {
-    bindings().into_iter().find(|binding| binding.name == name).map(|binding| binding.chords).unwrap_or_default()
+pub fn chords_of_table(id: &str) -> Vec<Chord> {
+    table().find(|binding| binding.id == id).map(|binding| binding.chords.clone()).unwrap_or_default()
+}
+
+/// The English name of the binding of an id; the text itself where there is none.
+fn name_of(id: &str) -> &str {
+    table().find(|binding| binding.id == id).map_or(id, |binding| binding.name)
+}
+
+fn table() -> impl Iterator<Item = &'static Binding> {
+    commands::rows().iter().flat_map(|row| &row.bindings)
 }
 
 #[cfg(test)]
@@ -166,16 +198,21 @@ mod tests {
     fn no_two_rows_of_the_table_share_a_key() {
         let keymap = Keymap::default();
         for binding in keymap.bindings() {
-            assert_eq!(keymap.clash(binding.name, &binding.chords), None, "{}", binding.name);
+            assert_eq!(keymap.clash(binding.id, &binding.chords), None, "{}", binding.name);
         }
     }
 
     #[test]
-    fn names_are_one_row_each() {
-        let mut names: Vec<&str> = bindings().iter().map(|binding| binding.name).collect();
-        names.sort_unstable();
-        names.dedup();
-        assert_eq!(names.len(), bindings().len());
+    fn a_name_or_an_id_means_one_binding_in_any_case() {
+        let mut meant: Vec<(String, &str)> = bindings()
+            .iter()
+            .flat_map(|binding| [(binding.name.to_lowercase(), binding.id), (binding.id.to_owned(), binding.id)])
+            .collect();
+        meant.sort_unstable();
+        meant.dedup();
+        for pair in meant.windows(2) {
+            assert_ne!(pair[0].0, pair[1].0, "{} and {} share it", pair[0].1, pair[1].1);
+        }
     }
 
     #[test]
@@ -197,32 +234,43 @@ mod tests {
     fn a_changed_key_works_and_is_kept() {
         let mut keymap = Keymap::default();
         assert_eq!(keymap.changes(), BTreeMap::new());
-        keymap.set("New keyframe", vec![chord("Ctrl+k"), chord("F5")]).unwrap();
+        keymap.set("keyframe-new", vec![chord("Ctrl+k"), chord("F5")]).unwrap();
         let kept = keymap.changes();
-        assert_eq!(kept, changes(&[("New keyframe", &["Ctrl+K", "F5"])]));
+        assert_eq!(kept, changes(&[("keyframe-new", &["Ctrl+K", "F5"])]));
         let (again, errors) = Keymap::with_changes(&kept);
-        assert_eq!((again.get("New keyframe").unwrap().keys(), errors), ("Ctrl+K or F5".to_owned(), vec![]));
+        assert_eq!((again.get("keyframe-new").unwrap().keys(), errors), ("Ctrl+K or F5".to_owned(), vec![]));
     }
 
     #[test]
     fn a_clash_is_refused_and_named() {
         let mut keymap = Keymap::default();
-        let error = keymap.set("New keyframe", vec![chord("y")]).unwrap_err();
+        let error = keymap.set("keyframe-new", vec![chord("y")]).unwrap_err();
         assert_eq!(error.to_string(), "y is the key of \"Play or stop\": give that another key first.");
         assert_eq!(keymap.changes(), BTreeMap::new());
         // Shift does not matter for signs.
-        assert!(keymap.set("New keyframe", vec![chord("Shift+,")]).is_err());
-        assert!(keymap.set("New keyframe", vec![chord("Shift+n")]).is_ok());
-        assert!(keymap.set("Cancel", vec![chord("x")]).is_err());
+        assert!(keymap.set("keyframe-new", vec![chord("Shift+,")]).is_err());
+        assert!(keymap.set("keyframe-new", vec![chord("Shift+n")]).is_ok());
+        assert!(keymap.set("cancel", vec![chord("x")]).is_err());
     }
 
     #[test]
     fn kept_changes_may_trade_keys_but_not_share_them() {
-        let traded = changes(&[("New keyframe", &["d"]), ("Delete keyframe", &["n"])]);
+        let traded = changes(&[("keyframe-new", &["d"]), ("keyframe-delete", &["n"])]);
         let (keymap, errors) = Keymap::with_changes(&traded);
         assert_eq!((keymap.changes(), errors), (traded, vec![]));
-        let wrong = changes(&[("New keyframe", &["y"]), ("Arcball", &["Hyper+q"]), ("Fly", &["f"])]);
+        let wrong = changes(&[("keyframe-new", &["y"]), ("arcball", &["Hyper+q"]), ("Fly", &["f"])]);
         let (keymap, errors) = Keymap::with_changes(&wrong);
         assert_eq!((keymap.changes(), errors.len()), (BTreeMap::new(), 3));
+    }
+
+    #[test]
+    fn english_names_are_understood_and_kept_as_ids() {
+        let old = changes(&[("New keyframe", &["F5"]), ("Arcball", &["F6"]), ("arcball", &["F7"]), ("Fly", &["x"])]);
+        let expected = changes(&[("keyframe-new", &["F5"]), ("arcball", &["F7"]), ("Fly", &["x"])]);
+        assert_eq!(by_id(&old), expected);
+        let (keymap, errors) = Keymap::with_changes(&old);
+        assert_eq!(keymap.changes(), changes(&[("keyframe-new", &["F5"]), ("arcball", &["F7"])]));
+        let sentences: Vec<String> = errors.iter().map(ToString::to_string).collect();
+        assert_eq!(sentences, ["There is no command \"Fly\" whose keys could be changed."]);
     }
 }

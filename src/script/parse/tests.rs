@@ -1,8 +1,8 @@
 //! Scripts and what becomes of their lines.
 
-use super::values::{duration, radians};
 use super::*;
 use crate::editor::ViewCommand;
+use crate::editor::commands::radians;
 use crate::scene::{DEFAULT_SCENE, built_in_scene, scene_from_json};
 
 fn parsed(text: &str) -> Result<Vec<Line>, Vec<ScriptError>> {
@@ -25,7 +25,7 @@ fn comments_blanks_and_line_ends() {
 
 #[test]
 fn what_cannot_be_understood() {
-    let sentence = format!("\"jump\" is not a command; the commands are {}", forms::names_sentence());
+    let sentence = format!("\"jump\" is not a command; the commands are {}", crate::script::table::names_sentence());
     check_problem("jump 3", &sentence);
     check_problem("select robot3", "node \"robot3\" is not in the scene \"two-robots\"");
     check_problem("select", "expected `select PATH`, found `select`");

@@ -1,0 +1,204 @@
+//! Commands that place and turn nodes, one by one or by drags.
+
+use glam::{Quat, Vec3};
+
+use super::line::{Ending, Line};
+use super::row::{Changes, Row};
+use super::values::{
+    axis, number, number_text, numbers, radians, rbt, rbt_path_text, rbt_text, rotation_text, same_bits, vector_text,
+};
+use crate::editor::{Command, Edit, GestureCommand};
+use crate::rbt::Rbt;
+
+const fn edit_of(command: &Command) -> Option<&Edit> {
+    match command {
+        Command::Edit(edit) => Some(edit),
+        _ => None,
+    }
+}
+
+/// An edit of a pose, which a drag makes again and again.
+fn edit_with(id: &'static str, refused: &'static str, owns: fn(&Command) -> bool) -> Row {
+    Row::of(Changes::Document, id, owns).refused(refused).continuous()
+}
+
+pub(super) fn rows() -> Vec<Row> {
+    [chosen(), named(), drags()].concat()
+}
+
+fn chosen() -> Vec<Row> {
+    vec![
+        edit_with("rotate", "turn a node", |command| matches!(edit_of(command), Some(Edit::RotateChosen { .. })))
+            .can(|editor, _| editor.session.chosen.is_some())
+            .line(Line::new(
+                "rotate AXIS DEGREES",
+                "turns the chosen node about its own `x`, `y` or `z`",
+                |arguments| {
+                    let &[about, degrees] = arguments.words else { return Ok(None) };
+                    let (axis_in_node, radians) = (axis(about)?, radians(degrees)?);
+                    Ok(Some(Command::Edit(Edit::RotateChosen { axis_in_node, radians })))
+                },
+                |command, _| {
+                    let Some(&Edit::RotateChosen { axis_in_node, radians: by }) = edit_of(command) else { return None };
+                    let is_axis = |axis: Vec3| same_bits(&axis.to_array(), &axis_in_node.to_array());
+                    let axes = [("x", Vec3::X), ("y", Vec3::Y), ("z", Vec3::Z)];
+                    let (about, _) = axes.into_iter().find(|(_, axis)| is_axis(*axis))?;
+                    let degrees = number_text(by.to_degrees());
+                    // Not every angle in radians is one in degrees.
+                    let is_exact = radians(&degrees).is_ok_and(|read| read.to_bits() == by.to_bits());
+                    is_exact.then(|| format!("{about} {degrees}"))
+                },
+            ))
+            .line(Line::new(
+                "rotate-by X Y Z RADIANS",
+                "turns the chosen node about an axis of its own, which is a unit vector",
+                |arguments| {
+                    let Ok(&[x, y, z, by]) = <&[&str; 4]>::try_from(arguments.words) else { return Ok(None) };
+                    let axis_in_node = Vec3::from(numbers(&[x, y, z])?);
+                    Ok(Some(Command::Edit(Edit::RotateChosen { axis_in_node, radians: number(by)? })))
+                },
+                |command, _| {
+                    let Some(&Edit::RotateChosen { axis_in_node, radians }) = edit_of(command) else { return None };
+                    Some(format!("{} {}", vector_text(axis_in_node), number_text(radians)))
+                },
+            )),
+        edit_with("translate", "move a node", |command| matches!(edit_of(command), Some(Edit::TranslateChosen(_))))
+            .can(|editor, _| editor.session.chosen.is_some())
+            .line(Line::new(
+                "translate X Y Z",
+                "moves the chosen node, in its parent's space",
+                |arguments| {
+                    let Ok(words) = arguments.words.try_into() else { return Ok(None) };
+                    Ok(Some(Command::Edit(Edit::TranslateChosen(Vec3::from(numbers::<3>(words)?)))))
+                },
+                |command, _| {
+                    let Some(&Edit::TranslateChosen(by)) = edit_of(command) else { return None };
+                    Some(vector_text(by))
+                },
+            )),
+    ]
+}
+
+fn named() -> Vec<Row> {
+    vec![
+        edit_with("set-translation", "move a node", |command| {
+            matches!(edit_of(command), Some(Edit::SetTranslation(..)))
+        })
+        .line(
+            Line::new(
+                "set-translation X Y Z PATH",
+                "places a node, in its parent's space",
+                |arguments| {
+                    let Some((words, rbt)) = arguments.then_rbt()? else { return Ok(None) };
+                    Ok(Some(Command::Edit(Edit::SetTranslation(rbt, Vec3::from(numbers::<3>(&words)?)))))
+                },
+                |command, scene| {
+                    let Some(&Edit::SetTranslation(rbt, to)) = edit_of(command) else { return None };
+                    Some(format!("{} {}", vector_text(to), rbt_path_text(rbt, scene)?))
+                },
+            )
+            .ending(Ending::NodePath),
+        ),
+        edit_with("set-rotation", "turn a node", |command| matches!(edit_of(command), Some(Edit::SetRotation(..))))
+            .line(
+                Line::new(
+                    "set-rotation X Y Z W PATH",
+                    "turns a node: a quaternion, which is normalised",
+                    |arguments| {
+                        let Some((words, rbt)) = arguments.then_rbt()? else { return Ok(None) };
+                        Ok(Some(Command::Edit(Edit::SetRotation(rbt, Quat::from_array(numbers::<4>(&words)?)))))
+                    },
+                    |command, scene| {
+                        let Some(&Edit::SetRotation(rbt, to)) = edit_of(command) else { return None };
+                        Some(format!("{} {}", rotation_text(to), rbt_path_text(rbt, scene)?))
+                    },
+                )
+                .ending(Ending::NodePath),
+            ),
+    ]
+}
+
+fn drags() -> Vec<Row> {
+    // The four commands of a drag share one line.
+    let drag = Line::new(
+        "drag begin|end|cancel|move X Y Z|turn AXIS DEGREES",
+        "what comes between `begin` and `end` is one step of undo, as with the mouse; `move` and `turn` go along the view's axes",
+        |arguments| {
+            let gesture = match *arguments.words {
+                ["begin"] => GestureCommand::Begin,
+                ["end"] => GestureCommand::Commit,
+                ["cancel"] => GestureCommand::Abort,
+                ["move", x, y, z] => GestureCommand::Move(Rbt::from_translation(Vec3::from(numbers(&[x, y, z])?))),
+                ["turn", about, degrees] => {
+                    let rotation = Quat::from_axis_angle(axis(about)?, radians(degrees)?);
+                    GestureCommand::Move(Rbt::from_rotation(rotation))
+                }
+                _ => return Ok(None),
+            };
+            Ok(Some(Command::Gesture(gesture)))
+        },
+        |command, _| match command {
+            Command::Gesture(GestureCommand::Begin) => Some("begin".to_owned()),
+            Command::Gesture(GestureCommand::Commit) => Some("end".to_owned()),
+            Command::Gesture(GestureCommand::Abort) => Some("cancel".to_owned()),
+            Command::Gesture(GestureCommand::Move(motion)) => {
+                Some(format!("move {}", vector_text(translation_alone(*motion)?)))
+            }
+            _ => None,
+        },
+    );
+    let part = |id, owns| Row::of(Changes::Document, id, owns).can(|editor, _| editor.gesture.is_some());
+    vec![
+        Row::of(Changes::Document, "drag-begin", |command| matches!(command, Command::Gesture(GestureCommand::Begin)))
+            .refused("move a node")
+            .line(drag.clone()),
+        part("drag-end", |command| matches!(command, Command::Gesture(GestureCommand::Commit))).line(drag.clone()),
+        part("drag-cancel", |command| matches!(command, Command::Gesture(GestureCommand::Abort))).line(drag.clone()),
+        part("drag-move", |command| matches!(command, Command::Gesture(GestureCommand::Move(_)))).line(drag).line(
+            Line::new(
+                "drag-by X Y Z QX QY QZ QW",
+                "a motion of a drag along and about the view's axes: a translation and a quaternion",
+                |arguments| {
+                    let Ok(words) = arguments.words.try_into() else { return Ok(None) };
+                    Ok(Some(Command::Gesture(GestureCommand::Move(rbt(words)?))))
+                },
+                |command, _| {
+                    let Command::Gesture(GestureCommand::Move(motion)) = command else { return None };
+                    Some(rbt_text(*motion))
+                },
+            ),
+        ),
+        edit_with("wheel", "move a node", |command| matches!(edit_of(command), Some(Edit::Wheel(_))))
+            .line(Line::new(
+                "wheel UNITS",
+                "moves the chosen node, or the eye, forward along the view, in scene units",
+                |arguments| {
+                    let &[units] = arguments.words else { return Ok(None) };
+                    let by = Vec3::new(0.0, 0.0, -number(units)?);
+                    Ok(Some(Command::Edit(Edit::Wheel(Rbt::from_translation(by)))))
+                },
+                |command, _| {
+                    let Some(&Edit::Wheel(motion)) = edit_of(command) else { return None };
+                    let by = translation_alone(motion)?;
+                    same_bits(&[by.x, by.y], &[0.0, 0.0]).then(|| number_text(-by.z))
+                },
+            ))
+            .line(Line::new(
+                "wheel-by X Y Z QX QY QZ QW",
+                "moves the chosen node, or the eye, along and about the view's axes: a translation and a quaternion",
+                |arguments| {
+                    let Ok(words) = arguments.words.try_into() else { return Ok(None) };
+                    Ok(Some(Command::Edit(Edit::Wheel(rbt(words)?))))
+                },
+                |command, _| {
+                    let Some(&Edit::Wheel(motion)) = edit_of(command) else { return None };
+                    Some(rbt_text(motion))
+                },
+            )),
+    ]
+}
+
+/// The translation of a motion that turns nothing.
+fn translation_alone(motion: Rbt) -> Option<Vec3> {
+    same_bits(&motion.rotation.to_array(), &Quat::IDENTITY.to_array()).then_some(motion.translation)
+}

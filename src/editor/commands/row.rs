@@ -1,0 +1,255 @@
+//! What a row of the table of commands holds.
+
+use super::line::Line;
+use crate::editor::keymap::Chord;
+use crate::editor::{Command, Editor};
+
+/// What a command changes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Changes {
+    /// The document, which undo restores.
+    Document,
+    /// How the document is looked at, selected and played; undo leaves it alone.
+    Session,
+    /// Files, or what happens outside the editor: its effect is an [`crate::editor::Effect`].
+    Files,
+    /// The window and its settings only.
+    Window,
+}
+
+/// The part of the help that a binding stands in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Group {
+    /// The keyframe list.
+    Keyframes,
+    /// The timeline.
+    Timeline,
+    /// Playing.
+    Playing,
+    /// Looking and handling.
+    View,
+    /// Files and undo.
+    File,
+    /// The window itself.
+    Window,
+}
+
+impl Group {
+    /// All of them, in the order of the help.
+    pub const ALL: [Self; 6] = [Self::Keyframes, Self::Timeline, Self::Playing, Self::View, Self::File, Self::Window];
+
+    /// Its heading.
+    #[must_use]
+    pub const fn heading(self) -> &'static str {
+        match self {
+            Self::Keyframes => "Keyframes",
+            Self::Timeline => "Timeline",
+            Self::Playing => "Playing",
+            Self::View => "Looking and handling",
+            Self::File => "Files and undo",
+            Self::Window => "Window",
+        }
+    }
+
+    /// The menu of its bindings that name no other.
+    const fn menu(self) -> Menu {
+        match self {
+            Self::Keyframes | Self::Timeline => Menu::Edit,
+            Self::Playing => Menu::Animation,
+            Self::View | Self::Window => Menu::View,
+            Self::File => Menu::File,
+        }
+    }
+}
+
+/// The menus of the menu bar.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Menu {
+    /// Files, pictures, films.
+    File,
+    /// Changes of the document.
+    Edit,
+    /// How the scene and the window look.
+    View,
+    /// Playing.
+    Animation,
+    /// The help, and lists of commands and hotkeys.
+    Help,
+}
+
+impl Menu {
+    /// All of them, in the order of the menu bar.
+    pub const ALL: [Self; 5] = [Self::File, Self::Edit, Self::View, Self::Animation, Self::Help];
+}
+
+/// What the window shows that the editor does not know of: some ticks of menus depend on it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct WindowState {
+    /// Whether the log of messages is shown.
+    pub messages: bool,
+    /// Whether the statistics are shown.
+    pub statistics: bool,
+}
+
+/// The section of a menu that most items stand in.
+const USUAL_SECTION: u8 = 5;
+
+/// How a command stands in menus, in the list of commands and in the help, with its default hotkeys.
+#[derive(Clone, Debug)]
+pub struct Binding {
+    /// Its stable id in kebab-case, as in `keyframe-new`: what settings and scripts call it.
+    pub id: &'static str,
+    /// The command that it stands for.
+    pub command: Command,
+    /// Its name in menus and lists, as in "New keyframe".
+    pub name: &'static str,
+    /// What it does, in a sentence for the help.
+    pub help: &'static str,
+    /// Where it stands in the help.
+    pub group: Group,
+    /// Its default hotkeys, the first of them the one that menus show.
+    pub chords: Vec<Chord>,
+    /// Whether holding the hotkey repeats it.
+    pub repeats: bool,
+    /// The menu that shows it.
+    pub menu: Menu,
+    /// Its section there: smaller ones stand first, with a separator between different ones.
+    pub section: u8,
+    /// Whether menus tick it.
+    pub is_on: fn(&Editor, WindowState) -> bool,
+}
+
+impl Binding {
+    pub(super) fn new(
+        group: Group,
+        id: &'static str,
+        command: Command,
+        name: &'static str,
+        help: &'static str,
+    ) -> Self {
+        Self {
+            id,
+            command,
+            name,
+            help,
+            group,
+            chords: Vec::new(),
+            repeats: false,
+            menu: group.menu(),
+            section: USUAL_SECTION,
+            is_on: |_, _| false,
+        }
+    }
+
+    /// Gives it default hotkeys, as [`Chord::parse`] reads them.
+    pub(super) fn hotkeys(mut self, keys: &[&str]) -> Self {
+        self.chords = keys.iter().map(|key| Chord::parse(key).expect("the table's hotkeys are hotkeys")).collect();
+        self
+    }
+
+    /// Gives it default hotkeys that repeat while they are held.
+    pub(super) fn repeating_hotkeys(self, keys: &[&str]) -> Self {
+        Self { repeats: true, ..self.hotkeys(keys) }
+    }
+
+    pub(super) fn menu(self, menu: Menu) -> Self {
+        Self { menu, ..self }
+    }
+
+    pub(super) fn section(self, section: u8) -> Self {
+        Self { section, ..self }
+    }
+
+    pub(super) fn ticked(self, is_on: fn(&Editor, WindowState) -> bool) -> Self {
+        Self { is_on, ..self }
+    }
+}
+
+/// One row of the table: a kind of [`Command`].
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// Its stable id in kebab-case: that of its binding, where it has one of its own.
+    pub id: &'static str,
+    /// What it changes.
+    pub changes: Changes,
+    /// Its script lines, the preferred one first; where it has none, `do` and the id of a binding.
+    pub lines: Vec<Line>,
+    /// How it stands in lists: once for a command without parameters, and once for each value of one with parameters that is offered.
+    pub bindings: Vec<Binding>,
+    /// Whether it can do what it is for, as far as playing does not refuse it.
+    pub can: fn(&Editor, &Command) -> bool,
+    /// What it is called where playing refuses it, as in "delete a keyframe"; `None` where playing does not.
+    pub refused_while_playing: Option<&'static str>,
+    /// Whether a drag makes it again and again, so that during one it is a part of it.
+    pub is_continuous: bool,
+    /// Whether it first leaves a scrubbed key time.
+    pub ends_scrub: bool,
+    owns: Option<fn(&Command) -> bool>,
+}
+
+impl Row {
+    /// The row of a command without parameters.
+    pub(super) fn listed(changes: Changes, binding: Binding) -> Self {
+        Self { owns: None, bindings: vec![binding.clone()], ..Self::bare(binding.id, changes) }
+    }
+
+    /// The row of a command with parameters, or of one that no list shows.
+    pub(super) fn of(changes: Changes, id: &'static str, owns: fn(&Command) -> bool) -> Self {
+        Self { owns: Some(owns), ..Self::bare(id, changes) }
+    }
+
+    fn bare(id: &'static str, changes: Changes) -> Self {
+        Self {
+            id,
+            changes,
+            lines: Vec::new(),
+            bindings: Vec::new(),
+            can: |_, _| true,
+            refused_while_playing: None,
+            is_continuous: false,
+            ends_scrub: false,
+            owns: None,
+        }
+    }
+
+    /// Whether a command is of this row.
+    #[must_use]
+    pub fn owns(&self, command: &Command) -> bool {
+        match self.owns {
+            Some(owns) => owns(command),
+            None => self.bindings.iter().any(|binding| binding.command == *command),
+        }
+    }
+
+    pub(super) fn binding(mut self, binding: Binding) -> Self {
+        self.bindings.push(binding);
+        self
+    }
+
+    pub(super) fn line(mut self, line: Line) -> Self {
+        self.lines.push(line);
+        self
+    }
+
+    /// Gives a command without parameters a line that is one word.
+    pub(super) fn word(self, name: &'static str, does: &'static str) -> Self {
+        let command = self.bindings[0].command.clone();
+        self.line(Line::word(name, does, command))
+    }
+
+    pub(super) fn can(self, can: fn(&Editor, &Command) -> bool) -> Self {
+        Self { can, ..self }
+    }
+
+    pub(super) fn refused(self, what: &'static str) -> Self {
+        Self { refused_while_playing: Some(what), ..self }
+    }
+
+    pub(super) fn continuous(self) -> Self {
+        Self { is_continuous: true, ..self }
+    }
+
+    pub(super) fn ends_scrub(self) -> Self {
+        Self { ends_scrub: true, ..self }
+    }
+}

@@ -1,0 +1,123 @@
+//! Commands of looking and handling.
+
+use super::line::{ArgumentError, Ending, Line};
+use super::row::{Binding, Changes, Group, Menu, Row};
+use super::values::{listed, rbt_path_text};
+use crate::editor::{Command, ViewCommand};
+
+fn binding(id: &'static str, command: ViewCommand, name: &'static str, help: &'static str) -> Binding {
+    Binding::new(Group::View, id, Command::View(command), name, help)
+}
+
+pub(super) fn rows() -> Vec<Row> {
+    [eyes(), shown(), panels()].concat()
+}
+
+fn eyes() -> Vec<Row> {
+    let next =
+        binding("eye-next", ViewCommand::NextEye, "Next eye", "Look from the next eye: the sky, robot 1, robot 2");
+    let pick = binding(
+        "pick",
+        ViewCommand::StartPicking,
+        "Pick a node",
+        "Pick: the next click chooses the node to move; the ground chooses none",
+    );
+    let sky = binding(
+        "sky-mode",
+        ViewCommand::ToggleSkyMode,
+        "Sky camera's centre",
+        "Move the sky camera about the world's centre, or about itself",
+    );
+    vec![
+        Row::listed(Changes::Session, next.hotkeys(&["v"])),
+        Row::of(Changes::Session, "eye", |command| matches!(command, Command::View(ViewCommand::SetEye(_)))).line(
+            Line::new(
+                "eye PATH",
+                "looks from an eye of the scene",
+                |arguments| {
+                    if arguments.words.is_empty() {
+                        return Ok(None);
+                    }
+                    let rbt = arguments.rbt(arguments.text)?;
+                    let eyes = arguments.scene.eyes();
+                    let eye = eyes.iter().position(|&eye| eye == rbt).ok_or_else(|| ArgumentError::Eye {
+                        path: arguments.text.to_owned(),
+                        expected: listed(&eyes.iter().map(|&eye| arguments.scene.rbt_path(eye)).collect::<Vec<_>>()),
+                    })?;
+                    Ok(Some(Command::View(ViewCommand::SetEye(eye))))
+                },
+                |command, scene| {
+                    let Command::View(ViewCommand::SetEye(eye)) = command else { return None };
+                    rbt_path_text(*scene.eyes().get(*eye)?, scene)
+                },
+            )
+            .ending(Ending::NodePath),
+        ),
+        Row::listed(Changes::Session, pick.hotkeys(&["p"]).ticked(|editor, _| editor.session.is_picking)),
+        Row::of(Changes::Session, "select", |command| matches!(command, Command::View(ViewCommand::Choose(_)))).line(
+            Line::new(
+                "select PATH",
+                "chooses the node to move: any path that `inbetween nodes` prints, or `none`",
+                |arguments| {
+                    let chosen = match arguments.words {
+                        [] => return Ok(None),
+                        ["none"] => None,
+                        _ => Some(arguments.rbt(arguments.text)?),
+                    };
+                    Ok(Some(Command::View(ViewCommand::Choose(chosen))))
+                },
+                |command, scene| {
+                    let Command::View(ViewCommand::Choose(chosen)) = command else { return None };
+                    chosen.map_or_else(|| Some("none".to_owned()), |rbt| rbt_path_text(rbt, scene))
+                },
+            )
+            .ending(Ending::NodePath),
+        ),
+        Row::listed(Changes::Session, sky.hotkeys(&["m"]))
+            .can(|editor, _| editor.session.eye == 0 && editor.session.chosen.is_none()),
+    ]
+}
+
+fn shown() -> Vec<Row> {
+    let arcball = binding("arcball", ViewCommand::ToggleArcball, "Arcball", "Show or hide the arcball");
+    let path = binding(
+        "motion-path",
+        ViewCommand::TogglePath,
+        "Motion path",
+        "Show or hide the path that the chosen node takes",
+    );
+    let ghosts = binding(
+        "ghosts-next",
+        ViewCommand::NextGhosts,
+        "Ghosts",
+        "Show one more of the neighbouring keyframes on each side as ghosts, up to 3, then none",
+    );
+    let comparison = binding(
+        "interpolations-compare",
+        ViewCommand::ToggleComparison,
+        "Compare interpolations",
+        "While playing, show the chosen robot under the other interpolations",
+    );
+    vec![
+        Row::listed(Changes::Session, arcball.hotkeys(&["a"]).ticked(|editor, _| editor.session.shows_arcball)),
+        Row::listed(Changes::Session, path.hotkeys(&["Alt+P"]).ticked(|editor, _| editor.session.shows_path)),
+        Row::listed(Changes::Session, ghosts.repeating_hotkeys(&["Shift+G"])),
+        Row::listed(Changes::Session, comparison.ticked(|editor, _| editor.session.compares)),
+    ]
+}
+
+fn panels() -> Vec<Row> {
+    let help = binding("help", ViewCommand::ToggleHelp, "Help", "Show or hide this help");
+    let panels = binding("panels", ViewCommand::TogglePanels, "Panels", "Hide or show all panels");
+    let cancel =
+        Binding::new(Group::View, "cancel", Command::Cancel, "Cancel", "Leave the mode, drag or dialog at hand");
+    vec![
+        Row::listed(
+            Changes::Session,
+            help.hotkeys(&["h"]).menu(Menu::Help).ticked(|editor, _| editor.session.shows_help),
+        ),
+        Row::listed(Changes::Session, panels.hotkeys(&["F11"]).ticked(|editor, _| editor.session.shows_panels)),
+        Row::listed(Changes::Document, cancel.hotkeys(&["Esc"]).menu(Menu::Edit).section(9))
+            .can(|editor, _| editor.gesture.is_some() || editor.session.is_picking || editor.session.shows_help),
+    ]
+}

@@ -1,0 +1,74 @@
+//! Commands of the window itself. Those with parameters have no script line: a script has no window that they could change.
+
+use super::row::{Binding, Changes, Group, Menu, Row};
+use crate::editor::{Command, WindowCommand};
+
+fn binding(id: &'static str, command: WindowCommand, name: &'static str, help: &'static str) -> Binding {
+    Binding::new(Group::Window, id, Command::Window(command), name, help).section(8)
+}
+
+pub(super) fn rows() -> Vec<Row> {
+    [lists(), scale(), settings()].concat()
+}
+
+fn lists() -> Vec<Row> {
+    let commands = binding(
+        "commands",
+        WindowCommand::ShowCommands,
+        "Commands…",
+        "List all commands, and run one by typing a part of its name",
+    );
+    let hotkeys = binding("hotkeys", WindowCommand::ShowKeys, "Keys…", "Show the keys, and change them");
+    let messages = binding(
+        "messages",
+        WindowCommand::ToggleMessages,
+        "Messages",
+        "Show or hide all that was said since the start",
+    );
+    let statistics = binding(
+        "statistics",
+        WindowCommand::ToggleStatistics,
+        "Statistics",
+        "Show or hide pictures a second, and where their time goes",
+    );
+    vec![
+        Row::listed(Changes::Window, commands.hotkeys(&["Ctrl+Shift+P"]).menu(Menu::Help)),
+        Row::listed(Changes::Window, hotkeys.menu(Menu::Help)),
+        Row::listed(Changes::Window, messages.ticked(|_, window| window.messages)),
+        Row::listed(Changes::Window, statistics.ticked(|_, window| window.statistics)),
+    ]
+}
+
+fn scale() -> Vec<Row> {
+    let larger = binding("scale-larger", WindowCommand::Larger, "Larger", "Show the panels larger");
+    let smaller = binding("scale-smaller", WindowCommand::Smaller, "Smaller", "Show the panels smaller");
+    let usual =
+        binding("scale-usual", WindowCommand::SetScale(100), "Usual size", "Show the panels in the system's size");
+    vec![
+        Row::listed(Changes::Window, larger.repeating_hotkeys(&["Ctrl++", "Ctrl+="])),
+        Row::listed(Changes::Window, smaller.repeating_hotkeys(&["Ctrl+-"])),
+        Row::of(Changes::Window, "scale", |command| matches!(command, Command::Window(WindowCommand::SetScale(_))))
+            .binding(usual.hotkeys(&["Ctrl+0"])),
+    ]
+}
+
+fn settings() -> Vec<Row> {
+    vec![
+        Row::of(Changes::Window, "theme", |command| matches!(command, Command::Window(WindowCommand::SetTheme(_)))),
+        Row::of(Changes::Window, "language", |command| {
+            matches!(command, Command::Window(WindowCommand::SetLanguage(_)))
+        }),
+        Row::of(Changes::Window, "hotkeys-set", |command| {
+            matches!(command, Command::Window(WindowCommand::SetKeys(..)))
+        }),
+        Row::of(Changes::Window, "hotkeys-reset", |command| {
+            matches!(command, Command::Window(WindowCommand::ResetKeys(_)))
+        }),
+        Row::of(Changes::Window, "hotkeys-reset-all", |command| {
+            matches!(command, Command::Window(WindowCommand::ResetAllKeys))
+        }),
+        Row::of(Changes::Window, "recent-forget", |command| {
+            matches!(command, Command::Window(WindowCommand::ForgetRecent))
+        }),
+    ]
+}

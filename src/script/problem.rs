@@ -1,0 +1,59 @@
+//! What is wrong with a line of a script, in a sentence.
+
+use thiserror::Error;
+
+use super::table::names_sentence;
+use crate::editor::commands::ArgumentError;
+
+/// A line that cannot be understood.
+#[derive(Clone, Debug, Error, PartialEq)]
+#[error("line {number}: {problem}")]
+pub struct ScriptError {
+    /// Its number, from 1.
+    pub number: usize,
+    /// What is wrong with it.
+    pub problem: LineProblem,
+}
+
+/// What is wrong with a line.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum LineProblem {
+    /// The bytes are no text.
+    #[error("not UTF-8")]
+    NotUtf8,
+    /// The first word is no command.
+    #[error("{word:?} is not a command; the commands are {}", names_sentence())]
+    Unknown {
+        /// The word.
+        word: String,
+    },
+    /// The words after the command are not those that it takes.
+    #[error("expected `{usage}`, found `{found}`")]
+    Usage {
+        /// How the command is written.
+        usage: &'static str,
+        /// What the line says.
+        found: String,
+    },
+    /// The words after the command have no meaning.
+    #[error(transparent)]
+    Argument(#[from] ArgumentError),
+    /// The time is none.
+    #[error("{word:?} is not a time; expected as in 500ms or 2s, at least 0")]
+    Time {
+        /// What stands there.
+        word: String,
+    },
+    /// No hotkey is bound to that.
+    #[error("{word:?} is not a hotkey")]
+    Hotkey {
+        /// What stands there.
+        word: String,
+    },
+    /// The list of commands has no such name or id.
+    #[error("{name:?} is not in the list of commands")]
+    Name {
+        /// What stands there.
+        name: String,
+    },
+}

@@ -1,0 +1,52 @@
+//! The lists of all lines that a script can have.
+
+use std::fmt::Write as _;
+
+use crate::editor::commands::{self, listed};
+
+/// Lines that are the script's own: the first word, how they are written, and what they do.
+pub(super) const OWN_LINES: [(&str, &str, &str); 4] = [
+    ("key", "key K", "a hotkey: the character itself, or a name such as `space`, `home`, `ctrl+d`"),
+    (
+        "do",
+        "do NAME",
+        "a command by its id or its English name in the list of commands (Ctrl+Shift+P), as in `do keyframes-reverse` or `do Reverse keyframes`",
+    ),
+    (
+        "clamped",
+        "clamped LINE",
+        "`duration`, `ghosts`, `ms`, `speed` or `step` with a number out of its range, which is kept within it",
+    ),
+    ("wait", "wait TIME", "so much time for the animation clock: `500ms`, `2s`"),
+];
+
+/// How every line is written and what it does, those of commands first.
+fn lines() -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
+    commands::lines().map(|line| (line.name, line.usage, line.does)).chain(OWN_LINES)
+}
+
+/// Every first word, in a sentence.
+pub(super) fn names_sentence() -> String {
+    let names: Vec<&str> = lines().map(|(name, ..)| name).collect();
+    listed(&names).replace(" or ", " and ")
+}
+
+/// The lines as a table in Markdown, for the manual.
+#[must_use]
+pub fn markdown() -> String {
+    let mut text = String::from("| line | does |\n|---|---|\n");
+    for (_, usage, does) in lines() {
+        let _ = writeln!(text, "| `{}` | {does} |", usage.replace('|', "\\|"));
+    }
+    text
+}
+
+/// The lines as plain text, for the help of the command line.
+#[must_use]
+pub fn help() -> String {
+    let mut text = String::new();
+    for (_, usage, does) in lines() {
+        let _ = writeln!(text, "  {usage}\n      {does}");
+    }
+    text
+}
