@@ -10,7 +10,7 @@ use crate::files::{self, FileError};
 /// # Errors
 /// [`CliError`] with status 2: an image cannot be read, they have different sizes, or the difference cannot be written.
 pub fn run(arguments: &CompareArguments) -> Result<Ended, CliError> {
-    let trouble = |error: FileError| CliError::from(error).as_trouble();
+    let trouble = |error: FileError| CliError::from(error).into_trouble();
     let (first, second) = (&arguments.first, &arguments.second);
     let [one, other] = [files::image(first).map_err(trouble)?, files::image(second).map_err(trouble)?];
     let found = compare(&one, &other).map_err(|error| {

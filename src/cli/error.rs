@@ -74,7 +74,7 @@ impl CliError {
     }
 
     /// The same as the failure of a command that compares: status 2, since 1 would mean a difference.
-    pub fn as_trouble(self) -> Self {
+    pub fn into_trouble(self) -> Self {
         match self {
             Self::Failed { sentences, source, .. } => Self::Failed { status: MISUSE, sentences, source },
             usage @ Self::Usage(_) => usage,

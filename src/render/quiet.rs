@@ -27,15 +27,19 @@ pub fn without_driver_chatter<T>(ask: impl FnOnce() -> T) -> T {
     if dup2_stderr(&nowhere).is_err() {
         return ask();
     }
-    /// Restores standard error, also when a driver panics.
-    struct Restore(rustix::fd::OwnedFd);
-    impl Drop for Restore {
-        fn drop(&mut self) {
-            let _ = dup2_stderr(&self.0);
-        }
-    }
     let _restore = Restore(kept);
     ask()
+}
+
+/// Restores standard error when it is dropped: also where a driver panics.
+#[cfg(unix)]
+struct Restore(rustix::fd::OwnedFd);
+
+#[cfg(unix)]
+impl Drop for Restore {
+    fn drop(&mut self) {
+        let _ = rustix::stdio::dup2_stderr(&self.0);
+    }
 }
 
 /// Does something that loads drivers.

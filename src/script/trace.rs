@@ -8,6 +8,7 @@ use super::parse::Line;
 use crate::editor::Editor;
 use crate::interpolation::Interpolation;
 use crate::json::{push_quoted, push_rbts, push_strings};
+use crate::keyframe::KeyframeIndex;
 
 /// What a trace says of the editor after a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,7 +34,7 @@ impl State {
         let document = editor.document();
         Self {
             keyframes: document.keyframes.len(),
-            current: document.keyframes.current().map(|index| index.get()),
+            current: document.keyframes.current().map(KeyframeIndex::get),
             is_playing: editor.is_playing(),
             key_time: editor.key_time().filter(|_| editor.is_playing()),
             ms_between_keyframes: document.ms_between_keyframes,
