@@ -23,6 +23,7 @@ use crate::interpolation::Interpolation;
 use crate::keyframe::KeyframeList;
 use crate::render::GpuError;
 use crate::storage::StorageError;
+use crate::words::{Argument, Message, display_by_message, texts};
 
 pub use ffmpeg::find_ffmpeg;
 pub use job::Job;
@@ -49,24 +50,19 @@ pub struct Animation {
 #[derive(Debug, Error)]
 pub enum ExportError {
     /// Options that do not go together.
-    #[error("{0}")]
-    Misuse(String),
+    Misuse(Message),
     /// What was given to work on is bad.
-    #[error("{place}: {problem}")]
     BadInput {
         /// A file, a scene or an option.
-        place: String,
+        place: Argument,
         /// What is wrong there.
-        problem: String,
+        problem: Message,
     },
     /// There is no GPU adapter, or it cannot draw the picture.
-    #[error(transparent)]
     Gpu(#[from] GpuError),
     /// A picture could not be made a PNG.
-    #[error("the picture cannot be encoded: {0}")]
     Png(#[from] png::EncodingError),
     /// A file could not be written.
-    #[error("{}: {reason}", path.display())]
     Unwritten {
         /// Which file.
         path: PathBuf,
@@ -75,7 +71,6 @@ pub enum ExportError {
         reason: StorageError,
     },
     /// A film could not be written.
-    #[error("{}: {reason}", path.display())]
     Film {
         /// Which file.
         path: PathBuf,
@@ -84,17 +79,32 @@ pub enum ExportError {
         reason: FilmError,
     },
     /// Whoever watches ended it.
-    #[error("interrupted: what was not finished is not kept")]
     Cancelled,
 }
 
+display_by_message!(ExportError);
+
 impl ExportError {
-    fn misuse(sentence: impl Into<String>) -> Self {
-        Self::Misuse(sentence.into())
+    /// Why, as a message.
+    #[must_use]
+    pub fn message(&self) -> Message {
+        match self {
+            Self::Misuse(message) => message.clone(),
+            Self::BadInput { place, problem } => texts::export_at(place.clone(), problem.clone()),
+            Self::Gpu(error) => error.message(),
+            Self::Png(error) => texts::export_picture_not_encoded(error.to_string()),
+            Self::Unwritten { path, reason } => texts::export_at(path.display(), reason.message()),
+            Self::Film { path, reason } => texts::export_at(path.display(), reason.message()),
+            Self::Cancelled => texts::EXPORT_INTERRUPTED.into(),
+        }
     }
 
-    fn bad_input(place: impl std::fmt::Display, problem: impl std::fmt::Display) -> Self {
-        Self::BadInput { place: place.to_string(), problem: problem.to_string() }
+    fn misuse(message: impl Into<Message>) -> Self {
+        Self::Misuse(message.into())
+    }
+
+    fn bad_input(place: impl Into<Argument>, problem: impl Into<Message>) -> Self {
+        Self::BadInput { place: place.into(), problem: problem.into() }
     }
 
     fn unwritten(path: &Path, reason: StorageError) -> Self {

@@ -15,6 +15,7 @@ use std::io::{self, Write};
 use thiserror::Error;
 
 use crate::render::Image;
+use crate::words::{Message, display_by_message, texts};
 
 pub use palette::Palette;
 pub use sheet::{Cell, Grid, contact_sheet};
@@ -34,7 +35,6 @@ pub enum Format {
 #[derive(Debug, Error)]
 pub enum FilmError {
     /// A picture has another size than the film.
-    #[error("a picture of {found_width}x{found_height} pixels in a film of {width}x{height}")]
     Size {
         /// The film's width in pixels.
         width: u32,
@@ -46,7 +46,6 @@ pub enum FilmError {
         found_height: u32,
     },
     /// A GIF's sides are at most 65535 pixels.
-    #[error("a GIF of {width}x{height} pixels cannot be written: each side is at most 65535")]
     TooLarge {
         /// Width in pixels.
         width: u32,
@@ -54,11 +53,26 @@ pub enum FilmError {
         height: u32,
     },
     /// The bytes cannot be written.
-    #[error("{0}")]
     Unwritten(#[from] io::Error),
     /// The encoder refuses.
-    #[error("the film cannot be encoded: {0}")]
     Encoding(String),
+}
+
+display_by_message!(FilmError);
+
+impl FilmError {
+    /// Why, as a message.
+    #[must_use]
+    pub fn message(&self) -> Message {
+        match self {
+            Self::Size { width, height, found_width, found_height } => {
+                texts::film_size(*found_width, *found_height, *width, *height)
+            }
+            Self::TooLarge { width, height } => texts::film_too_large(*width, *height),
+            Self::Unwritten(error) => texts::foreign(error.to_string()),
+            Self::Encoding(reason) => texts::film_not_encoded(reason),
+        }
+    }
 }
 
 impl From<png::EncodingError> for FilmError {

@@ -8,6 +8,7 @@
 use glam::{Quat, Vec3};
 
 use crate::rbt::Rbt;
+use crate::words::{Phrase, texts};
 
 /// Which interpolation plays between keyframes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -34,10 +35,10 @@ impl Interpolation {
 
     /// Its name for people.
     #[must_use]
-    pub const fn label(self) -> &'static str {
+    pub const fn title(self) -> Phrase {
         match self {
-            Self::Linear => "Linear",
-            Self::CatmullRom => "Catmull-Rom",
+            Self::Linear => texts::BLEND_LINEAR,
+            Self::CatmullRom => texts::BLEND_CATMULL_ROM,
         }
     }
 

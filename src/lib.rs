@@ -26,6 +26,7 @@
 //!
 //! | level | modules | may name |
 //! |---|---|---|
+//! | 0 | [`words`] | serde, for the code of a language in settings |
 //! | 0 | [`rbt`], [`interpolation`], [`json`] | glam |
 //! | 1 | [`timed`], [`pose`], [`blend`], [`scene`], [`camera`] | serde, in file formats |
 //! | 2 | [`keyframe`], [`clock`], [`settings`], [`text_layouts`] | serde, in file formats; `Duration`, never `Instant` |
@@ -95,3 +96,4 @@ pub mod text_layouts;
 pub mod timed;
 pub mod ui;
 pub mod window;
+pub mod words;

@@ -204,7 +204,7 @@ fn how_an_export_ended_is_said() {
         (ExportEnd::Failed("no room".to_owned()), "Nothing was exported: no room.", Severity::Error),
     ] {
         editor.exported(path, end);
-        assert_eq!((editor.message().text.as_str(), editor.message().severity), (text, severity));
+        assert_eq!((editor.message_text().as_str(), editor.message().unwrap().severity()), (text, severity));
     }
 }
 
@@ -320,7 +320,7 @@ fn what_does_not_play_is_not_exported() {
 
 #[test]
 fn progress_shows_and_can_be_cancelled() {
-    let settings = Settings { language: Language::Korean, ..Settings::default() };
+    let settings = Settings { language: Language::of_code("ko").unwrap(), ..Settings::default() };
     let mut harness = harness(editor(walk()), settings);
     let exporting = Exporting { path: PathBuf::from("a/film.gif"), done: 30, count: 120, is_ending: false };
     harness.state_mut().ui.exporting = Some(exporting.clone());

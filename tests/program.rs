@@ -263,9 +263,9 @@ fn statistics_are_in_the_status_line() {
     });
     harness.run();
     harness.get_by_label(english);
-    ask(&mut harness, WindowCommand::SetLanguage(Language::Korean));
+    ask(&mut harness, WindowCommand::SetLanguage(Language::of_code("ko").unwrap()));
     harness.get_by_label(korean);
-    ask(&mut harness, WindowCommand::SetLanguage(Language::English));
+    ask(&mut harness, WindowCommand::SetLanguage(Language::default()));
     ask(&mut harness, WindowCommand::ToggleStatistics);
     assert!(harness.query_by_label_contains("pictures/s").is_none());
 }
@@ -287,7 +287,7 @@ fn a_repeated_error_is_one_toast() {
 #[test]
 fn the_window_speaks_korean() {
     let mut harness = harness(0);
-    ask(&mut harness, WindowCommand::SetLanguage(Language::Korean));
+    ask(&mut harness, WindowCommand::SetLanguage(Language::of_code("ko").unwrap()));
     click(&mut harness, "편집");
     harness.get_by_label("새 키프레임 n");
     press(&mut harness, Key::Escape);

@@ -87,7 +87,7 @@ fn every_edit_is_one_step_of_undo_back_to_the_same_bytes() {
         run(&mut editor, line);
         assert_eq!(shown(&editor), expected, "{line}");
         if !message.is_empty() {
-            assert_eq!(editor.message().text, message, "{line}");
+            assert_eq!(editor.message_text(), message, "{line}");
         }
         let after = document(&editor);
         assert_ne!(after, was, "{line} changes nothing");
@@ -204,7 +204,7 @@ fn refusals_are_sentences() {
     ] {
         let mut editor = editor_with(6);
         run(&mut editor, script);
-        assert_eq!(editor.message().text, sentence, "{script}");
+        assert_eq!(editor.message_text(), sentence, "{script}");
     }
     let mut empty = editor_with(0);
     for (line, sentence) in [
@@ -216,7 +216,7 @@ fn refusals_are_sentences() {
         ("scrub 1", "Fewer than 4 keyframes: nothing to play yet. Press n to add one."),
     ] {
         run(&mut empty, line);
-        assert_eq!(empty.message().text, sentence, "{line}");
+        assert_eq!(empty.message_text(), sentence, "{line}");
     }
 }
 
@@ -268,14 +268,14 @@ fn sentences_name_the_keys_in_force() {
     let mut editor = editor_with(0);
     editor.set_keymap(keymap.clone());
     run(&mut editor, "scrub 1");
-    assert_eq!(editor.message().text, "Fewer than 4 keyframes: nothing to play yet. Press k to add one.");
+    assert_eq!(editor.message_text(), "Fewer than 4 keyframes: nothing to play yet. Press k to add one.");
     let mut editor = editor_with(6);
     editor.set_keymap(keymap);
     run(&mut editor, "paste");
-    assert_eq!(editor.message().text, "Nothing is copied yet: “Copy keyframes” copies the selected keyframes.");
+    assert_eq!(editor.message_text(), "Nothing is copied yet: “Copy keyframes” copies the selected keyframes.");
     press(&mut editor, "y");
     run(&mut editor, "cut");
-    assert_eq!(editor.message().text, "Cannot edit the timeline while playing. Press F5 to stop or F6 to pause first.");
+    assert_eq!(editor.message_text(), "Cannot edit the timeline while playing. Press F5 to stop or F6 to pause first.");
     press(&mut editor, "shift+p");
-    assert_eq!(editor.message().text, "Paused: k or u captures this pose, F6 goes on.");
+    assert_eq!(editor.message_text(), "Paused: k or u captures this pose, F6 goes on.");
 }

@@ -103,8 +103,8 @@ impl CliError {
 impl From<ExportError> for CliError {
     fn from(error: ExportError) -> Self {
         match error {
-            ExportError::Misuse(sentence) => super::misuse(&sentence),
-            ExportError::BadInput { place, problem } => Self::bad_input(place, problem),
+            ExportError::Misuse(message) => super::misuse(&message.to_string()),
+            ExportError::BadInput { .. } => Self::BadInput { sentences: vec![error.to_string()] },
             ExportError::Gpu(error) => Self::Gpu(error),
             ExportError::Png(error) => Self::Png(error),
             ExportError::Unwritten { path, reason } => Self::Unwritten { path, reason },

@@ -36,7 +36,7 @@ pub fn run(arguments: &RenderArguments, scene: Option<&Path>) -> Result<(), CliE
     let size = arguments.size.unwrap_or(if arguments.sheet.is_some() { SHEET_SIZE } else { DEFAULT_SIZE });
     let problem = |format: ExportFormat| format.problem([size.width, size.height], arguments.fps, is_seen_through);
     if let Some(problem) = target.format().and_then(problem) {
-        return Err(misuse(problem));
+        return Err(misuse(problem.english()));
     }
     if target == Target::Mp4 {
         find_ffmpeg(&arguments.output)?;

@@ -1,10 +1,11 @@
 //! Whether a command would do anything: what menus and buttons show as disabled.
 
 use super::{
-    Command, Edit, Editor, FileCommand, GestureCommand, PlaybackCommand, SceneEdit, SkyMode, TimelineEdit, ViewCommand,
-    WindowCommand,
+    Command, Edit, Editor, FileCommand, GestureCommand, Message, PlaybackCommand, SceneEdit, SkyMode, TimelineEdit,
+    ViewCommand, WindowCommand,
 };
 use crate::keyframe::PlayRange;
+use crate::words::texts;
 
 impl Editor {
     /// Whether a command can do what it is for. Applying one that cannot is harmless: it is refused with a message, or changes nothing.
@@ -79,15 +80,15 @@ impl Editor {
 
     /// What the eye is and how a drag moves, in a few words: `sky view · world-sky`.
     #[must_use]
-    pub fn view_sentence(&self) -> String {
+    pub fn view_sentence(&self) -> Message {
         let eye = self.document.scene.node(self.document.scene.rbt_node(self.eye())).name.as_str();
-        let handled = match (self.session.chosen, self.session.eye, self.session.sky_mode) {
-            (Some(chosen), ..) => format!("moves {}", self.document.scene.rbt_path(chosen)),
-            (None, 0, SkyMode::WorldCentre) => "world-sky".to_owned(),
-            (None, 0, SkyMode::Eye) => "sky-sky".to_owned(),
-            (None, ..) => "moves itself".to_owned(),
+        let moves: Message = match (self.session.chosen, self.session.eye, self.session.sky_mode) {
+            (Some(chosen), ..) => texts::moves_node(self.document.scene.rbt_path(chosen)),
+            (None, 0, SkyMode::WorldCentre) => texts::WORLD_SKY.into(),
+            (None, 0, SkyMode::Eye) => texts::SKY_SKY.into(),
+            (None, ..) => texts::MOVES_ITSELF.into(),
         };
-        format!("{eye} view · {handled}")
+        texts::view_of(eye, moves)
     }
 }
 
@@ -125,10 +126,10 @@ mod tests {
     #[test]
     fn the_view_is_named() {
         let mut editor = editor(0);
-        assert_eq!(editor.view_sentence(), "sky view · world-sky");
+        assert_eq!(editor.view_sentence().to_string(), "sky view · world-sky");
         editor.apply(Command::View(ViewCommand::ToggleSkyMode)).unwrap();
-        assert_eq!(editor.view_sentence(), "sky view · sky-sky");
+        assert_eq!(editor.view_sentence().to_string(), "sky view · sky-sky");
         editor.apply(Command::View(ViewCommand::NextEye)).unwrap();
-        assert_eq!(editor.view_sentence(), "robot1 view · moves itself");
+        assert_eq!(editor.view_sentence().to_string(), "robot1 view · moves itself");
     }
 }

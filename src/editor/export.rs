@@ -2,7 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use super::{CommandError, Editor, Severity};
+use super::{CommandError, Editor};
+use crate::words::{Message, Phrase, texts};
 
 /// What is written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -51,15 +52,15 @@ impl ExportFormat {
 
     /// Why there is no film of that size, pace and background; `None` where there is. In a few words, to stand after a colon.
     #[must_use]
-    pub fn problem(self, [width, height]: [u32; 2], fps: Option<u32>, is_seen_through: bool) -> Option<&'static str> {
+    pub fn problem(self, [width, height]: [u32; 2], fps: Option<u32>, is_seen_through: bool) -> Option<Phrase> {
         if is_seen_through && matches!(self, Self::Mp4 | Self::Y4m) {
-            return Some("MP4 and Y4M have no opacity: a transparent background is for PNG, GIF and APNG");
+            return Some(texts::EXPORT_NO_OPACITY);
         }
         if self == Self::Mp4 && (width % 2 == 1 || height % 2 == 1) {
-            return Some("an MP4 needs an even width and height");
+            return Some(texts::EXPORT_ODD_SIZE);
         }
         if self == Self::Gif && fps.is_some_and(|fps| fps > MOST_GIF_FRAMES_PER_SECOND) {
-            return Some("a GIF shows at most 50 frames a second");
+            return Some(texts::EXPORT_GIF_TOO_FAST);
         }
         None
     }
@@ -143,7 +144,7 @@ pub enum ExportEnd {
     /// It was cancelled. Of a folder, so many frames were written already, each of them whole; of a file, nothing.
     Cancelled(usize),
     /// It failed, for this reason.
-    Failed(String),
+    Failed(Message),
 }
 
 impl Editor {
@@ -151,17 +152,9 @@ impl Editor {
     pub fn exported(&mut self, path: &Path, end: ExportEnd) {
         let path = path.display();
         match end {
-            ExportEnd::Written(1) => self.say_of(Severity::Outcome, format!("Exported 1 frame to {path}.")),
-            ExportEnd::Written(frames) => {
-                self.say_of(Severity::Outcome, format!("Exported {frames} frames to {path}."));
-            }
-            ExportEnd::Cancelled(0) => {
-                self.say_of(Severity::Outcome, "The export was cancelled: nothing of it is kept.".to_owned());
-            }
-            ExportEnd::Cancelled(frames) => {
-                let text = format!("The export was cancelled: its first {frames} frames are in {path}.");
-                self.say_of(Severity::Outcome, text);
-            }
+            ExportEnd::Written(frames) => self.say_outcome(texts::file_exported(frames, path)),
+            ExportEnd::Cancelled(0) => self.say_outcome(texts::FILE_EXPORT_CANCELLED),
+            ExportEnd::Cancelled(frames) => self.say_outcome(texts::file_export_cancelled_within(frames, path)),
             ExportEnd::Failed(reason) => self.say_error(&CommandError::Export { reason }),
         }
     }

@@ -3,28 +3,29 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::{CommandError, Editor, Effect, FileCommand, Severity};
-use crate::keyframe::{KeyframeList, KeyframesText, keyframes_counted};
+use super::{CommandError, Editor, Effect, FileCommand, Message, Severity};
+use crate::keyframe::{KeyframeList, KeyframesText};
 use crate::scene::scene_to_json;
 use crate::text_layouts::{ImportError, Imported, Options, import};
+use crate::words::texts;
 
 impl Editor {
-    pub(super) fn file(&mut self, command: FileCommand) -> Result<(String, Vec<Effect>), CommandError> {
+    pub(super) fn file(&mut self, command: FileCommand) -> Result<(Option<Message>, Vec<Effect>), CommandError> {
         let effect = match command {
             FileCommand::Import => {
-                self.refuse_while_playing("import")?;
+                self.refuse_while_playing(texts::ACT_IMPORT)?;
                 self.commit_gesture();
                 Effect::ReadKeyframes { path: self.path.clone() }
             }
             FileCommand::Open(path) => {
-                self.refuse_while_playing("open a file")?;
+                self.refuse_while_playing(texts::ACT_OPEN_A_FILE)?;
                 self.commit_gesture();
                 Effect::ReadKeyframes { path }
             }
             FileCommand::Write => self.write_effect(self.path.clone()),
             FileCommand::SaveAs(path) => self.write_effect(path),
             FileCommand::ChooseOpen => {
-                self.refuse_while_playing("open a file")?;
+                self.refuse_while_playing(texts::ACT_OPEN_A_FILE)?;
                 Effect::ChooseOpen
             }
             FileCommand::ChooseSaveAs => Effect::ChooseSaveAs,
@@ -40,7 +41,7 @@ impl Editor {
             FileCommand::ChooseExport { proposed, is_folder } => Effect::ChooseExport { proposed, is_folder },
             FileCommand::Quit => Effect::Quit,
         };
-        Ok((String::new(), vec![effect]))
+        Ok((None, vec![effect]))
     }
 
     fn write_effect(&mut self, path: PathBuf) -> Effect {
@@ -76,12 +77,13 @@ impl Editor {
     ///
     /// # Errors
     /// Why the file is as it was.
-    pub fn scene_written(&mut self, path: &Path, outcome: Result<Option<PathBuf>, String>) -> Result<(), CommandError> {
+    pub fn scene_written(&mut self, path: &Path, outcome: Result<Option<PathBuf>, Message>) -> Result<(), CommandError> {
         match outcome {
             Ok(kept) => {
-                let kept =
-                    kept.map_or_else(String::new, |kept| format!(" What it held before is in {}.", kept.display()));
-                self.say_of(Severity::Outcome, format!("Wrote the scene to {}.{kept}", path.display()));
+                self.say_outcome(match kept {
+                    Some(kept) => texts::file_scene_written_over(path.display(), kept.display()),
+                    None => texts::file_scene_written(path.display()),
+                });
                 self.scene_path = Some(path.to_owned());
                 self.saved_scene = Arc::clone(&self.document.scene);
                 Ok(())
@@ -98,41 +100,44 @@ impl Editor {
     ///
     /// # Errors
     /// Why nothing was imported; the list is as it was then.
-    pub fn keyframes_read(&mut self, path: &Path, bytes: Result<Vec<u8>, String>) -> Result<(), CommandError> {
+    pub fn keyframes_read(&mut self, path: &Path, bytes: Result<Vec<u8>, Message>) -> Result<(), CommandError> {
         let outcome = self.import(path, bytes);
         match &outcome {
-            Ok(text) => self.say_of(Severity::Outcome, text.clone()),
+            Ok(message) => self.say_outcome(message.clone()),
             Err(error) => self.say_error(error),
         }
         outcome.map(|_| ())
     }
 
-    fn import(&mut self, path: &Path, bytes: Result<Vec<u8>, String>) -> Result<String, CommandError> {
-        self.refuse_while_playing("import")?;
+    fn import(&mut self, path: &Path, bytes: Result<Vec<u8>, Message>) -> Result<Message, CommandError> {
+        self.refuse_while_playing(texts::ACT_IMPORT)?;
         let path = path.to_owned();
         let bytes = bytes.map_err(|reason| CommandError::Read { path: path.clone(), reason })?;
-        let (file, summary) = match import(&bytes, &self.document.scene, &Options::default()) {
-            Ok(Imported::KeyframeFile(file)) => (file, String::new()),
-            Ok(Imported::Text(file, report)) => {
-                let look = if report.has_warnings() { ", with warnings: see `inbetween convert`" } else { "" };
-                (file, format!(" Read as text: {}{look}.", report.summary))
-            }
+        let (file, report) = match import(&bytes, &self.document.scene, &Options::default()) {
+            Ok(Imported::KeyframeFile(file)) => (file, None),
+            Ok(Imported::Text(file, report)) => (file, Some(report)),
             Ok(Imported::Scene(..)) => return Err(CommandError::HoldsScene { path }),
             Err(ImportError::KeyframeFile(problems)) => return Err(CommandError::File { path, problems }),
             Err(ImportError::Text(problem)) => return Err(CommandError::Text { path, problem }),
         };
-        let count = file.keyframes.len();
-        self.replace_keyframes("import", |document| {
+        let what = texts::count_keyframes(file.keyframes.len());
+        self.replace_keyframes(texts::ACT_IMPORT, |document| {
             document.interpolation = file.interpolation.unwrap_or(document.interpolation);
             document.ms_between_keyframes = file.ms_between_keyframes.unwrap_or(document.ms_between_keyframes);
             Self::list_with_first_current(document, KeyframeList::new(file.keyframes));
         });
-        let text = format!("Imported {} from {}.{summary}", keyframes_counted(count), path.display());
-        let is_text = !summary.is_empty();
-        self.is_now_saved_in(path);
         // What a student wrote is not written over without a copy.
-        self.is_file_known = !is_text;
-        Ok(text)
+        let is_known = report.is_none();
+        let said = match report {
+            None => texts::file_imported(what, path.display()),
+            Some(report) if report.has_warnings() => {
+                texts::file_imported_text_with_warnings(what, path.display(), report.summary)
+            }
+            Some(report) => texts::file_imported_text(what, path.display(), report.summary),
+        };
+        self.is_now_saved_in(path);
+        self.is_file_known = is_known;
+        Ok(said)
     }
 
     /// Takes in that the keyframe file was written, or why it could not be. It becomes the file that is written.
@@ -144,14 +149,15 @@ impl Editor {
     pub fn keyframes_written(
         &mut self,
         path: &Path,
-        outcome: Result<Option<PathBuf>, String>,
+        outcome: Result<Option<PathBuf>, Message>,
     ) -> Result<(), CommandError> {
         match outcome {
             Ok(kept) => {
-                let count = keyframes_counted(self.document.keyframes.len());
-                let kept =
-                    kept.map_or_else(String::new, |kept| format!(" What it held before is in {}.", kept.display()));
-                self.say_of(Severity::Outcome, format!("Wrote {count} to {}.{kept}", path.display()));
+                let what = texts::count_keyframes(self.document.keyframes.len());
+                self.say_outcome(match kept {
+                    Some(kept) => texts::file_written_over(what, path.display(), kept.display()),
+                    None => texts::file_written(what, path.display()),
+                });
                 self.is_now_saved_in(path.to_owned());
                 Ok(())
             }
@@ -167,10 +173,10 @@ impl Editor {
     ///
     /// # Errors
     /// Why there is no picture.
-    pub fn screenshot_taken(&mut self, path: &Path, outcome: Result<(), String>) -> Result<(), CommandError> {
+    pub fn screenshot_taken(&mut self, path: &Path, outcome: Result<(), Message>) -> Result<(), CommandError> {
         match outcome {
             Ok(()) => {
-                self.say_of(Severity::Outcome, format!("Screenshot: {}.", path.display()));
+                self.say_outcome(texts::file_screenshot(path.display()));
                 Ok(())
             }
             Err(reason) => {
@@ -179,6 +185,11 @@ impl Editor {
                 Err(error)
             }
         }
+    }
+
+    /// Says what became of something outside.
+    pub(super) fn say_outcome(&mut self, message: impl Into<Message>) {
+        self.say(message.into().with_severity(Severity::Outcome));
     }
 
     fn is_now_saved_in(&mut self, path: PathBuf) {

@@ -9,6 +9,7 @@ pub use changes::{Keymap, KeymapError, can_change, chords_of_table};
 pub use table::bindings;
 
 use super::Command;
+use crate::words::{Phrase, texts};
 
 /// A key as it is named, apart from its modifiers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -152,14 +153,14 @@ impl Group {
 
     /// Its heading.
     #[must_use]
-    pub const fn heading(self) -> &'static str {
+    pub const fn heading(self) -> Phrase {
         match self {
-            Self::Keyframes => "Keyframes",
-            Self::Timeline => "Timeline",
-            Self::Playing => "Playing",
-            Self::View => "Looking and handling",
-            Self::File => "Files and undo",
-            Self::Window => "Window",
+            Self::Keyframes => texts::GROUP_KEYFRAMES,
+            Self::Timeline => texts::GROUP_TIMELINE,
+            Self::Playing => texts::GROUP_PLAYING,
+            Self::View => texts::GROUP_VIEW,
+            Self::File => texts::GROUP_FILE,
+            Self::Window => texts::GROUP_WINDOW,
         }
     }
 }
@@ -173,9 +174,9 @@ pub struct Binding {
     pub command: Command,
     /// Its stable id in kebab-case, as in `keyframe-new`: what settings and scripts call it.
     pub id: &'static str,
-    /// Its name in menus and lists, as in "New keyframe".
+    /// Its name in English, as in "New keyframe": what `do` and settings call it.
     pub name: &'static str,
-    /// What it does, in a sentence for the help.
+    /// What it does, in an English sentence.
     pub help: &'static str,
     /// Where it stands in the help.
     pub group: Group,
@@ -184,6 +185,26 @@ pub struct Binding {
 }
 
 impl Binding {
+    /// Its name in any language: the text `command.ID`.
+    #[must_use]
+    pub fn title(&self) -> Phrase {
+        Self::title_of(self.id)
+    }
+
+    /// What it does, in any language: the text `command.ID.help`.
+    #[must_use]
+    pub fn explanation(&self) -> Phrase {
+        Self::explanation_of(self.id)
+    }
+
+    fn title_of(id: &str) -> Phrase {
+        Phrase::of_id(&format!("command.{id}")).expect("en.txt has the name of every row, which a test checks")
+    }
+
+    fn explanation_of(id: &str) -> Phrase {
+        Phrase::of_id(&format!("command.{id}.help")).expect("en.txt has the help of every row, which a test checks")
+    }
+
     /// Its keys for people: `c or Space`.
     #[must_use]
     pub fn keys(&self) -> String {

@@ -4,6 +4,7 @@ use super::apply::Outcome;
 use super::{Command, CommandError, Editor, SkyMode, ViewCommand};
 use crate::keyframe::Blend;
 use crate::pose::RbtIndex;
+use crate::words::texts;
 
 /// The most neighbouring keyframes on each side that are shown as ghosts.
 pub const MOST_GHOSTS: u8 = 3;
@@ -18,16 +19,16 @@ impl Editor {
                     return Err(CommandError::NoSkyMode);
                 }
                 self.commit_gesture();
-                let (mode, text) = match self.session.sky_mode {
-                    SkyMode::WorldCentre => (SkyMode::Eye, "The sky camera moves about itself."),
-                    SkyMode::Eye => (SkyMode::WorldCentre, "The sky camera moves about the world's centre."),
+                let (mode, said) = match self.session.sky_mode {
+                    SkyMode::WorldCentre => (SkyMode::Eye, texts::VIEW_SKY_ABOUT_ITSELF),
+                    SkyMode::Eye => (SkyMode::WorldCentre, texts::VIEW_SKY_ABOUT_WORLD),
                 };
                 self.session.sky_mode = mode;
-                Ok(text.to_owned())
+                Ok(Some(said.into()))
             }
             ViewCommand::StartPicking => {
                 self.session.is_picking = true;
-                Ok("Click a node to choose it, or the ground to choose none.".to_owned())
+                Ok(Some(texts::VIEW_PICKING.into()))
             }
             ViewCommand::Choose(rbt) => self.choose(rbt),
             ViewCommand::SelectKeyframes(selected) => self.select(selected),
@@ -36,74 +37,70 @@ impl Editor {
             ViewCommand::ToggleAutoKeys => self.view(ViewCommand::SetAutoKeys(!self.session.auto_keys)),
             ViewCommand::SetAutoKeys(is_on) => {
                 self.session.auto_keys = is_on;
-                Ok(if self.session.auto_keys {
-                    "Auto-key is on: the end of each drag updates the current keyframe.".to_owned()
-                } else {
-                    "Auto-key is off.".to_owned()
-                })
+                let said = if is_on { texts::VIEW_AUTO_KEY_ON } else { texts::VIEW_AUTO_KEY_OFF };
+                Ok(Some(said.into()))
             }
             ViewCommand::NextGhosts => self.view(ViewCommand::SetGhosts((self.session.ghosts + 1) % (MOST_GHOSTS + 1))),
             ViewCommand::SetGhosts(ghosts) => {
                 self.session.ghosts = ghosts.min(MOST_GHOSTS);
-                Ok(match self.session.ghosts {
-                    0 => "No ghosts.".to_owned(),
-                    1 => "Ghosts of 1 keyframe on each side.".to_owned(),
-                    ghosts => format!("Ghosts of {ghosts} keyframes on each side."),
-                })
+                Ok(Some(match self.session.ghosts {
+                    0 => texts::VIEW_NO_GHOSTS.into(),
+                    ghosts => texts::view_ghosts(usize::from(ghosts)),
+                }))
             }
             ViewCommand::SelectKeys(keys) => self.select_keys(keys),
-            ViewCommand::RestartSeconds => Ok(self.restart_seconds()),
-            ViewCommand::HoldSeconds => Ok(self.hold_seconds()),
+            ViewCommand::RestartSeconds => Ok(Some(self.restart_seconds())),
+            ViewCommand::HoldSeconds => Ok(Some(self.hold_seconds())),
             ViewCommand::ScrubSeconds(seconds) => self.scrub_seconds(seconds),
             ViewCommand::TogglePath => {
                 self.session.shows_path = !self.session.shows_path;
-                let state = if self.session.shows_path { "shown" } else { "hidden" };
-                Ok(format!("The path of the chosen node is {state}."))
+                let said = if self.session.shows_path { texts::VIEW_PATH_SHOWN } else { texts::VIEW_PATH_HIDDEN };
+                Ok(Some(said.into()))
             }
             ViewCommand::ToggleComparison => {
                 self.session.compares = !self.session.compares;
                 if !self.session.compares {
-                    return Ok("The comparison is off.".to_owned());
+                    return Ok(Some(texts::VIEW_COMPARISON_OFF.into()));
                 }
-                let [other, nlerp, matrices] = Blend::others(self.document.interpolation).map(Blend::label);
-                Ok(format!("Comparing the chosen robot while playing: {other} is blue, {nlerp} green, {matrices} red."))
+                let [other, nlerp, matrices] = Blend::others(self.document.interpolation).map(Blend::title);
+                Ok(Some(texts::view_comparing(other, nlerp, matrices)))
             }
             ViewCommand::ToggleArcball => {
                 self.session.shows_arcball = !self.session.shows_arcball;
-                Ok(String::new())
+                Ok(None)
             }
             ViewCommand::ToggleHelp => {
                 self.session.shows_help = !self.session.shows_help;
-                Ok(String::new())
+                Ok(None)
             }
             ViewCommand::TogglePanels => {
                 self.session.shows_panels = !self.session.shows_panels;
                 let hidden = !self.session.shows_panels;
                 let key = self.key_of(&Command::View(ViewCommand::TogglePanels));
-                Ok(if hidden { format!("Panels hidden: {key} shows them again.") } else { String::new() })
+                Ok(hidden.then(|| texts::view_panels_hidden(key)))
             }
         }
     }
 
     fn set_eye(&mut self, eye: usize) -> Outcome {
         let Some(&rbt) = self.document.scene.eyes().get(eye) else {
-            return Err(CommandError::NotInScene { what: "eye" });
+            return Err(CommandError::NotInScene { what: texts::VALUE_EYE });
         };
         self.commit_gesture();
         self.session.eye = eye;
-        Ok(format!("Looking from {}.", self.document.scene.rbt_path(rbt)))
+        Ok(Some(texts::view_looks_from(self.document.scene.rbt_path(rbt))))
     }
 
     fn choose(&mut self, rbt: Option<RbtIndex>) -> Outcome {
         if rbt.is_some_and(|rbt| rbt.get() >= self.document.scene.rbt_count()) {
-            return Err(CommandError::NotInScene { what: "node" });
+            return Err(CommandError::NotInScene { what: texts::VALUE_NODE });
         }
         self.commit_gesture();
         self.session.chosen = rbt;
         self.session.is_picking = false;
-        Ok(match rbt {
-            Some(rbt) => format!("Chosen: {}.", self.document.scene.rbt_path(rbt)),
-            None => "Nothing chosen: a drag moves the eye.".to_owned(),
-        })
+        Ok(Some(match rbt {
+            Some(rbt) => texts::view_chosen(self.document.scene.rbt_path(rbt)),
+            None => texts::VIEW_NOTHING_CHOSEN.into(),
+        }))
     }
 }

@@ -5,6 +5,7 @@ use std::path::Path;
 use std::process::{Child, ChildStdin, Command, Stdio};
 
 use super::ExportError;
+use crate::words::{Message, texts};
 
 /// Whether there is an ffmpeg to make an MP4.
 ///
@@ -18,10 +19,8 @@ pub fn find_ffmpeg(path: &Path) -> Result<(), ExportError> {
         .stderr(Stdio::null())
         .status()
         .is_ok_and(|status| status.success());
-    if found { Ok(()) } else { Err(ExportError::bad_input(path.display(), NO_FFMPEG)) }
+    if found { Ok(()) } else { Err(ExportError::bad_input(path.display(), texts::EXPORT_NO_FFMPEG)) }
 }
-
-const NO_FFMPEG: &str = "an MP4 is encoded by ffmpeg, and there is none on the PATH: install it (Debian: apt-get install ffmpeg), or write .gif, .apng or .y4m";
 
 /// The user's ffmpeg, which takes a Y4M on its standard input.
 pub struct Ffmpeg {
@@ -43,7 +42,7 @@ impl Ffmpeg {
             .stdin(Stdio::piped())
             .stdout(Stdio::null())
             .spawn()
-            .map_err(|error| ExportError::bad_input(path.display(), format!("ffmpeg cannot be started: {error}")))?;
+            .map_err(|error| ExportError::bad_input(path.display(), texts::export_ffmpeg_not_started(error.to_string())))?;
         let input = child.stdin.take();
         Ok(Self { child, input })
     }
@@ -62,11 +61,11 @@ impl Ffmpeg {
     /// [`ExportError::BadInput`]: it did not end well.
     pub fn finish(&mut self, path: &Path) -> Result<(), ExportError> {
         self.input = None;
-        let failed = |problem: String| Err(ExportError::bad_input(path.display(), problem));
+        let failed = |problem: Message| Err(ExportError::bad_input(path.display(), problem));
         match self.child.wait() {
             Ok(status) if status.success() => Ok(()),
-            Ok(status) => failed(format!("ffmpeg ended with {status}")),
-            Err(error) => failed(format!("ffmpeg cannot be waited for: {error}")),
+            Ok(status) => failed(texts::export_ffmpeg_ended(status.to_string())),
+            Err(error) => failed(texts::export_ffmpeg_lost(error.to_string())),
         }
     }
 }

@@ -9,6 +9,7 @@ use super::{Animation, ExportError, FrameTime, Size, View, frame_times};
 use crate::film::{Grid, Plan};
 use crate::keyframe::{KeyframeIndex, PlayRange};
 use crate::scene::SceneGraph;
+use crate::words::{Message, texts};
 
 /// How long the turntable takes where nothing else moves, in milliseconds.
 const TURN_MS: u32 = 4000;
@@ -82,10 +83,10 @@ pub struct Moments {
 
 impl Source<'_> {
     /// Bad input with the file's name, or the scene's where there is no file.
-    pub fn bad_input(&self, problem: impl std::fmt::Display) -> ExportError {
+    pub fn bad_input(&self, problem: impl Into<Message>) -> ExportError {
         match self.file {
             Some(file) => ExportError::bad_input(file.display(), problem),
-            None => ExportError::bad_input(format!("scene \"{}\"", self.scene.name()), problem),
+            None => ExportError::bad_input(texts::export_scene(self.scene.name()), problem),
         }
     }
 
@@ -99,18 +100,18 @@ impl Source<'_> {
             let place = usize::try_from(index).ok().filter(|&place| place < animation.keyframes.len());
             return place.map(|place| Shown::Keyframe(KeyframeIndex::new(place))).ok_or_else(|| {
                 self.bad_input(match animation.keyframes.last() {
-                    None => format!("there is no keyframe {index}: the list is empty"),
-                    Some(last) => format!("there is no keyframe {index}: they are 0 to {}", last.get()),
+                    None => texts::export_no_keyframe_in_empty_list(index),
+                    Some(last) => texts::export_no_keyframe(index, last.get()),
                 })
             });
         }
         let key_time = at.unwrap_or(0.0);
-        self.range(animation)?.check(key_time).map_err(|error| self.bad_input(error))?;
+        self.range(animation)?.check(key_time).map_err(|error| self.bad_input(error.message()))?;
         Ok(Shown::KeyTime(key_time))
     }
 
     fn range<'b>(&self, animation: &'b Animation) -> Result<PlayRange<'b>, ExportError> {
-        PlayRange::new(&animation.keyframes).map_err(|error| self.bad_input(error))
+        PlayRange::new(&animation.keyframes).map_err(|error| self.bad_input(error.message()))
     }
 
     /// The key times between which pictures are wanted.
@@ -119,13 +120,10 @@ impl Source<'_> {
         let range = self.range(animation)?;
         let key_times = [span.from.unwrap_or(0.0), span.to.unwrap_or(range.last_key_time() as f64)];
         for key_time in key_times {
-            range.check(key_time).map_err(|error| self.bad_input(error))?;
+            range.check(key_time).map_err(|error| self.bad_input(error.message()))?;
         }
         if key_times[0] > key_times[1] {
-            return Err(ExportError::misuse(format!(
-                "it would end (key time {}) before it begins (key time {})",
-                key_times[1], key_times[0]
-            )));
+            return Err(ExportError::misuse(texts::export_ends_before_it_begins(key_times[1], key_times[0])));
         }
         Ok(key_times)
     }
@@ -164,7 +162,7 @@ impl Moments {
             // The end would be the start again.
             starts(f64::from(TURN_MS), fps).take((TURN_MS * fps / 1000) as usize).map(still).collect()
         } else {
-            return Err(source.bad_input("nothing moves: name a keyframe file, or --camera turntable"));
+            return Err(source.bad_input(texts::EXPORT_NOTHING_MOVES));
         };
         let count = to_f64(all.len());
         for (place, moment) in all.iter_mut().enumerate() {
@@ -215,7 +213,7 @@ impl Moments {
     /// Wrong usage: more pictures than a film can count.
     pub fn plan(&self, size: Size, frames_per_second: u32, is_opaque: bool) -> Result<Plan, ExportError> {
         let frames =
-            u32::try_from(self.all.len()).map_err(|_| ExportError::misuse("a film has fewer than 2^32 frames"))?;
+            u32::try_from(self.all.len()).map_err(|_| ExportError::misuse(texts::EXPORT_TOO_MANY_FRAMES))?;
         Ok(Plan { width: size.width, height: size.height, frames, frames_per_second, is_opaque })
     }
 }

@@ -9,6 +9,7 @@ use crate::keyframe::{KeyframeIndex, PlayRange};
 use crate::pose::{Pose, RbtIndex};
 use crate::rbt::Rbt;
 use crate::scene::{Colour, MeshKind, SceneGraph};
+use crate::words::texts;
 
 /// How far the turntable's camera looks down, in degrees.
 const TURNTABLE_DOWN: f32 = 12.0;
@@ -41,8 +42,7 @@ impl View {
             return Ok(Self::Turntable);
         }
         let eyes: Vec<&str> = scene.eyes().iter().map(|&eye| scene.rbt_path(eye)).collect();
-        let place = format!("camera \"{name}\"");
-        Err(ExportError::bad_input(place, format!("the scene's eyes are {}; or: turntable", eyes.join(", "))))
+        Err(ExportError::bad_input(texts::export_camera(name), texts::export_eyes(eyes.join(", "))))
     }
 }
 
@@ -89,11 +89,11 @@ impl<'a> Stage<'a> {
             Shown::Rest => Ok(scene.rest_pose().clone()),
             Shown::Keyframe(index) => {
                 let keyframe = animation.keyframes.get(index);
-                keyframe.map(|keyframe| keyframe.pose.clone()).ok_or_else(|| self.source.bad_input("no such keyframe"))
+                keyframe.map(|keyframe| keyframe.pose.clone()).ok_or_else(|| self.source.bad_input(texts::EXPORT_LOST_KEYFRAME))
             }
             Shown::KeyTime(key_time) => PlayRange::new(&animation.keyframes)
                 .and_then(|range| range.pose_at(key_time, animation.interpolation))
-                .map_err(|error| self.source.bad_input(error)),
+                .map_err(|error| self.source.bad_input(error.message())),
         }
     }
 

@@ -9,6 +9,7 @@ use super::graph::{NodeId, NodeKind, SceneGraph};
 use super::place::Place;
 use super::shape::Colour;
 use crate::timed::{Interpolate, KeyError, Keyframes, TransformKeyframes};
+use crate::words::{Phrase, texts};
 
 /// The latest time of a key that is made here, and the earliest below zero, in seconds: about eleven days.
 const LATEST: f64 = 1e6;
@@ -38,6 +39,17 @@ impl Channel {
             Self::Rotation => "rotation",
             Self::Scale => "scale",
             Self::Colour => "colour",
+        }
+    }
+
+    /// Its name within a sentence.
+    #[must_use]
+    pub const fn title(self) -> Phrase {
+        match self {
+            Self::Translation => texts::CHANNEL_TRANSLATION,
+            Self::Rotation => texts::CHANNEL_ROTATION,
+            Self::Scale => texts::CHANNEL_SCALE,
+            Self::Colour => texts::CHANNEL_COLOUR,
         }
     }
 
@@ -226,8 +238,8 @@ impl SceneGraph {
     fn no_channel(&self, id: NodeId, channel: Channel) -> SceneError {
         let path = self.node(id).path.clone();
         let reason = match channel {
-            Channel::Colour => "are for shapes only",
-            _ => "are for control nodes only: put one above it",
+            Channel::Colour => texts::SCENE_KEYS_OF_SHAPES,
+            _ => texts::SCENE_KEYS_OF_CONTROLS,
         };
         SceneError::Misplaced { path, field: channel.field(), reason }
     }
@@ -252,6 +264,6 @@ fn check_seconds(place: Place<'_>, channel: Channel, seconds: f64) -> Result<(),
     if seconds.abs() <= LATEST {
         Ok(())
     } else {
-        Err(place.error(channel.field(), format!("at {seconds} s"), "a time between -1e6 and 1e6 seconds"))
+        Err(place.error(channel.field(), texts::scene_found_time(seconds), texts::SCENE_EXPECTED_TIME))
     }
 }

@@ -3,6 +3,7 @@
 use glam::{Quat, Vec3};
 
 use super::file::SceneError;
+use crate::words::{Argument, Phrase, texts};
 
 const LARGEST_COORDINATE: f32 = 1e6;
 /// Rotations this near to unit length are kept bit for bit.
@@ -19,8 +20,8 @@ pub struct Place<'a> {
 
 impl Place<'_> {
     /// A value that is out of its range.
-    pub fn error(self, field: &'static str, found: String, expected: &'static str) -> SceneError {
-        SceneError::Value { path: self.path.to_owned(), field, found, expected }
+    pub fn error(self, field: &'static str, found: impl Into<Argument>, expected: Phrase) -> SceneError {
+        SceneError::Value { path: self.path.to_owned(), field, found: found.into(), expected }
     }
 
     /// A position that can be drawn.
@@ -28,7 +29,7 @@ impl Place<'_> {
         if value.abs().max_element() <= LARGEST_COORDINATE {
             Ok(value)
         } else {
-            Err(self.error(field, format!("{value}"), "coordinates between -1e6 and 1e6"))
+            Err(self.error(field, format!("{value}"), texts::SCENE_EXPECTED_COORDINATES))
         }
     }
 
@@ -40,7 +41,7 @@ impl Place<'_> {
         } else if off <= NORMALISED_TOLERANCE {
             Ok(rotation.normalize())
         } else {
-            Err(self.error("rotation", format!("of length {}", rotation.length()), "a unit quaternion [x, y, z, w]"))
+            Err(self.error("rotation", texts::scene_found_length(rotation.length()), texts::SCENE_EXPECTED_ROTATION))
         }
     }
 
@@ -49,7 +50,7 @@ impl Place<'_> {
         if scale.min_element() > 0.0 && scale.max_element() <= LARGEST_COORDINATE {
             Ok(scale)
         } else {
-            Err(self.error("scale", format!("{scale}"), "numbers above 0, at most 1e6"))
+            Err(self.error("scale", format!("{scale}"), texts::SCENE_EXPECTED_SCALE))
         }
     }
 
@@ -58,7 +59,7 @@ impl Place<'_> {
         if value > 0.0 && value <= LARGEST_COORDINATE {
             Ok(value)
         } else {
-            Err(self.error(field, value.to_string(), "a number above 0, at most 1e6"))
+            Err(self.error(field, value.to_string(), texts::SCENE_EXPECTED_LENGTH))
         }
     }
 }

@@ -3,9 +3,10 @@
 use super::Options;
 use super::error::{TextError, TextProblem, in_rows};
 use super::layout::Layout;
-use super::report::{Certainty, Finding, counted};
+use super::report::{Certainty, Finding};
 use super::structure::{Irregular, Structure, structure};
 use crate::scene::SceneGraph;
+use crate::words::{Argument, texts};
 
 /// The numbers of a row: a translation and a quaternion.
 const ROW: usize = 7;
@@ -55,11 +56,11 @@ pub(super) fn node_counts(scene: &SceneGraph, options: &Options) -> Vec<usize> {
 }
 
 /// The numbers of nodes in words: `22, 24, 25 or 26`.
-pub(super) fn in_words(counts: &[usize]) -> String {
+pub(super) fn in_words(counts: &[usize]) -> Argument {
     let words: Vec<String> = counts.iter().map(ToString::to_string).collect();
     match words.as_slice() {
-        [all @ .., last] if !all.is_empty() => format!("{} or {last}", all.join(", ")),
-        _ => words.concat(),
+        [all @ .., last] if !all.is_empty() => texts::text_one_of(all.join(", "), last).into(),
+        _ => words.concat().into(),
     }
 }
 
@@ -161,8 +162,8 @@ impl Planner<'_> {
             (skip, first) = (2, first - 2);
         }
         if skip != 0 && skip != 2 {
-            let found = counted(skip, "number");
-            let expected = "a line \"frame [0]\", or a header of two numbers before it".to_owned();
+            let found = texts::count_numbers(skip).into();
+            let expected = texts::TEXT_EXPECTED_FRAME_OR_HEADER.into();
             return Err(self.error(structure.first_at, TextProblem::Unexpected { found, expected }));
         }
         let has_second = marks.blocks > 1;
@@ -255,7 +256,7 @@ impl Planner<'_> {
         let mut plan = self.new_plan(self.header_layout(), 2, nodes, keyframes);
         plan.find(
             Certainty::Sure,
-            format!("header: {} of {nodes} nodes, as many numbers as follow", counted(keyframes, "keyframe")),
+            format!("header: {} of {nodes} nodes, as many numbers as follow", texts::count_keyframes(keyframes)),
         );
         Ok(plan)
     }
@@ -297,7 +298,7 @@ impl Planner<'_> {
             }
             plan.find(Certainty::Warning, "salvaged: the last keyframe is not whole and is left out");
         }
-        let keyframes = counted(plan.keyframes, "keyframe");
+        let keyframes = texts::count_keyframes(plan.keyframes);
         if nodes == self.counts[0] {
             plan.find(
                 Certainty::Likely,

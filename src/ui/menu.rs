@@ -9,6 +9,7 @@ use super::theme::{ROW, Tokens};
 use super::words::Words;
 use crate::editor::keymap::{Binding, Group};
 use crate::editor::{Command, Editor, FileCommand, PlaybackCommand, ViewCommand, WindowCommand};
+use crate::words::texts;
 
 /// The menus.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,11 +26,11 @@ impl Menu {
 
     fn name(self, words: Words) -> &'static str {
         match self {
-            Self::File => words.say("File"),
-            Self::Edit => words.say("Edit"),
-            Self::View => words.say("View"),
-            Self::Animation => words.say("Animation"),
-            Self::Help => words.say("Help"),
+            Self::File => words.say(texts::FILE),
+            Self::Edit => words.say(texts::EDIT),
+            Self::View => words.say(texts::VIEW),
+            Self::Animation => words.say(texts::ANIMATION),
+            Self::Help => words.say(texts::HELP),
         }
     }
 }
@@ -103,13 +104,13 @@ pub fn show(ui: &mut Ui, shown: Shown<'_>, on: On, commands: &mut Vec<Command>) 
 fn item(ui: &mut Ui, editor: &Editor, binding: &Binding, on: On, commands: &mut Vec<Command>) {
     let words = Words::of(ui);
     let label = match (&binding.command, editor.undo_label(), editor.redo_label()) {
-        (Command::Undo, Some(step), _) => words.fill("Undo {}", &[words.say(step)]),
-        (Command::Redo, _, Some(step)) => words.fill("Redo {}", &[words.say(step)]),
-        (Command::Playback(PlaybackCommand::PlayOrStop), ..) if editor.is_playing() => words.say("Stop").to_owned(),
-        (Command::Playback(PlaybackCommand::PlayOrStop), ..) => words.say("Play").to_owned(),
-        (Command::Playback(PlaybackCommand::PauseOrResume), ..) if editor.is_paused() => words.say("Go on").to_owned(),
-        (Command::Playback(PlaybackCommand::PauseOrResume), ..) => words.say("Pause").to_owned(),
-        _ => words.say(binding.name).to_owned(),
+        (Command::Undo, Some(step), _) => words.message(texts::undo_step(words.say(step))),
+        (Command::Redo, _, Some(step)) => words.message(texts::redo_step(words.say(step))),
+        (Command::Playback(PlaybackCommand::PlayOrStop), ..) if editor.is_playing() => words.say(texts::STOP).to_owned(),
+        (Command::Playback(PlaybackCommand::PlayOrStop), ..) => words.say(texts::PLAY).to_owned(),
+        (Command::Playback(PlaybackCommand::PauseOrResume), ..) if editor.is_paused() => words.say(texts::GO_ON).to_owned(),
+        (Command::Playback(PlaybackCommand::PauseOrResume), ..) => words.say(texts::PAUSE).to_owned(),
+        _ => words.say(binding.title()).to_owned(),
     };
     let session = editor.session();
     let is_on = match binding.command {
@@ -127,7 +128,7 @@ fn item(ui: &mut Ui, editor: &Editor, binding: &Binding, on: On, commands: &mut 
         Button::new(label).shortcut_text(RichText::new(binding.menu_key()).monospace()).min_size(vec2(0.0, ROW));
     let response = ui.add_enabled(editor.can(&binding.command), button);
     tick(ui, &response, is_on);
-    let response = response.on_hover_text(words.say(binding.help));
+    let response = response.on_hover_text(words.say(binding.explanation()));
     if was_pressed(&response) {
         commands.push(binding.command.clone());
         ui.close();
@@ -177,7 +178,7 @@ fn recent(ui: &mut Ui, shown: Shown<'_>, commands: &mut Vec<Command>) {
                 choice(ui, shown.editor, one, &short(&one.label), commands);
             }
             ui.separator();
-            if was_pressed(&ui.add(Button::new(words.say("Forget them")).min_size(vec2(0.0, ROW)))) {
+            if was_pressed(&ui.add(Button::new(words.say(texts::FORGET_THEM)).min_size(vec2(0.0, ROW)))) {
                 commands.push(Command::Window(WindowCommand::ForgetRecent));
                 ui.close();
             }
@@ -205,7 +206,7 @@ fn more_items(ui: &mut Ui, menu: Menu, shown: Shown<'_>, commands: &mut Vec<Comm
             }
             ui.separator();
             for one in all.iter().filter(|one| one.topic == Topic::Eye) {
-                choice(ui, shown.editor, one, &words.fill("Look from {}", &[&one.label]), commands);
+                choice(ui, shown.editor, one, &words.message(texts::look_from_eye(&one.label)), commands);
             }
         }
         Menu::Animation => {
@@ -228,14 +229,14 @@ fn file_name(ui: &mut Ui, shown: Shown<'_>) {
         if is_unsaved {
             let (rect, response) = ui.allocate_exact_size(vec2(8.0, 8.0), Sense::hover());
             ui.painter().circle_filled(rect.center(), 3.0, tokens.accent);
-            response.on_hover_text(words.say("Unsaved changes"));
+            response.on_hover_text(words.say(texts::UNSAVED_CHANGES));
         }
         let name =
             editor.path().file_name().map_or_else(|| editor.path().to_string_lossy(), |name| name.to_string_lossy());
         let path = editor.path().display().to_string();
         let tip = if is_unsaved {
             let key = super::key_of(shown.keymap, &Command::File(FileCommand::Write));
-            words.fill("{}: not all is saved. {} writes it.", &[&path, &key])
+            words.message(texts::not_all_saved(&path, &key))
         } else {
             path
         };

@@ -17,6 +17,7 @@ use crate::clock::AnimationClock;
 use crate::editor::{Command, Editor, Effect};
 use crate::keyframe::keyframes_to_json;
 use crate::scene::SceneGraph;
+use crate::words::texts;
 
 /// The most lines of a script that is run while grading.
 pub const MOST_LINES: usize = 2_000;
@@ -82,11 +83,11 @@ pub fn run(script: &[u8], scene: &SceneGraph, keyframes: Option<&[u8]>) -> Resul
                 let was_playing = editor.is_playing();
                 editor.tick(clock.advance(*duration));
                 let has_ended = was_playing && !editor.is_playing();
-                if has_ended { editor.message().text.clone() } else { String::new() }
+                if has_ended { editor.message_text() } else { String::new() }
             }
             Action::Apply(command) => {
                 goes_on = apply(&mut editor, command, &mut clock, &mut folder).map_err(place)?;
-                editor.message().text.clone()
+                editor.message_text()
             }
         };
         if editor.document().keyframes.len() > MOST_KEYFRAMES {
@@ -121,7 +122,7 @@ fn apply(
             Effect::ReadKeyframes { path } => {
                 let name = plain_name(&path)?;
                 let bytes = folder.files.get(&name).cloned();
-                let bytes = bytes.ok_or_else(|| "there is no such file or folder".to_owned());
+                let bytes = bytes.ok_or_else(|| texts::STORAGE_NOT_FOUND.into());
                 // What is wrong with the file is the editor's message, and the script goes on.
                 let _ = editor.keyframes_read(&path, bytes);
             }

@@ -77,7 +77,7 @@ impl Runner {
     fn tick(&mut self, ticks: u64) -> String {
         let was_playing = self.editor.is_playing();
         self.editor.tick(ticks);
-        if was_playing && !self.editor.is_playing() { self.editor.message().text.clone() } else { String::new() }
+        if was_playing && !self.editor.is_playing() { self.editor.message_text() } else { String::new() }
     }
 
     fn apply(&mut self, command: Command) -> Outcome {
@@ -92,17 +92,17 @@ impl Runner {
         for effect in effects {
             match effect {
                 Effect::ReadKeyframes { path } => {
-                    let bytes = storage::read(&path, LARGEST_FILE_BYTES).map_err(|error| error.to_string());
+                    let bytes = storage::read(&path, LARGEST_FILE_BYTES).map_err(|error| error.message());
                     // What is wrong with the file is the editor's message, and the script goes on.
                     let _ = self.editor.keyframes_read(&path, bytes);
                 }
                 Effect::WriteKeyframes { path, text, is_known: _ } => {
                     let written = storage::write_with(&path, |file| write!(file, "{text}")).map(|()| None);
-                    self.editor.keyframes_written(&path, written.map_err(|error| error.to_string()))?;
+                    self.editor.keyframes_written(&path, written.map_err(|error| error.message()))?;
                 }
                 Effect::WriteScene { path, text, is_known: _ } => {
                     let written = storage::write(&path, text.as_bytes()).map(|()| None);
-                    self.editor.scene_written(&path, written.map_err(|error| error.to_string()))?;
+                    self.editor.scene_written(&path, written.map_err(|error| error.message()))?;
                 }
                 Effect::Screenshot { path } => {
                     let path = path.unwrap_or_else(|| storage::next_screenshot_path(self.editor.path()));
@@ -122,13 +122,13 @@ impl Runner {
                 Effect::Window(_) => {}
             }
         }
-        Ok((said.unwrap_or_else(|| self.editor.message().text.clone()), flow))
+        Ok((said.unwrap_or_else(|| self.editor.message_text()), flow))
     }
 
     fn take_screenshot(&mut self, path: &Path) -> Result<(), CliError> {
         let painter = self.painter.as_mut().expect("a script that takes screenshots has a painter");
         let png = painter.png(&Frame::of_editor(&self.editor, painter.size_px()))?;
-        let written = storage::write(path, &png).map_err(|error| error.to_string());
+        let written = storage::write(path, &png).map_err(|error| error.message());
         Ok(self.editor.screenshot_taken(path, written)?)
     }
 }

@@ -6,32 +6,45 @@ use thiserror::Error;
 
 use super::{Binding, Chord, bindings};
 use crate::editor::Command;
+use crate::words::{Message, Phrase, Severity, display_by_message, texts};
 
 /// Why a change of keys is not made.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 pub enum KeymapError {
     /// Another binding has the key.
-    #[error("{chord} is the key of \"{other}\": give that another key first.")]
     Clash {
         /// The key, for people.
         chord: String,
         /// Whose it is.
-        other: &'static str,
+        other: Phrase,
     },
     /// There is no such binding.
-    #[error("There is no command \"{name}\" whose keys could be changed.")]
     NoSuchBinding {
         /// What was asked for.
         name: String,
     },
     /// A text is no key.
-    #[error("\"{chord}\" is no key that \"{name}\" could have.")]
     NoKey {
         /// The text.
         chord: String,
         /// The binding's name.
-        name: String,
+        name: Phrase,
     },
+}
+
+display_by_message!(KeymapError);
+
+impl KeymapError {
+    /// Why, as a message.
+    #[must_use]
+    pub fn message(&self) -> Message {
+        let message = match self {
+            Self::Clash { chord, other } => texts::hotkeys_clash(chord, *other),
+            Self::NoSuchBinding { name } => texts::hotkeys_no_such_command(name),
+            Self::NoKey { chord, name } => texts::hotkeys_no_key(chord, *name),
+        };
+        message.with_severity(Severity::Error)
+    }
 }
 
 /// The bindings in force.
@@ -65,11 +78,12 @@ impl Keymap {
 
     fn take_in(&mut self, name: &str, chords: &[String]) -> Result<(), KeymapError> {
         let binding = self.get(name).filter(|binding| can_change(binding));
-        let name = binding.ok_or_else(|| KeymapError::NoSuchBinding { name: name.to_owned() })?.name;
+        let binding = binding.ok_or_else(|| KeymapError::NoSuchBinding { name: name.to_owned() })?;
+        let (name, title) = (binding.name, binding.title());
         let chords = chords
             .iter()
             .map(|chord| {
-                Chord::parse(chord).ok_or_else(|| KeymapError::NoKey { chord: chord.clone(), name: name.to_owned() })
+                Chord::parse(chord).ok_or_else(|| KeymapError::NoKey { chord: chord.clone(), name: title })
             })
             .collect::<Result<Vec<Chord>, _>>()?;
         self.put(name, chords);
@@ -90,7 +104,7 @@ impl Keymap {
         chords.iter().find_map(|chord| {
             let others = self.0.iter().filter(|other| other.name != name);
             let mut holders = others.filter(|other| other.chords.iter().any(|held| held.meets(*chord)));
-            holders.next().map(|other| KeymapError::Clash { chord: chord.label(), other: other.name })
+            holders.next().map(|other| KeymapError::Clash { chord: chord.label(), other: other.title() })
         })
     }
 

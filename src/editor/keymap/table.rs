@@ -14,19 +14,17 @@ pub fn bindings() -> Vec<Binding> {
     let key = |key| Chord { key, modifiers: plain };
     let typed = |character| key(Key::Character(character));
     let held = |modifiers, character| Chord { key: Key::Character(character), modifiers };
-    let row = |group, chords: Vec<Chord>, command, id, name, help| Binding {
+    // The names and the help stand in the files of words.
+    let row = |group, chords: Vec<Chord>, command, id| Binding {
         chords,
         command,
         id,
-        name,
-        help,
+        name: Binding::title_of(id).english(),
+        help: Binding::explanation_of(id).english(),
         group,
         repeats: false,
     };
-    let repeating = |group, chords, command, id, name, help| Binding {
-        repeats: true,
-        ..row(group, chords, command, id, name, help)
-    };
+    let repeating = |group, chords, command, id| Binding { repeats: true, ..row(group, chords, command, id) };
     let edit = Command::Edit;
     let view = Command::View;
     vec![
@@ -34,452 +32,340 @@ pub fn bindings() -> Vec<Binding> {
             Group::Keyframes,
             vec![key(Key::Space), typed('c')],
             edit(Edit::DisplayCurrent),
-            "keyframe-display",
-            "Display keyframe",
-            "Copy the current keyframe to the scene",
+            "keyframe-display"
         ),
         row(
             Group::Keyframes,
             vec![typed('u')],
             edit(Edit::UpdateCurrent),
-            "keyframe-update",
-            "Update keyframe",
-            "Update the current keyframe from the scene",
+            "keyframe-update"
         ),
         repeating(
             Group::Keyframes,
             vec![typed('>'), typed('.')],
             edit(Edit::GoToNext),
-            "keyframe-next",
-            "Next keyframe",
-            "Go to the next keyframe and copy it to the scene",
+            "keyframe-next"
         ),
         repeating(
             Group::Keyframes,
             vec![typed('<'), typed(',')],
             edit(Edit::GoToPrevious),
-            "keyframe-previous",
-            "Previous keyframe",
-            "Go to the previous keyframe and copy it to the scene",
+            "keyframe-previous"
         ),
         row(
             Group::Keyframes,
             vec![typed('d')],
             edit(Edit::DeleteCurrent),
-            "keyframe-delete",
-            "Delete keyframe",
-            "Delete the current keyframe",
+            "keyframe-delete"
         ),
         row(
             Group::Keyframes,
             vec![typed('n')],
             edit(Edit::CreateKeyframe),
-            "keyframe-new",
-            "New keyframe",
-            "New keyframe from the scene, after the current one",
+            "keyframe-new"
         ),
         row(
             Group::Keyframes,
             vec![typed('r')],
             edit(Edit::ResetPose),
-            "pose-rest",
-            "Rest pose",
-            "Return the scene to its rest pose",
+            "pose-rest"
         ),
         row(
             Group::Timeline,
             vec![held(ctrl, 'c')],
             view(ViewCommand::CopyKeyframes),
-            "keyframes-copy",
-            "Copy keyframes",
-            "Copy the selected keyframes, or the current one",
+            "keyframes-copy"
         ),
         row(
             Group::Timeline,
             vec![held(ctrl, 'x')],
             edit(Edit::Timeline(TimelineEdit::CutKeyframes)),
-            "keyframes-cut",
-            "Cut keyframes",
-            "Cut the selected keyframes, or the current one",
+            "keyframes-cut"
         ),
         row(
             Group::Timeline,
             vec![held(ctrl, 'v')],
             edit(Edit::Timeline(TimelineEdit::PasteKeyframes)),
-            "keyframes-paste",
-            "Paste keyframes",
-            "Paste the copied keyframes after the selected ones",
+            "keyframes-paste"
         ),
         row(
             Group::Timeline,
             vec![held(ctrl, 'd')],
             edit(Edit::Timeline(TimelineEdit::DuplicateKeyframes)),
-            "keyframes-duplicate",
-            "Duplicate keyframes",
-            "Duplicate the selected keyframes, or the current one",
+            "keyframes-duplicate"
         ),
         row(
             Group::Timeline,
             vec![key(Key::Delete)],
             edit(Edit::Timeline(TimelineEdit::DeleteKeyframes)),
-            "keyframes-delete",
-            "Delete keyframes",
-            "Delete the selected keyframes, or the current one",
+            "keyframes-delete"
         ),
         row(
             Group::Timeline,
             vec![],
             edit(Edit::Timeline(TimelineEdit::ReverseKeyframes)),
-            "keyframes-reverse",
-            "Reverse keyframes",
-            "Reverse the order of the selected keyframes, or of all",
+            "keyframes-reverse"
         ),
         row(
             Group::Timeline,
             vec![],
             edit(Edit::Scene(SceneEdit::PutControlAboveChosen)),
-            "control-node-above",
-            "Put control node above",
-            "Put a control node above the chosen node: its keys stand at their own times",
+            "control-node-above"
         ),
         row(
             Group::Timeline,
             vec![key(Key::F2)],
             Command::Window(WindowCommand::RenameCurrent),
-            "keyframe-rename",
-            "Rename keyframe…",
-            "Give the current keyframe a name",
+            "keyframe-rename"
         ),
         row(
             Group::Timeline,
             vec![typed('f')],
             Command::Window(WindowCommand::FitTimeline),
-            "timeline-fit-all",
-            "Fit all",
-            "Bring all keyframes into sight in the timeline",
+            "timeline-fit-all"
         ),
         row(
             Group::Timeline,
             vec![held(shift, 'f')],
             Command::Window(WindowCommand::FitSelection),
-            "timeline-fit-selection",
-            "Fit selection",
-            "Bring the selected keyframes into sight in the timeline",
+            "timeline-fit-selection"
         ),
         row(
             Group::Timeline,
             vec![held(ctrl_shift, 'c')],
             view(ViewCommand::CopyPose),
-            "pose-copy",
-            "Copy pose",
-            "Copy the pose of the chosen node and all below it",
+            "pose-copy"
         ),
         row(
             Group::Timeline,
             vec![held(ctrl_shift, 'v')],
             edit(Edit::Timeline(TimelineEdit::PastePose)),
-            "pose-paste",
-            "Paste pose",
-            "Paste the copied pose to the chosen node: the other robot, say",
+            "pose-paste"
         ),
         row(
             Group::Playing,
             vec![typed('y')],
             Command::Playback(PlaybackCommand::PlayOrStop),
-            "play-or-stop",
-            "Play or stop",
-            "Play from the first playable keyframe, or stop",
+            "play-or-stop"
         ),
         row(
             Group::Playing,
             vec![held(shift, 'p')],
             Command::Playback(PlaybackCommand::PauseOrResume),
-            "pause-or-resume",
-            "Pause or go on",
-            "Pause: freeze the pose on screen into the scene; or go on from there",
+            "pause-or-resume"
         ),
         repeating(
             Group::Playing,
             vec![typed('+'), typed('=')],
             edit(Edit::Faster),
-            "faster",
-            "Faster",
-            "100 ms less between keyframes",
+            "faster"
         ),
         repeating(
             Group::Playing,
             vec![typed('-')],
             edit(Edit::Slower),
-            "slower",
-            "Slower",
-            "100 ms more between keyframes",
+            "slower"
         ),
         row(
             Group::Playing,
             vec![typed('t')],
             edit(Edit::NextInterpolation),
-            "interpolation-next",
-            "Next interpolation",
-            "Next interpolation: linear, Catmull-Rom",
+            "interpolation-next"
         ),
         row(
             Group::Playing,
             vec![held(shift, 'y')],
             Command::Playback(PlaybackCommand::PlayFromPlayhead),
-            "play-from-playhead",
-            "Play from playhead",
-            "Play from the playhead, or stop",
+            "play-from-playhead"
         ),
         repeating(
             Group::Playing,
             vec![key(Key::Right)],
             Command::Playback(PlaybackCommand::Step(1)),
-            "step-forward",
-            "Step forward",
-            "Move the playhead one tick forward",
+            "step-forward"
         ),
         repeating(
             Group::Playing,
             vec![key(Key::Left)],
             Command::Playback(PlaybackCommand::Step(-1)),
-            "step-back",
-            "Step back",
-            "Move the playhead one tick back",
+            "step-back"
         ),
         row(
             Group::Playing,
             vec![held(shift, 'l')],
             Command::Playback(PlaybackCommand::NextMode),
-            "play-mode-next",
-            "Loop",
-            "Play once, in a loop, or forwards and backwards",
+            "play-mode-next"
         ),
         row(
             Group::Playing,
             vec![held(shift, 'a')],
             view(ViewCommand::ToggleAutoKeys),
-            "auto-key",
-            "Auto-key",
-            "The end of each drag updates the current keyframe",
+            "auto-key"
         ),
         row(
             Group::Playing,
             vec![key(Key::Home)],
             view(ViewCommand::RestartSeconds),
-            "timed-keys-restart",
-            "Restart timed keys",
-            "Set the clock of keys at their own times to zero (some lessons use the space bar for it)",
+            "timed-keys-restart"
         ),
         row(
             Group::Playing,
             vec![Chord { key: Key::Home, modifiers: shift }],
             view(ViewCommand::HoldSeconds),
-            "timed-keys-hold",
-            "Hold timed keys",
-            "Hold the clock of keys at their own times, or let it go on",
+            "timed-keys-hold"
         ),
         row(
             Group::View,
             vec![typed('v')],
             view(ViewCommand::NextEye),
-            "eye-next",
-            "Next eye",
-            "Look from the next eye: the sky, robot 1, robot 2",
+            "eye-next"
         ),
         row(
             Group::View,
             vec![typed('p')],
             view(ViewCommand::StartPicking),
-            "pick",
-            "Pick a node",
-            "Pick: the next click chooses the node to move; the ground chooses none",
+            "pick"
         ),
         row(
             Group::View,
             vec![typed('m')],
             view(ViewCommand::ToggleSkyMode),
-            "sky-mode",
-            "Sky camera's centre",
-            "Move the sky camera about the world's centre, or about itself",
+            "sky-mode"
         ),
         row(
             Group::View,
             vec![typed('a')],
             view(ViewCommand::ToggleArcball),
-            "arcball",
-            "Arcball",
-            "Show or hide the arcball",
+            "arcball"
         ),
         row(
             Group::View,
             vec![Chord { key: Key::Character('p'), modifiers: Modifiers { alt: true, ..plain } }],
             view(ViewCommand::TogglePath),
-            "motion-path",
-            "Motion path",
-            "Show or hide the path that the chosen node takes",
+            "motion-path"
         ),
         repeating(
             Group::View,
             vec![held(shift, 'g')],
             view(ViewCommand::NextGhosts),
-            "ghosts-next",
-            "Ghosts",
-            "Show one more of the neighbouring keyframes on each side as ghosts, up to 3, then none",
+            "ghosts-next"
         ),
         row(
             Group::View,
             vec![],
             view(ViewCommand::ToggleComparison),
-            "interpolations-compare",
-            "Compare interpolations",
-            "While playing, show the chosen robot under the other interpolations",
+            "interpolations-compare"
         ),
-        row(Group::View, vec![typed('h')], view(ViewCommand::ToggleHelp), "help", "Help", "Show or hide this help"),
+        row(Group::View, vec![typed('h')], view(ViewCommand::ToggleHelp), "help"),
         row(
             Group::View,
             vec![key(Key::F11)],
             view(ViewCommand::TogglePanels),
-            "panels",
-            "Panels",
-            "Hide or show all panels",
+            "panels"
         ),
         row(
             Group::View,
             vec![key(Key::Escape)],
             Command::Cancel,
-            "cancel",
-            "Cancel",
-            "Leave the mode, drag or dialog at hand",
+            "cancel"
         ),
         row(
             Group::File,
             vec![typed('i')],
             Command::File(FileCommand::Import),
-            "import",
-            "Import",
-            "Import the keyframe file; its first keyframe is shown",
+            "import"
         ),
         row(
             Group::File,
             vec![typed('w')],
             Command::File(FileCommand::Write),
-            "save",
-            "Save",
-            "Write the keyframe file",
+            "save"
         ),
         row(
             Group::File,
             vec![held(ctrl, 'o')],
             Command::File(FileCommand::ChooseOpen),
-            "open",
-            "Open…",
-            "Open another keyframe file",
+            "open"
         ),
         row(
             Group::File,
             vec![held(ctrl_shift, 's')],
             Command::File(FileCommand::ChooseSaveAs),
-            "save-as",
-            "Save As…",
-            "Write to another keyframe file",
+            "save-as"
         ),
         row(
             Group::File,
             vec![],
             Command::File(FileCommand::WriteScene),
-            "scene-save",
-            "Save scene",
-            "Write the scene, with its control nodes and keys, to its file",
+            "scene-save"
         ),
         row(
             Group::File,
             vec![],
             Command::File(FileCommand::ChooseSaveSceneAs),
-            "scene-save-as",
-            "Save scene as…",
-            "Write the scene to another file",
+            "scene-save-as"
         ),
         row(
             Group::File,
             vec![typed('s')],
             Command::File(FileCommand::Screenshot(None)),
-            "screenshot",
-            "Screenshot",
-            "Write a screenshot beside the keyframe file",
+            "screenshot"
         ),
         row(
             Group::File,
             vec![held(ctrl, 'e')],
             Command::Window(WindowCommand::ShowExport),
-            "export",
-            "Export…",
-            "Make a film of what plays: GIF, APNG, MP4, Y4M or numbered frames",
+            "export"
         ),
-        repeating(Group::File, vec![held(ctrl, 'z')], Command::Undo, "undo", "Undo", "Undo"),
-        repeating(Group::File, vec![held(ctrl_shift, 'z'), held(ctrl, 'y')], Command::Redo, "redo", "Redo", "Redo"),
+        repeating(Group::File, vec![held(ctrl, 'z')], Command::Undo, "undo"),
+        repeating(Group::File, vec![held(ctrl_shift, 'z'), held(ctrl, 'y')], Command::Redo, "redo"),
         row(
             Group::File,
             vec![held(ctrl, 'q')],
             Command::File(FileCommand::Quit),
-            "quit",
-            "Quit",
-            "Quit; asks where something is unsaved",
+            "quit"
         ),
         row(
             Group::Window,
             vec![held(ctrl_shift, 'p')],
             Command::Window(WindowCommand::ShowCommands),
-            "commands",
-            "Commands…",
-            "List all commands, and run one by typing a part of its name",
+            "commands"
         ),
         row(
             Group::Window,
             vec![],
             Command::Window(WindowCommand::ShowKeys),
-            "hotkeys",
-            "Keys…",
-            "Show the keys, and change them",
+            "hotkeys"
         ),
         row(
             Group::Window,
             vec![],
             Command::Window(WindowCommand::ToggleMessages),
-            "messages",
-            "Messages",
-            "Show or hide all that was said since the start",
+            "messages"
         ),
         row(
             Group::Window,
             vec![],
             Command::Window(WindowCommand::ToggleStatistics),
-            "statistics",
-            "Statistics",
-            "Show or hide pictures a second, and where their time goes",
+            "statistics"
         ),
         repeating(
             Group::Window,
             vec![held(ctrl, '+'), held(ctrl, '=')],
             Command::Window(WindowCommand::Larger),
-            "scale-larger",
-            "Larger",
-            "Show the panels larger",
+            "scale-larger"
         ),
         repeating(
             Group::Window,
             vec![held(ctrl, '-')],
             Command::Window(WindowCommand::Smaller),
-            "scale-smaller",
-            "Smaller",
-            "Show the panels smaller",
+            "scale-smaller"
         ),
         row(
             Group::Window,
             vec![held(ctrl, '0')],
             Command::Window(WindowCommand::SetScale(100)),
-            "scale-usual",
-            "Usual size",
-            "Show the panels in the system's size",
+            "scale-usual"
         ),
     ]
 }
