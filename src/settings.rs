@@ -144,9 +144,7 @@ impl SettingsError {
             Self::Format { found } => texts::settings_format(found, FORMAT),
             Self::Version { found } => texts::settings_version(*found, VERSION),
             Self::Json { reason } => texts::foreign(reason),
-            Self::Range { what, found, least, most } => {
-                texts::settings_range(what.clone(), found, *least, *most)
-            }
+            Self::Range { what, found, least, most } => texts::settings_range(what.clone(), found, *least, *most),
         }
     }
 }
@@ -244,7 +242,8 @@ mod tests {
 
     #[test]
     fn what_is_written_is_read() {
-        let mut settings = Settings { theme: ThemeChoice::Light, language: Language::of_code("ko").unwrap(), ..Settings::default() };
+        let mut settings =
+            Settings { theme: ThemeChoice::Light, language: Language::of_code("ko").unwrap(), ..Settings::default() };
         settings.keys.insert("New keyframe".to_owned(), vec!["Ctrl+K".to_owned(), "n".to_owned()]);
         settings.scale_percent = 125;
         settings.used(Path::new("folder/걷기.json"));
@@ -298,13 +297,7 @@ mod tests {
 
     #[test]
     fn a_locale_has_a_language() {
-        for (locale, language) in [
-            ("ko_KR.UTF-8", "ko"),
-            ("ko", "ko"),
-            ("en_GB", "en"),
-            ("C", "en"),
-            ("", "en"),
-        ] {
+        for (locale, language) in [("ko_KR.UTF-8", "ko"), ("ko", "ko"), ("en_GB", "en"), ("C", "en"), ("", "en")] {
             assert_eq!(Language::of_locale(locale).code(), language, "{locale}");
         }
     }

@@ -9,6 +9,7 @@ use inbetween::editor::{Command, Edit, Editor, Effect, GestureCommand, Severity,
 use inbetween::interpolation::Interpolation;
 use inbetween::keyframe::{KeyframeIndex, keyframes_to_json};
 use inbetween::rbt::Rbt;
+use inbetween::words::texts;
 
 /// With `keyframes` in the list (their x is their place) and the `current` one on screen, `keys` lead to `expected`.
 #[track_caller]
@@ -259,7 +260,7 @@ fn importing_replaces_the_list_and_can_be_undone() {
 #[test]
 fn a_bad_import_changes_nothing_and_says_why() {
     for (bytes, words) in
-        [(Ok(b"{".to_vec()), "line 1 column 1"), (Err("there is no such file or folder".to_owned()), "no such file")]
+        [(Ok(b"{".to_vec()), "line 1 column 1"), (Err(texts::STORAGE_NOT_FOUND.into()), "no such file")]
     {
         let mut editor = editor_with(2);
         let before = editor.document().clone();

@@ -9,8 +9,9 @@ use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use inbetween::editor::keymap::bindings;
 use inbetween::editor::{Command, Edit, Editor, Effect, FileCommand, Severity, ViewCommand, WindowCommand};
 use inbetween::scene::{DEFAULT_SCENE, built_in_scene};
-use inbetween::settings::{Language, Settings, ThemeChoice};
+use inbetween::settings::{Settings, ThemeChoice};
 use inbetween::ui::{Statistics, Ui, theme};
+use inbetween::words::Language;
 
 struct App {
     editor: Editor,
@@ -28,8 +29,9 @@ impl App {
         for effect in self.editor.apply(command.clone()).unwrap_or_default() {
             if let Effect::Window(command) = effect {
                 match self.ui.perform(&command, &mut self.settings) {
-                    Ok(said) => self.editor.say_of(Severity::Outcome, said),
-                    Err(error) => self.editor.say_of(Severity::Error, error.to_string()),
+                    Ok(None) => {}
+                    Ok(Some(said)) => self.editor.say(said.with_severity(Severity::Outcome)),
+                    Err(error) => self.editor.say(error.message()),
                 }
             }
         }

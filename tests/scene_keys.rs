@@ -13,6 +13,7 @@ use inbetween::editor::{
 };
 use inbetween::keyframe::{KeyframeIndex, keyframes_to_json};
 use inbetween::scene::{Channel, Colour, KeyValue, built_in_scene, scene_from_json, scene_to_json};
+use inbetween::words::texts;
 
 /// The cylinder, whose control node has keys of its translation at 0, 2 and 4 s, of its rotation at 0, 2, 3 and 4, of its scale at 0, 2, 4.
 fn cylinder() -> Editor {
@@ -240,7 +241,7 @@ fn a_scene_is_saved_and_opened_again() {
     let [Effect::WriteScene { path, text, is_known: false }] = effects.as_slice() else { panic!("{effects:?}") };
     assert_eq!(*text, scene_to_json(editor.scene()));
     assert!(editor.has_unsaved_scene(), "it is not written yet");
-    assert!(editor.scene_written(path, Err("permission denied".to_owned())).is_err());
+    assert!(editor.scene_written(path, Err(texts::STORAGE_PERMISSION_DENIED.into())).is_err());
     assert_eq!((editor.message_text().as_str(), editor.scene_path()), ("lamp.json: permission denied", None));
     editor.scene_written(path, Ok(None)).unwrap();
     assert_eq!(editor.message_text(), "Wrote the scene to lamp.json.");

@@ -6,7 +6,8 @@ use super::history::Run;
 use super::keymap::Keymap;
 use super::playback::Playback;
 use super::{
-    Command, CommandError, Document, Edit, Editor, Effect, Message, PlaybackCommand, SceneEdit, TimelineEdit, ViewCommand,
+    Command, CommandError, Document, Edit, Editor, Effect, Message, PlaybackCommand, SceneEdit, TimelineEdit,
+    ViewCommand,
 };
 use crate::keyframe::{Keyframe, KeyframeIndex, KeyframeList, MS_BETWEEN_KEYFRAMES_RANGE};
 use crate::pose::RbtIndex;
@@ -129,9 +130,12 @@ impl Editor {
             Edit::Faster => Ok(Some(self.set_ms(self.document.ms_between_keyframes.saturating_sub(MS_STEP)))),
             Edit::Slower => Ok(Some(self.set_ms(self.document.ms_between_keyframes.saturating_add(MS_STEP)))),
             Edit::SetMsBetweenKeyframes(ms) => Ok(Some(self.set_ms(ms))),
-            Edit::SetTranslation(rbt, translation) => {
-                self.place(rbt, |parent_from_node| Rbt { translation, ..parent_from_node }, texts::ACT_MOVE_A_NODE, None)
-            }
+            Edit::SetTranslation(rbt, translation) => self.place(
+                rbt,
+                |parent_from_node| Rbt { translation, ..parent_from_node },
+                texts::ACT_MOVE_A_NODE,
+                None,
+            ),
             Edit::SetRotation(rbt, rotation) => {
                 let rotation = unit(rotation).ok_or(CommandError::NotAValue { what: texts::VALUE_ROTATION })?;
                 self.place(rbt, |parent_from_node| Rbt { rotation, ..parent_from_node }, texts::ACT_TURN_A_NODE, None)
@@ -145,7 +149,12 @@ impl Editor {
             }
             Edit::TranslateChosen(by) => {
                 let chosen = self.session.chosen.ok_or_else(|| self.nothing_chosen())?;
-                self.place(chosen, |from| Rbt { translation: from.translation + by, ..from }, texts::ACT_MOVE_A_NODE, None)
+                self.place(
+                    chosen,
+                    |from| Rbt { translation: from.translation + by, ..from },
+                    texts::ACT_MOVE_A_NODE,
+                    None,
+                )
             }
             Edit::Wheel(motion) => {
                 let moved = self.moved(motion);
@@ -280,7 +289,9 @@ impl Editor {
     fn set_ms(&mut self, ms: u32) -> Message {
         let ms = ms.clamp(*MS_BETWEEN_KEYFRAMES_RANGE.start(), *MS_BETWEEN_KEYFRAMES_RANGE.end());
         let was = self.document.ms_between_keyframes;
-        self.record(texts::ACT_CHANGE_OF_PACE, Some(Run::MsBetweenKeyframes), |document| document.ms_between_keyframes = ms);
+        self.record(texts::ACT_CHANGE_OF_PACE, Some(Run::MsBetweenKeyframes), |document| {
+            document.ms_between_keyframes = ms
+        });
         self.refit_pace();
         match ms {
             100 if was == ms => texts::pace_fastest(ms),

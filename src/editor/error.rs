@@ -177,9 +177,7 @@ impl CommandError {
             Self::NothingChosen { pick } => texts::refused_nothing_chosen(pick.clone()),
             Self::NotInScene { what } => texts::refused_not_in_scene(*what),
             Self::NoSuchNode { path } => texts::refused_no_such_node(quoted(path)),
-            Self::NoSuchKey { path, channel, seconds } => {
-                texts::refused_no_such_key(path, channel.title(), *seconds)
-            }
+            Self::NoSuchKey { path, channel, seconds } => texts::refused_no_such_key(path, channel.title(), *seconds),
             Self::NoKeys => texts::REFUSED_NO_KEYS.into(),
             Self::Scene(error) => error.message(),
             Self::NotAValue { what } => texts::refused_not_a_value(*what),

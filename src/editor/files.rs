@@ -77,7 +77,11 @@ impl Editor {
     ///
     /// # Errors
     /// Why the file is as it was.
-    pub fn scene_written(&mut self, path: &Path, outcome: Result<Option<PathBuf>, Message>) -> Result<(), CommandError> {
+    pub fn scene_written(
+        &mut self,
+        path: &Path,
+        outcome: Result<Option<PathBuf>, Message>,
+    ) -> Result<(), CommandError> {
         match outcome {
             Ok(kept) => {
                 self.say_outcome(match kept {

@@ -127,9 +127,9 @@ impl Editor {
             scene = scene.with_key(id, key.seconds, value.ok_or_else(|| no_channel(&scene, id, key.track.channel))?)?;
         }
         self.put_scene(texts::ACT_NEW_KEYS, scene);
-        let said = keys.first().map(|KeyAt { seconds, .. }| {
-            texts::keys_added(texts::count_keys(keys.len()), format!("{seconds:.3}"))
-        });
+        let said = keys
+            .first()
+            .map(|KeyAt { seconds, .. }| texts::keys_added(texts::count_keys(keys.len()), format!("{seconds:.3}")));
         self.select_keys(keys)?;
         Ok(said)
     }

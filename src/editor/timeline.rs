@@ -78,7 +78,8 @@ impl Editor {
                     let copy = self.key_of(&Command::View(ViewCommand::CopyKeyframes));
                     return Err(CommandError::NothingCopied { copy });
                 }
-                let (count, at) = self.insert_after_hand(texts::ACT_PASTING_OF_KEYFRAMES, self.clipboard.keyframes.clone());
+                let (count, at) =
+                    self.insert_after_hand(texts::ACT_PASTING_OF_KEYFRAMES, self.clipboard.keyframes.clone());
                 Ok(Some(texts::keyframes_pasted(count, at)))
             }
             TimelineEdit::DuplicateKeyframes => {

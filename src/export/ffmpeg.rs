@@ -42,7 +42,9 @@ impl Ffmpeg {
             .stdin(Stdio::piped())
             .stdout(Stdio::null())
             .spawn()
-            .map_err(|error| ExportError::bad_input(path.display(), texts::export_ffmpeg_not_started(error.to_string())))?;
+            .map_err(|error| {
+                ExportError::bad_input(path.display(), texts::export_ffmpeg_not_started(error.to_string()))
+            })?;
         let input = child.stdin.take();
         Ok(Self { child, input })
     }

@@ -212,8 +212,7 @@ impl Moments {
     /// # Errors
     /// Wrong usage: more pictures than a film can count.
     pub fn plan(&self, size: Size, frames_per_second: u32, is_opaque: bool) -> Result<Plan, ExportError> {
-        let frames =
-            u32::try_from(self.all.len()).map_err(|_| ExportError::misuse(texts::EXPORT_TOO_MANY_FRAMES))?;
+        let frames = u32::try_from(self.all.len()).map_err(|_| ExportError::misuse(texts::EXPORT_TOO_MANY_FRAMES))?;
         Ok(Plan { width: size.width, height: size.height, frames, frames_per_second, is_opaque })
     }
 }

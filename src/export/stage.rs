@@ -89,7 +89,9 @@ impl<'a> Stage<'a> {
             Shown::Rest => Ok(scene.rest_pose().clone()),
             Shown::Keyframe(index) => {
                 let keyframe = animation.keyframes.get(index);
-                keyframe.map(|keyframe| keyframe.pose.clone()).ok_or_else(|| self.source.bad_input(texts::EXPORT_LOST_KEYFRAME))
+                keyframe
+                    .map(|keyframe| keyframe.pose.clone())
+                    .ok_or_else(|| self.source.bad_input(texts::EXPORT_LOST_KEYFRAME))
             }
             Shown::KeyTime(key_time) => PlayRange::new(&animation.keyframes)
                 .and_then(|range| range.pose_at(key_time, animation.interpolation))

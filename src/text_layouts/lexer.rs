@@ -92,7 +92,10 @@ pub(super) fn not_a_number(bytes: &[u8], piece: Piece<'_>, expected: Phrase) -> 
     let problem = if matches!(piece.token, Token::Number(_)) || is_not_finite(run) {
         TextProblem::NotFinite { found: String::from_utf8_lossy(&run[..length.min(40)]).into_owned() }
     } else if let Some(byte) = run.iter().find(|byte| byte.is_ascii_control()) {
-        TextProblem::Unexpected { found: texts::text_found_byte(format!("{byte:#04x}")).into(), expected: expected.into() }
+        TextProblem::Unexpected {
+            found: texts::text_found_byte(format!("{byte:#04x}")).into(),
+            expected: expected.into(),
+        }
     } else {
         TextProblem::Unexpected { found: quoted(run).into(), expected: expected.into() }
     };

@@ -207,11 +207,8 @@ impl Structure {
                 self.marks.frame(piece.at, number);
             }
             Token::Number(_) | Token::Word(_) => {
-                let expected = if self.numbers == 0 && self.marks.frames == 0 {
-                    texts::TEXT_EXPECTED_KEYFRAMES
-                } else {
-                    NUMBER
-                };
+                let expected =
+                    if self.numbers == 0 && self.marks.frames == 0 { texts::TEXT_EXPECTED_KEYFRAMES } else { NUMBER };
                 return Err(not_a_number(bytes, piece, expected));
             }
         }

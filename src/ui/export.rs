@@ -205,11 +205,12 @@ fn size(ui: &mut Ui, options: &mut ExportOptions, words: Words) {
     ui.label("×");
     number(ui, height, 1..=ExportOptions::LONGEST_SIDE, words.say(texts::HEIGHT));
     let labels = SIZES.map(|[width, height]| format!("{width}×{height}"));
-    let response = ComboBox::from_id_salt("sizes").selected_text(words.say(texts::SIZES)).width(96.0).show_ui(ui, |ui| {
-        for (size, label) in SIZES.iter().zip(&labels) {
-            ui.selectable_value(&mut options.size, *size, label);
-        }
-    });
+    let response =
+        ComboBox::from_id_salt("sizes").selected_text(words.say(texts::SIZES)).width(96.0).show_ui(ui, |ui| {
+            for (size, label) in SIZES.iter().zip(&labels) {
+                ui.selectable_value(&mut options.size, *size, label);
+            }
+        });
     named(&response.response, Role::ComboBox, words.say(texts::SIZES));
 }
 

@@ -160,7 +160,8 @@ fn row(ui: &mut Ui, keys: &[String], meaning: &str, width: f32) {
         let galley = ui.painter().layout(meaning.to_owned(), egui::FontId::proportional(12.0), tokens.text, sentences);
         let height = galley.size().y.max(LINE);
         let (rect, response) = ui.allocate_exact_size(vec2(sentences, height), Sense::hover());
-        let either = keys.iter().map(|key| Argument::from(key)).reduce(|one, other| texts::key_or_key(one, other).into());
+        let either =
+            keys.iter().map(|key| Argument::from(key)).reduce(|one, other| texts::key_or_key(one, other).into());
         let label = Words::of(ui).message(texts::key_does(either.unwrap_or_else(|| "".into()), meaning));
         response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Label, true, &label));
         ui.painter().galley(rect.left_top() + vec2(0.0, (height - galley.size().y) / 2.0), galley, tokens.text);

@@ -48,7 +48,8 @@ pub fn show(ui: &mut Ui, editor: &Editor, angles: &mut ShownAngles, keymap: &Key
         label(ui, words.say(texts::ROTATION_DEGREES));
         let mut degrees = angles.of(rbt, parent_from_node.rotation);
         let names = [words.say(texts::YAW), words.say(texts::PITCH), words.say(texts::ROLL)];
-        if let Some(changed) = numbers(ui, words.say(texts::ROTATION), &names, &mut degrees, DEGREES_PER_POINT, 1, commands)
+        if let Some(changed) =
+            numbers(ui, words.say(texts::ROTATION), &names, &mut degrees, DEGREES_PER_POINT, 1, commands)
         {
             angles.set(rbt, degrees);
             let rotation = rotation_from_degrees(degrees);
@@ -59,7 +60,9 @@ pub fn show(ui: &mut Ui, editor: &Editor, angles: &mut ShownAngles, keymap: &Key
         let before = parent_from_node.rotation.to_array();
         let mut parts = before;
         let names = ["x", "y", "z", "w"];
-        if let Some(changed) = numbers(ui, words.say(texts::QUATERNION), &names, &mut parts, UNITS_PER_POINT, 3, commands) {
+        if let Some(changed) =
+            numbers(ui, words.say(texts::QUATERNION), &names, &mut parts, UNITS_PER_POINT, 3, commands)
+        {
             let component = (0..4).find(|&place| parts[place].to_bits() != before[place].to_bits());
             let rotation = component.map_or(parent_from_node.rotation, |place| {
                 with_component(parent_from_node.rotation, place, parts[place])

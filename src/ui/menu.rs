@@ -106,9 +106,13 @@ fn item(ui: &mut Ui, editor: &Editor, binding: &Binding, on: On, commands: &mut 
     let label = match (&binding.command, editor.undo_label(), editor.redo_label()) {
         (Command::Undo, Some(step), _) => words.message(texts::undo_step(words.say(step))),
         (Command::Redo, _, Some(step)) => words.message(texts::redo_step(words.say(step))),
-        (Command::Playback(PlaybackCommand::PlayOrStop), ..) if editor.is_playing() => words.say(texts::STOP).to_owned(),
+        (Command::Playback(PlaybackCommand::PlayOrStop), ..) if editor.is_playing() => {
+            words.say(texts::STOP).to_owned()
+        }
         (Command::Playback(PlaybackCommand::PlayOrStop), ..) => words.say(texts::PLAY).to_owned(),
-        (Command::Playback(PlaybackCommand::PauseOrResume), ..) if editor.is_paused() => words.say(texts::GO_ON).to_owned(),
+        (Command::Playback(PlaybackCommand::PauseOrResume), ..) if editor.is_paused() => {
+            words.say(texts::GO_ON).to_owned()
+        }
         (Command::Playback(PlaybackCommand::PauseOrResume), ..) => words.say(texts::PAUSE).to_owned(),
         _ => words.say(binding.title()).to_owned(),
     };

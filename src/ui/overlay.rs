@@ -18,7 +18,8 @@ pub fn show(ui: &Ui, viewport: Rect, editor: &Editor, keymap: &Keymap, log: &Log
     let painter = ui.painter();
     let margin = vec2(2.0 * GRID, -2.0 * GRID);
     let left = viewport.left_bottom() + margin;
-    let mut after = tag(painter, left, Align2::LEFT_BOTTOM, &words.message(editor.view_sentence()), tokens.text, tokens);
+    let mut after =
+        tag(painter, left, Align2::LEFT_BOTTOM, &words.message(editor.view_sentence()), tokens.text, tokens);
     let mut add = |text: &str, colour| after = tag(painter, next_to(after), Align2::LEFT_BOTTOM, text, colour, tokens);
     if editor.session().is_picking {
         add(words.say(texts::CLICK_WHAT_TO_MOVE_ESC_LEAVES), tokens.accent);

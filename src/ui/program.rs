@@ -38,7 +38,11 @@ impl Ui {
     ///
     /// # Errors
     /// Why keys were not changed.
-    pub fn perform(&mut self, command: &WindowCommand, settings: &mut Settings) -> Result<Option<Message>, KeymapError> {
+    pub fn perform(
+        &mut self,
+        command: &WindowCommand,
+        settings: &mut Settings,
+    ) -> Result<Option<Message>, KeymapError> {
         let mut said = None;
         match command {
             WindowCommand::ShowCommands => self.dialog = Some(Dialog::Commands(Palette::default())),

@@ -77,7 +77,8 @@ fn playing(ui: &mut Ui, editor: &Editor, bindings: &[Binding], commands: &mut Ve
     let playback = Command::Playback;
     let words = Words::of(ui);
     press(ui, Icon::Previous, Command::Edit(Edit::GoToPrevious), None, false);
-    let (icon, name) = if is_playing { (Icon::Stop, words.say(texts::STOP)) } else { (Icon::Play, words.say(texts::PLAY)) };
+    let (icon, name) =
+        if is_playing { (Icon::Stop, words.say(texts::STOP)) } else { (Icon::Play, words.say(texts::PLAY)) };
     press(ui, icon, playback(PlaybackCommand::PlayOrStop), Some(name), is_playing);
     let name = if editor.is_paused() { words.say(texts::GO_ON) } else { words.say(texts::PAUSE) };
     press(ui, Icon::Pause, playback(PlaybackCommand::PauseOrResume), Some(name), editor.is_paused());
@@ -131,10 +132,7 @@ fn readout(ui: &mut Ui, editor: &Editor) {
     let (rect, response) = ui.allocate_exact_size(vec2(112.0, ROW), Sense::hover());
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &text));
     ui.painter().text(rect.left_center(), egui::Align2::LEFT_CENTER, text, super::theme::number_font(), colour);
-    response.on_hover_text(
-        Words::of(ui)
-            .say(texts::KEY_TIME_AND_THE_LAST_ONE_KEY),
-    );
+    response.on_hover_text(Words::of(ui).say(texts::KEY_TIME_AND_THE_LAST_ONE_KEY));
 }
 
 fn pace(ui: &mut Ui, editor: &Editor, bindings: &[Binding], commands: &mut Vec<Command>) {
@@ -143,7 +141,8 @@ fn pace(ui: &mut Ui, editor: &Editor, bindings: &[Binding], commands: &mut Vec<C
         DragValue::new(&mut ms).range(MS_BETWEEN_KEYFRAMES_RANGE).speed(10.0).suffix(" ms").update_while_editing(false);
     let response = ui.add_sized(vec2(80.0, ROW), number);
     let words = Words::of(ui);
-    response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, words.say(texts::MILLISECONDS_BETWEEN_KEYFRAMES)));
+    response
+        .widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, words.say(texts::MILLISECONDS_BETWEEN_KEYFRAMES)));
     let keys =
         [Edit::Faster, Edit::Slower].map(|edit| binding_of(bindings, &Command::Edit(edit)).map(Binding::menu_key));
     let keys: Vec<String> = keys.into_iter().flatten().filter(|key| !key.is_empty()).collect();

@@ -82,9 +82,7 @@ impl Keymap {
         let (name, title) = (binding.name, binding.title());
         let chords = chords
             .iter()
-            .map(|chord| {
-                Chord::parse(chord).ok_or_else(|| KeymapError::NoKey { chord: chord.clone(), name: title })
-            })
+            .map(|chord| Chord::parse(chord).ok_or_else(|| KeymapError::NoKey { chord: chord.clone(), name: title }))
             .collect::<Result<Vec<Chord>, _>>()?;
         self.put(name, chords);
         Ok(())

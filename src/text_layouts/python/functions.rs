@@ -20,10 +20,7 @@ pub(super) fn call(function: &str, arguments: &Arguments<'_>) -> Result<Term, Ph
         "vec" => (vector(arguments), texts::TEXT_EXPECTED_VEC),
         "quaternion" => (quaternion(arguments), texts::TEXT_EXPECTED_QUATERNION),
         "quaternion_from_euler" => (from_euler(arguments), texts::TEXT_EXPECTED_EULER),
-        _ => (
-            from_axis_angle(arguments),
-            texts::TEXT_EXPECTED_AXIS_ANGLE,
-        ),
+        _ => (from_axis_angle(arguments), texts::TEXT_EXPECTED_AXIS_ANGLE),
     };
     made.ok_or(expected)
 }

@@ -169,9 +169,7 @@ impl<'a> Parser<'a> {
             ),
             (Purpose::Translate, _) => (None, texts::TEXT_EXPECTED_TRANSLATION),
             (Purpose::Rotate, Term::Rotation(rotation)) => return Ok(Value::Rotation(rotation)),
-            (Purpose::Rotate, _) => {
-                (None, texts::TEXT_EXPECTED_ROTATION)
-            }
+            (Purpose::Rotate, _) => (None, texts::TEXT_EXPECTED_ROTATION),
             (Purpose::Scale, Term::Number(number)) => {
                 (is_scale(&number).then_some(Value::Number(number)), texts::TEXT_EXPECTED_SCALE_NUMBER)
             }
@@ -245,7 +243,9 @@ impl<'a> Parser<'a> {
             if self.takes(close) {
                 return Ok(Term::Numbers(numbers, count));
             }
-            let Some(next) = numbers.get_mut(count) else { return Err(self.expected(texts::TEXT_EXPECTED_FOUR_NUMBERS)) };
+            let Some(next) = numbers.get_mut(count) else {
+                return Err(self.expected(texts::TEXT_EXPECTED_FOUR_NUMBERS));
+            };
             match self.term(depth + 1)? {
                 Term::Number(number) => *next = number,
                 other if count == 0 && self.takes(close) => return Ok(other),

@@ -159,9 +159,11 @@ impl Graphs {
         if let Some(dot) = self.hovered {
             let keyframe = look.editor.document().keyframes.get(KeyframeIndex::new(dot.place));
             let value = keyframe.map_or(0.0, |keyframe| keyframe.pose.get(rbt).translation[dot.axis]);
-            let heading = look
-                .words
-                .message(texts::keyframe_quantity(&dot.place.to_string(), AXES[dot.axis], &format!("{value:.3}")));
+            let heading = look.words.message(texts::keyframe_quantity(
+                &dot.place.to_string(),
+                AXES[dot.axis],
+                &format!("{value:.3}"),
+            ));
             let body = look.words.say(texts::DRAG_IT_UP_OR_DOWN_TO_CHANGE);
             response.clone().on_hover_ui_at_pointer(|ui| tip(ui, &heading, body, look));
             return true;
@@ -181,7 +183,8 @@ impl Graphs {
         let painter = ui.painter().with_clip_rect(column.intersect(ui.clip_rect()));
         let scene = look.editor.scene();
         let chosen = look.editor.session().chosen;
-        let node = chosen.map_or(look.words.say(texts::NOTHING_CHOSEN), |rbt| scene.node(scene.rbt_node(rbt)).name.as_str());
+        let node =
+            chosen.map_or(look.words.say(texts::NOTHING_CHOSEN), |rbt| scene.node(scene.rbt_node(rbt)).name.as_str());
         let colour = if chosen.is_some() { tokens.accent } else { tokens.dim };
         let at = pos2(column.left() + 12.0, column.top() + ROW / 2.0);
         painter.text(at, Align2::LEFT_CENTER, node, small_font(), colour);
@@ -232,8 +235,7 @@ impl Graphs {
             let text = if look.target.range.is_none() {
                 look.words.say(texts::FOUR_KEYFRAMES_MAKE_AN_ANIMATION_AND_AN)
             } else {
-                look.words
-                    .say(texts::CHOOSE_A_NODE_TO_SEE_ITS_GRAPHS)
+                look.words.say(texts::CHOOSE_A_NODE_TO_SEE_ITS_GRAPHS)
             };
             painter.text(tracks.center(), Align2::CENTER_CENTER, text, FontId::proportional(12.0), look.tokens.dim);
             return;

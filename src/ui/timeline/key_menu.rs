@@ -129,7 +129,9 @@ fn of_key(ui: &mut Ui, menu: &mut Menu, view: &KeyView<'_>, row: usize, seconds:
     let is_still = !editor.is_playing();
     let selected = editor.session().selected_keys.len();
     let caption_text = match (selected, menu.subject.clone()) {
-        (0 | 1, Subject::Channel(channel)) => words.message(texts::channel_of(channel_name(words, channel), &*menu.node)),
+        (0 | 1, Subject::Channel(channel)) => {
+            words.message(texts::channel_of(channel_name(words, channel), &*menu.node))
+        }
         (0 | 1, _) => menu.node.to_string(),
         (count, _) => words.message(texts::count_keys(count)),
     };
@@ -294,8 +296,9 @@ fn rename(ui: &mut Ui, menu: &mut Menu, is_enabled: bool, commands: &mut Vec<Com
         ui.label(words.say(texts::NAME));
         let field = TextEdit::singleline(&mut menu.name).desired_width(152.0).char_limit(100);
         let response = ui.add_enabled(is_enabled, field);
-        response
-            .widget_info(|| WidgetInfo::labeled(Role::TextInput, is_enabled, words.say(texts::NAME_OF_THE_CONTROL_NODE)));
+        response.widget_info(|| {
+            WidgetInfo::labeled(Role::TextInput, is_enabled, words.say(texts::NAME_OF_THE_CONTROL_NODE))
+        });
         let is_done = response.lost_focus() && ui.input(|input| input.key_pressed(egui::Key::Enter));
         let name = menu.name.trim();
         if is_done && !name.is_empty() && menu.node.rsplit('/').next() != Some(name) {

@@ -228,8 +228,9 @@ fn easing_button(ui: &mut Ui, easing: Easing, is_current: bool) -> bool {
     let (rect, response) = ui.allocate_exact_size(PICTURE, Sense::click());
     let words = Words::of(ui);
     let name = easing_text(easing, words);
-    response
-        .widget_info(|| WidgetInfo::selected(Role::RadioButton, true, is_current, words.message(texts::easing_named(&name))));
+    response.widget_info(|| {
+        WidgetInfo::selected(Role::RadioButton, true, is_current, words.message(texts::easing_named(&name)))
+    });
     let fill = if response.hovered() || response.has_focus() { tokens.hovered } else { tokens.raised };
     ui.painter().rect_filled(rect, CORNER, if is_current { tokens.accent_fill } else { fill });
     if is_current || response.has_focus() {

@@ -46,9 +46,10 @@ impl Timeline {
                 words.say(texts::DRAG_TO_RETIME_IT_WITH_SHIFT_THE).to_owned(),
             ),
             Hit::Luck(place) => luck_tip(look, place),
-            Hit::RangeStart => {
-                (words.say(texts::PLAYING_BEGINS_HERE).to_owned(), words.say(texts::DRAG_TO_ANOTHER_KEYFRAME).to_owned())
-            }
+            Hit::RangeStart => (
+                words.say(texts::PLAYING_BEGINS_HERE).to_owned(),
+                words.say(texts::DRAG_TO_ANOTHER_KEYFRAME).to_owned(),
+            ),
             Hit::RangeEnd => {
                 (words.say(texts::PLAYING_ENDS_HERE).to_owned(), words.say(texts::DRAG_TO_ANOTHER_KEYFRAME).to_owned())
             }
