@@ -72,19 +72,19 @@ fn texts(english: &str) -> String {
         let _ = writeln!(source, "    {id:?},");
     }
     source.push_str("];\n");
-    for (place, (id, text)) in texts.iter().enumerate() {
+    for (index, (id, text)) in texts.iter().enumerate() {
         let name = id.replace(['.', '-'], "_");
         let arguments = arguments(text);
         let _ = write!(source, "\n#[doc = {:?}]\n", format!("`` {text} ``"));
         if arguments.is_empty() {
-            let _ = writeln!(source, "pub const {}: Phrase = Phrase({place});", name.to_uppercase());
+            let _ = writeln!(source, "pub const {}: Phrase = Phrase({index});", name.to_uppercase());
             continue;
         }
         let list = |each: fn(&str) -> String| arguments.iter().map(|name| each(name)).collect::<Vec<_>>().join(", ");
         let parameters = list(|name| format!("{name}: impl Into<Argument>"));
         let given = list(|name| format!("({name:?}, {name}.into())"));
         let _ = writeln!(source, "#[must_use]\npub fn {name}({parameters}) -> Message {{");
-        let _ = writeln!(source, "    Message::new({place}, vec![{given}])\n}}");
+        let _ = writeln!(source, "    Message::new({index}, vec![{given}])\n}}");
     }
     source
 }

@@ -242,14 +242,17 @@ mod tests {
 
     #[test]
     fn what_is_written_is_read() {
-        let mut settings =
-            Settings { theme: ThemeChoice::Light, language: Language::of_code("ko").unwrap(), ..Settings::default() };
-        settings.keys.insert("New keyframe".to_owned(), vec!["Ctrl+K".to_owned(), "n".to_owned()]);
-        settings.scale_percent = 125;
-        settings.used(Path::new("folder/걷기.json"));
-        assert!(settings.resized("side", 300.2));
-        assert!(!settings.resized("side", 300.4));
-        assert_eq!(Settings::from_json(settings.to_json().as_bytes()), Ok(settings));
+        for language in Language::all() {
+            let mut settings = Settings { theme: ThemeChoice::Light, language, ..Settings::default() };
+            settings.keys.insert("New keyframe".to_owned(), vec!["Ctrl+K".to_owned(), "n".to_owned()]);
+            settings.scale_percent = 125;
+            settings.used(Path::new("folder/걷기.json"));
+            assert!(settings.resized("side", 300.2));
+            assert!(!settings.resized("side", 300.4));
+            let text = settings.to_json();
+            assert!(text.contains(&format!("\"language\": \"{}\"", language.code())), "{text}");
+            assert_eq!(Settings::from_json(text.as_bytes()), Ok(settings));
+        }
     }
 
     #[test]
@@ -271,6 +274,7 @@ mod tests {
         check_refused(r#"{"format": "inbetween.settings", "version": 2, "more": 1}"#, "version is 2");
         check_refused(r#"{"format": "inbetween.settings", "version": 1, "more": 1}"#, "`more`");
         check_refused(r#"{"format": "inbetween.settings", "version": 1, "theme": "pink"}"#, "`pink`");
+        check_refused(r#"{"format": "inbetween.settings", "version": 1, "language": "xx"}"#, "variant `xx`, expected");
         check_refused(r#"{"format": "inbetween.settings", "version": 1, "scale_percent": 9}"#, "is 9");
         check_refused(r#"{"format": "inbetween.settings", "version": 1, "panels": {"side": 1e9}}"#, "\"side\"");
     }

@@ -106,9 +106,10 @@ fn no_shared_mutable_state() {
 
 /// Rooms in the order of the architecture: each may name only rooms of a lower number, and itself.
 const ROOMS: &[(&str, u8, &[&str])] = &[
+    ("words", 0, &[]),
     ("rbt", 0, &[]),
     ("timed", 1, &[]),
-    ("interpolation", 0, &["rbt"]),
+    ("interpolation", 0, &["rbt", "words"]),
     ("pose", 1, &[]),
     ("blend", 1, &["pose"]),
     ("scene", 1, &["pose", "blend", "json", "timed"]),

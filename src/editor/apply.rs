@@ -194,14 +194,14 @@ impl Editor {
     #[must_use]
     pub fn where_we_are(&self) -> Message {
         match (self.document.keyframes.current(), self.document.keyframes.last()) {
-            (Some(current), Some(last)) => texts::place_keyframe(current.get(), last.get()),
-            _ => texts::PLACE_NO_KEYFRAMES.into(),
+            (Some(current), Some(last)) => texts::position_keyframe(current.get(), last.get()),
+            _ => texts::POSITION_NO_KEYFRAMES.into(),
         }
     }
 
     /// What was done at the current keyframe, said after it.
-    pub(super) fn at_current(&self, what: impl Into<Argument>) -> Message {
-        texts::at(self.where_we_are(), what)
+    pub(super) fn at_current(&self, rest: impl Into<Argument>) -> Message {
+        texts::at_position(self.where_we_are(), rest)
     }
 
     fn display_current(&mut self) -> Outcome {

@@ -13,7 +13,7 @@ pub fn show(ui: &mut Ui, editor: &Editor, statistics: Option<&Statistics>) {
     let tokens = Tokens::of(ui);
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
         let words = Words::of(ui);
-        let nodes = words.message(texts::count_nodes(&editor.scene().rbt_count().to_string()));
+        let nodes = words.message(texts::count_nodes(editor.scene().rbt_count()));
         ui.label(RichText::new(nodes).small().color(tokens.dim));
         ui.add_space(8.0);
         if let Some(statistics) = statistics {
@@ -21,12 +21,12 @@ pub fn show(ui: &mut Ui, editor: &Editor, statistics: Option<&Statistics>) {
             ui.add_space(8.0);
         }
         ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-            let place = editor.where_we_are();
-            ui.label(RichText::new(words.message(&place)).small().color(tokens.dim));
+            let position = editor.where_we_are();
+            ui.label(RichText::new(words.message(&position)).small().color(tokens.dim));
             if let Some(message) = editor.status() {
-                // What begins with the place need not say it again.
-                let said = match (message.argument("place"), message.argument("what")) {
-                    (Some(Argument::Message(at)), Some(Argument::Message(what))) if *at == place => what,
+                // A message that begins with the position need not say it again.
+                let said = match (message.argument("position"), message.argument("rest")) {
+                    (Some(Argument::Message(at)), Some(Argument::Message(rest))) if *at == position => rest,
                     _ => message,
                 };
                 let colour = match message.severity() {

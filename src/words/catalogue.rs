@@ -22,7 +22,7 @@ static CATALOGUES: LazyLock<Vec<Catalogue>> = LazyLock::new(|| {
 pub struct Catalogue {
     name: String,
     locales: Vec<String>,
-    /// By the place of the id; `None` where the language has no text of its own, which is said in English then.
+    /// By the index of the id; `None` where the language has no text of its own, which is said in English then.
     texts: Vec<Option<Text>>,
     /// Ids that no message has.
     unknown: Vec<String>,
@@ -60,14 +60,14 @@ impl Catalogue {
         let mut singulars = Vec::new();
         for (id, text) in file.texts {
             match (IDS.binary_search(&id), file::singular_of(id)) {
-                (Ok(place), _) => catalogue.texts[place] = Some(Text { usual: form(text)?, one: None }),
+                (Ok(index), _) => catalogue.texts[index] = Some(Text { usual: form(text)?, one: None }),
                 (Err(_), Some(plural)) => singulars.push((plural, form(text)?)),
                 (Err(_), None) => catalogue.unknown.push(id.to_owned()),
             }
         }
         for (plural, form) in singulars {
-            let place = IDS.binary_search(&plural).ok();
-            match place.and_then(|place| catalogue.texts[place].as_mut()) {
+            let index = IDS.binary_search(&plural).ok();
+            match index.and_then(|index| catalogue.texts[index].as_mut()) {
                 Some(text) => text.one = Some(form),
                 None => catalogue.unknown.push(format!("{plural}.one")),
             }
@@ -85,8 +85,8 @@ impl Catalogue {
         FILES.iter().position(|(own, _)| *own == code).map(Self::at)
     }
 
-    pub(super) fn at(place: usize) -> &'static Self {
-        &CATALOGUES[place]
+    pub(super) fn at(index: usize) -> &'static Self {
+        &CATALOGUES[index]
     }
 
     /// The language's name in itself.
@@ -116,16 +116,16 @@ impl Catalogue {
     }
 
     /// The text of an id where it has no arguments.
-    pub(super) fn words_of(&self, place: u16) -> Option<&str> {
-        match self.texts[usize::from(place)].as_ref()?.usual.as_slice() {
+    pub(super) fn words_of(&self, index: u16) -> Option<&str> {
+        match self.texts[usize::from(index)].as_ref()?.usual.as_slice() {
             [Part::Words(words)] => Some(words),
             _ => None,
         }
     }
 
     fn push(&self, said: &mut String, message: &Message) {
-        let place = usize::from(message.place);
-        let Some(text) = self.texts[place].as_ref().or_else(|| Self::english().texts[place].as_ref()) else { return };
+        let index = usize::from(message.index);
+        let Some(text) = self.texts[index].as_ref().or_else(|| Self::english().texts[index].as_ref()) else { return };
         let is_one = message.argument("count") == Some(&Argument::Count(1));
         for part in text.one.as_ref().filter(|_| is_one).unwrap_or(&text.usual) {
             match part {

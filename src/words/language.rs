@@ -8,10 +8,10 @@ use super::catalogue::{Catalogue, FILES};
 /// What a language's file is called, without its ending: its code, as settings keep it.
 static CODES: [&str; FILES.len()] = {
     let mut codes = [""; FILES.len()];
-    let mut place = 0;
-    while place < FILES.len() {
-        codes[place] = FILES[place].0;
-        place += 1;
+    let mut index = 0;
+    while index < FILES.len() {
+        codes[index] = FILES[index].0;
+        index += 1;
     }
     codes
 };

@@ -26,8 +26,8 @@ impl Phrase {
     /// The phrase with this id, such as `command.keyframe-new`; `None` where there is none or its text has arguments.
     #[must_use]
     pub fn of_id(id: &str) -> Option<Self> {
-        let place = IDS.binary_search(&id).ok()?;
-        let phrase = Self(u16::try_from(place).ok()?);
+        let index = IDS.binary_search(&id).ok()?;
+        let phrase = Self(u16::try_from(index).ok()?);
         Catalogue::english().words_of(phrase.0).map(|_| phrase)
     }
 
@@ -38,7 +38,7 @@ impl Phrase {
     }
 }
 
-/// What stands in a message's text at the place of a name.
+/// What stands in a message's text in place of a name.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Argument {
     /// Text that is the same in every language: a path, a key, a measured number.
@@ -54,15 +54,15 @@ pub enum Argument {
 /// [`super::texts`] has a constant or a function for each id, so that no message lacks an argument. It is displayed in English.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Message {
-    pub(super) place: u16,
+    pub(super) index: u16,
     pub(super) arguments: Vec<(&'static str, Argument)>,
     severity: Severity,
 }
 
 impl Message {
-    /// A message by the place of its id in [`IDS`]. Only what the build script makes calls this.
-    pub(super) fn new(place: u16, arguments: Vec<(&'static str, Argument)>) -> Self {
-        Self { place, arguments, severity: Severity::Information }
+    /// A message by the index of its id in [`IDS`]. Only what the build script makes calls this.
+    pub(super) fn new(index: u16, arguments: Vec<(&'static str, Argument)>) -> Self {
+        Self { index, arguments, severity: Severity::Information }
     }
 
     /// The same, meant otherwise.
@@ -80,7 +80,7 @@ impl Message {
     /// Its id, such as `keyframe.created`.
     #[must_use]
     pub fn id(&self) -> &'static str {
-        IDS[usize::from(self.place)]
+        IDS[usize::from(self.index)]
     }
 
     /// One of its arguments.

@@ -43,8 +43,8 @@ const MADE_UP: &str = "\
 @name = Sdrawkcab
 @locale = xx
 keyframe.created = {after} retfa detaerc
-at = {what} ← {place}
-place.no-keyframes = semarfyek on
+at-position = {rest} ← {position}
+position.no-keyframes = semarfyek on
 count.keys = syek {count}
 count.keys.one = yek eno
 nosuch.message = nothing
@@ -55,7 +55,7 @@ keyframe.is-last = {keyframe} {other}
 fn another_language_is_one_text() {
     let made_up = Catalogue::parse(MADE_UP).unwrap();
     assert_eq!((made_up.name(), made_up.locales().collect::<Vec<_>>()), ("Sdrawkcab", vec!["xx"]));
-    let message = texts::at(texts::PLACE_NO_KEYFRAMES, texts::keyframe_created(3_usize));
+    let message = texts::at_position(texts::POSITION_NO_KEYFRAMES, texts::keyframe_created(3_usize));
     assert_eq!(made_up.say(&message), "3 retfa detaerc ← semarfyek on");
     assert_eq!(message.to_string(), "No keyframes: created after keyframe 3.");
     let keys = |count: usize| made_up.say(&texts::count_keys(count));
