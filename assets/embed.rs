@@ -55,6 +55,7 @@ fn list(files: &[PathBuf]) -> String {
     let mut text = String::from("[\n");
     for path in files {
         let name = path.file_stem().and_then(|stem| stem.to_str()).expect("names in assets are ASCII");
+        let path = path.to_str().expect("the package stands in a folder whose name is UTF-8");
         let _ = writeln!(text, "    ({name:?}, include_str!({path:?})),");
     }
     text.push(']');

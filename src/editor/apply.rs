@@ -290,7 +290,7 @@ impl Editor {
         let ms = ms.clamp(*MS_BETWEEN_KEYFRAMES_RANGE.start(), *MS_BETWEEN_KEYFRAMES_RANGE.end());
         let was = self.document.ms_between_keyframes;
         self.record(texts::ACT_CHANGE_OF_PACE, Some(Run::MsBetweenKeyframes), |document| {
-            document.ms_between_keyframes = ms
+            document.ms_between_keyframes = ms;
         });
         self.refit_pace();
         match ms {

@@ -141,21 +141,21 @@ impl TextProblem {
             Self::Unexpected { found, expected } => texts::text_unexpected(found.clone(), expected.clone()),
             Self::NotFinite { found } => texts::text_not_finite(words::quoted(found)),
             Self::Header { keyframes, nodes, expected, found, hint } => {
-                texts::text_header(*keyframes, *nodes, in_rows(*expected), in_rows(*found), optional(hint))
+                texts::text_header(*keyframes, *nodes, in_rows(*expected), in_rows(*found), optional(hint.as_ref()))
             }
             Self::Incomplete { found, nodes, width, hint } => {
                 let keyframes = in_keyframes(*found, nodes * width);
-                texts::text_incomplete(*found, keyframes, *nodes, *width, optional(hint))
+                texts::text_incomplete(*found, keyframes, *nodes, *width, optional(hint.as_ref()))
             }
             Self::KeyframeLength { keyframe, found, expected } => {
                 texts::text_keyframe_length(*keyframe, *found, *expected)
             }
             Self::NodeCount { found, expected } => texts::text_node_count(*found, expected.clone()),
             Self::NotUnit { keyframe, row, is_last: true, length, hint } => {
-                texts::text_not_unit_last(*keyframe, *row, *length, optional(hint))
+                texts::text_not_unit_last(*keyframe, *row, *length, optional(hint.as_ref()))
             }
             Self::NotUnit { keyframe, row, is_last: false, length, hint } => {
-                texts::text_not_unit_first(*keyframe, *row, *length, optional(hint))
+                texts::text_not_unit_first(*keyframe, *row, *length, optional(hint.as_ref()))
             }
             Self::NotRigid { keyframe, row } => texts::text_not_rigid(*keyframe, *row),
             Self::TooManyKeys { limit } => texts::text_too_many_keys(*limit),
@@ -165,8 +165,8 @@ impl TextProblem {
     }
 }
 
-fn optional(hint: &Option<Message>) -> Argument {
-    hint.clone().map_or_else(|| "".into(), Argument::from)
+fn optional(hint: Option<&Message>) -> Argument {
+    hint.cloned().map_or_else(|| "".into(), Argument::from)
 }
 
 /// A count of numbers as rows of seven.

@@ -139,7 +139,7 @@ fn quit(ui: &mut Ui, shown: Shown<'_>, output: &mut UiOutput) -> bool {
     }
     if editor.has_unsaved_scene() {
         ui.label(match editor.scene_path() {
-            Some(path) => words.message(texts::scene_not_saved(&path.display().to_string())),
+            Some(path) => words.message(texts::scene_not_saved(path.display().to_string())),
             None => words.say(texts::THE_SCENES_CONTROL_NODES_AND_KEYS_ARE).to_owned(),
         });
     }

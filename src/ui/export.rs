@@ -297,7 +297,7 @@ fn summary(options: &ExportOptions, editor: &Editor, words: Words) -> String {
     let [from, to] = options.range.unwrap_or(whole).map(|key_time| to_f64(&played.timing().elapsed_at(key_time)));
     let seconds = (to - from).max(0.0) * f64::from(document.ms_between_keyframes) / 1000.0;
     let frames = (seconds * f64::from(options.fps) - 1e-6).ceil().max(0.0) + 1.0;
-    words.message(texts::export_length(&frames.to_string(), &format!("{seconds:.2}")))
+    words.message(texts::export_length(frames.to_string(), format!("{seconds:.2}")))
 }
 
 /// Shows how far an export is, at the top right of the 3D view, with a button that ends it.

@@ -116,7 +116,7 @@ fn mouse_group(ui: &mut Ui, width: f32) {
 
 fn close(ui: &mut Ui, bindings: &[Binding], commands: &mut Vec<Command>) {
     let help = binding_of(bindings, &Command::View(ViewCommand::ToggleHelp)).map(Binding::menu_key);
-    let keys = Words::of(ui).message(texts::key_or_escape(&help.unwrap_or_default()));
+    let keys = Words::of(ui).message(texts::key_or_escape(help.unwrap_or_default()));
     ui.add_space(16.0);
     ui.allocate_ui_with_layout(vec2(COLUMN, 24.0), egui::Layout::right_to_left(egui::Align::Center), |ui| {
         if was_pressed(&ui.button(Words::of(ui).say(texts::CLOSE))) {
@@ -160,8 +160,7 @@ fn row(ui: &mut Ui, keys: &[String], meaning: &str, width: f32) {
         let galley = ui.painter().layout(meaning.to_owned(), egui::FontId::proportional(12.0), tokens.text, sentences);
         let height = galley.size().y.max(LINE);
         let (rect, response) = ui.allocate_exact_size(vec2(sentences, height), Sense::hover());
-        let either =
-            keys.iter().map(|key| Argument::from(key)).reduce(|one, other| texts::key_or_key(one, other).into());
+        let either = keys.iter().map(Argument::from).reduce(|one, other| texts::key_or_key(one, other).into());
         let label = Words::of(ui).message(texts::key_does(either.unwrap_or_else(|| "".into()), meaning));
         response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Label, true, &label));
         ui.painter().galley(rect.left_top() + vec2(0.0, (height - galley.size().y) / 2.0), galley, tokens.text);

@@ -30,13 +30,13 @@ impl Statistics {
         let whole = |number: f64| format!("{number:.0}");
         let tenths = |number: f64| format!("{number:.1}");
         words.message(texts::statistics_line(
-            &whole(self.pictures),
-            &whole(self.ticks),
-            &tenths(self.input_ms),
-            &tenths(self.evaluation_ms),
-            &tenths(self.frame_ms),
-            &tenths(self.ui_ms),
-            &tenths(self.drawing_ms),
+            whole(self.pictures),
+            whole(self.ticks),
+            tenths(self.input_ms),
+            tenths(self.evaluation_ms),
+            tenths(self.frame_ms),
+            tenths(self.ui_ms),
+            tenths(self.drawing_ms),
         ))
     }
 }

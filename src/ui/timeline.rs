@@ -376,7 +376,7 @@ fn diamonds(timeline: &mut Timeline, ui: &Ui, look: &Look<'_>, commands: &mut Ve
                 Role::ListBoxOption,
                 true,
                 is_current,
-                look.words.message(texts::keyframe_number(&place.to_string())),
+                look.words.message(texts::keyframe_number(place.to_string())),
             )
         });
         let is_asked = ui.input(|input| input.has_accesskit_action_request(id, egui::accesskit::Action::Click));

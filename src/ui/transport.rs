@@ -190,7 +190,7 @@ fn ghosts(ui: &mut Ui, editor: &Editor, bindings: &[Binding], commands: &mut Vec
     let words = Words::of(ui);
     let tip = match count {
         0 => words.say(texts::GHOSTS_NONE_A_CLICK_SHOWS_ONE_MORE).to_owned(),
-        count => words.message(texts::ghosts_each_side(&count.to_string())),
+        count => words.message(texts::ghosts_each_side(count.to_string())),
     };
     let command = Command::View(ViewCommand::NextGhosts);
     let key = binding_of(bindings, &command).map(Binding::menu_key).unwrap_or_default();

@@ -48,8 +48,8 @@ impl<'a> LanguageFile<'a> {
         }
         let mut ids: Vec<&str> = file.texts.iter().map(|(id, _)| *id).collect();
         ids.sort_unstable();
-        if let Some(twice) = ids.windows(2).find(|pair| pair[0] == pair[1]) {
-            return Err(format!("{} stands twice", twice[0]));
+        if let Some([twice, _]) = ids.windows(2).find(|pair| pair[0] == pair[1]) {
+            return Err(format!("{twice} stands twice"));
         }
         if file.name.is_empty() {
             return Err("there is no line `@name = NAME` at the head".to_owned());

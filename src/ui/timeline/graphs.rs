@@ -160,9 +160,9 @@ impl Graphs {
             let keyframe = look.editor.document().keyframes.get(KeyframeIndex::new(dot.place));
             let value = keyframe.map_or(0.0, |keyframe| keyframe.pose.get(rbt).translation[dot.axis]);
             let heading = look.words.message(texts::keyframe_quantity(
-                &dot.place.to_string(),
+                dot.place.to_string(),
                 AXES[dot.axis],
-                &format!("{value:.3}"),
+                format!("{value:.3}"),
             ));
             let body = look.words.say(texts::DRAG_IT_UP_OR_DOWN_TO_CHANGE);
             response.clone().on_hover_ui_at_pointer(|ui| tip(ui, &heading, body, look));
@@ -171,7 +171,7 @@ impl Graphs {
         let warned = warnings(look, rbt).into_iter().find(|&(x, ..)| warning_place(look, x).distance(at) <= 9.0);
         let Some((_, place, degrees)) = warned else { return false };
         let (from, to) = (place.to_string(), (place + 1).to_string());
-        let heading = look.words.message(texts::keyframe_turns(&from, &to, &format!("{degrees:.1}")));
+        let heading = look.words.message(texts::keyframe_turns(&from, &to, format!("{degrees:.1}")));
         let body = look.words.say(texts::HALF_TURN_ADVICE);
         response.clone().on_hover_ui_at_pointer(|ui| tip(ui, &heading, body, look));
         true

@@ -135,7 +135,7 @@ impl Keys {
                     let key = KeyAt { track: track.clone(), seconds };
                     let is_selected = view.editor.session().selected_keys.contains(&key);
                     let channel = channel_name(words, track.channel);
-                    let says = words.message(texts::channel_of_at(channel, path, &seconds.to_string()));
+                    let says = words.message(texts::channel_of_at(channel, path, seconds.to_string()));
                     response.widget_info(|| WidgetInfo::selected(Role::ListBoxOption, true, is_selected, &says));
                     if !response.has_focus() {
                         continue;

@@ -73,7 +73,7 @@ impl Timeline {
         let heading = if at_hand > 1 {
             words.message(texts::count_keyframes(at_hand))
         } else {
-            words.message(texts::keyframe_number(&place.to_string()))
+            words.message(texts::keyframe_number(place.to_string()))
         };
         caption(ui, &heading);
         let rename = binding_of(bindings, &Command::Window(WindowCommand::RenameCurrent));
@@ -176,7 +176,7 @@ fn duration(ui: &mut Ui, keyframe: KeyframeIndex, duration: f64, editor: &Editor
             let edit = TimelineEdit::SetDuration { keyframe, duration: steps, ripple_free: false };
             drag_of_number(&response, Command::Edit(Edit::Timeline(edit)), commands);
             let seconds = duration * f64::from(editor.document().ms_between_keyframes) / 1000.0;
-            let seconds = Words::of(ui).message(texts::seconds(&format!("{seconds:.2}")));
+            let seconds = Words::of(ui).message(texts::seconds(format!("{seconds:.2}")));
             ui.label(RichText::new(seconds).small().color(Tokens::of(ui).dim));
         });
     });

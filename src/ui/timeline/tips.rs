@@ -42,7 +42,7 @@ impl Timeline {
                 return;
             }
             Hit::Grip(place) => (
-                words.message(texts::interval_after(&place.to_string(), &length(look, place))),
+                words.message(texts::interval_after(place.to_string(), length(look, place))),
                 words.say(texts::DRAG_TO_RETIME_IT_WITH_SHIFT_THE).to_owned(),
             ),
             Hit::Luck(place) => luck_tip(look, place),
@@ -76,7 +76,7 @@ fn luck_tip(look: &Look<'_>, place: usize) -> (String, String) {
     let mut lines: Vec<String> =
         nodes.iter().take(3).map(|&(rbt, degrees)| format!("{} {degrees:.1}°", scene.rbt_path(rbt))).collect();
     if nodes.len() > 3 {
-        lines.push(look.words.message(texts::and_more(&(nodes.len() - 3).to_string())));
+        lines.push(look.words.message(texts::and_more((nodes.len() - 3).to_string())));
     }
     lines.push(look.words.say(texts::HALF_TURN_ADVICE).to_owned());
     (heading, lines.join("\n"))
@@ -103,7 +103,7 @@ fn length(look: &Look<'_>, place: usize) -> String {
     let keyframe = look.editor.document().keyframes.get(KeyframeIndex::new(place));
     let duration = keyframe.map_or(1.0, |keyframe| keyframe.duration);
     let seconds = duration * f64::from(look.editor.document().ms_between_keyframes) / 1000.0;
-    look.words.message(texts::steps_and_seconds(&format!("{duration:.2}"), &format!("{seconds:.2}")))
+    look.words.message(texts::steps_and_seconds(format!("{duration:.2}"), format!("{seconds:.2}")))
 }
 
 fn keyframe(look: &Look<'_>, place: usize) -> (String, String) {
@@ -111,7 +111,7 @@ fn keyframe(look: &Look<'_>, place: usize) -> (String, String) {
     let keyframes = &look.editor.document().keyframes;
     let keyframe = keyframes.get(KeyframeIndex::new(place));
     let name = keyframe.and_then(|keyframe| keyframe.name.as_deref());
-    let heading = words.message(texts::keyframe_number(&place.to_string()));
+    let heading = words.message(texts::keyframe_number(place.to_string()));
     let heading = match name {
         Some(name) => format!("{heading} · {name}"),
         None => heading,
@@ -123,11 +123,11 @@ fn keyframe(look: &Look<'_>, place: usize) -> (String, String) {
         lines.push(words.say(texts::IT_ONLY_STEERS_THE_SPLINE_IT_IS).to_owned());
     } else if count >= 4 {
         let seconds = look.target.columns.time(place) * f64::from(look.editor.document().ms_between_keyframes) / 1000.0;
-        lines.push(words.message(texts::key_time_and_seconds(&(place - 1).to_string(), &format!("{seconds:.2}"))));
+        lines.push(words.message(texts::key_time_and_seconds((place - 1).to_string(), format!("{seconds:.2}"))));
     }
     if place + 1 < count {
         let easing = keyframe.map_or(Easing::Linear, |keyframe| keyframe.easing);
-        lines.push(words.message(texts::then_interval(&length(look, place), &easing_text(easing, words))));
+        lines.push(words.message(texts::then_interval(length(look, place), easing_text(easing, words))));
     }
     (heading, lines.join("\n"))
 }
