@@ -44,33 +44,14 @@ pub use scene_edits::{KeyAt, SceneEdit, TrackPath};
 use crate::keyframe::KeyframeIndex;
 use crate::pose::{Pose, RbtIndex};
 use crate::scene::{Ray, SceneGraph};
+use crate::words::Phrase;
+pub use crate::words::{Message, Severity};
 use gesture::Gesture;
 use history::History;
 use keymap::Keymap;
 use playback::Playback;
 use seconds::SecondsClock;
 use timeline::Clipboard;
-
-/// How a message is meant.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Severity {
-    /// Something was done.
-    #[default]
-    Information,
-    /// Something outside was done that one waits for: a file was read or written.
-    Outcome,
-    /// Something was refused or failed.
-    Error,
-}
-
-/// The last thing that the editor said: one or two sentences, or nothing.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Message {
-    /// The sentences; empty where nothing was said.
-    pub text: String,
-    /// How they are meant.
-    pub severity: Severity,
-}
 
 /// What the sky camera moves about, with the sky as eye and no node chosen.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -132,7 +113,10 @@ pub struct Editor {
     /// The keys that sentences name.
     keymap: Keymap,
     clipboard: Clipboard,
-    message: Message,
+    /// What the last command or tick said.
+    message: Option<Message>,
+    /// What the status line shows.
+    status: Option<Message>,
     said: Said,
     path: PathBuf,
     /// The document as the file has it, where it was read or written; before that, the empty one.
@@ -178,7 +162,8 @@ impl Editor {
             gesture: None,
             keymap: Keymap::default(),
             clipboard: Clipboard::default(),
-            message: Message::default(),
+            message: None,
+            status: None,
             said: Said::default(),
             path,
             is_file_known: false,
@@ -209,10 +194,22 @@ impl Editor {
         &self.session
     }
 
-    /// The last thing said.
+    /// What the last command said, or playing when it ended; `None` where it said nothing.
     #[must_use]
-    pub const fn message(&self) -> &Message {
-        &self.message
+    pub const fn message(&self) -> Option<&Message> {
+        self.message.as_ref()
+    }
+
+    /// The same in English, as traces have it; empty where nothing was said.
+    #[must_use]
+    pub fn message_text(&self) -> String {
+        self.message.as_ref().map(Message::to_string).unwrap_or_default()
+    }
+
+    /// What the status line shows: the last message. A drag, which says nothing, leaves it there.
+    #[must_use]
+    pub const fn status(&self) -> Option<&Message> {
+        self.status.as_ref()
     }
 
     /// What was said lately, so that nothing is missed where several things are said at once.
@@ -298,13 +295,13 @@ impl Editor {
 
     /// What the next undo would take back, as in "new keyframe".
     #[must_use]
-    pub fn undo_label(&self) -> Option<&'static str> {
+    pub fn undo_label(&self) -> Option<Phrase> {
         self.history.undo_label()
     }
 
     /// What the next redo would bring back.
     #[must_use]
-    pub fn redo_label(&self) -> Option<&'static str> {
+    pub fn redo_label(&self) -> Option<Phrase> {
         self.history.redo_label()
     }
 }

@@ -13,6 +13,7 @@ use std::io;
 
 use thiserror::Error;
 
+use crate::words::{Message, display_by_message, texts};
 pub use format::{
     Encoder, EncodingError, Film, FilmEncoder, FilmFormat, Format, FormatProblem, Plan, StartStill, StillEncoder,
 };
@@ -27,7 +28,6 @@ pub use sheet::{Cell, Grid, contact_sheet};
 #[derive(Debug, Error)]
 pub enum FilmError {
     /// A picture has another size than the film.
-    #[error("a picture of {found_width}x{found_height} pixels in a film of {width}x{height}")]
     Size {
         /// The film's width in pixels.
         width: u32,
@@ -39,7 +39,6 @@ pub enum FilmError {
         found_height: u32,
     },
     /// A GIF's sides are at most 65535 pixels.
-    #[error("a GIF of {width}x{height} pixels cannot be written: each side is at most 65535")]
     TooLarge {
         /// Width in pixels.
         width: u32,
@@ -47,11 +46,26 @@ pub enum FilmError {
         height: u32,
     },
     /// The bytes cannot be written.
-    #[error("{0}")]
     Unwritten(#[from] io::Error),
     /// The encoder refuses.
-    #[error("the film cannot be encoded: {0}")]
     Encoding(#[source] Box<dyn std::error::Error + Send + Sync>),
+}
+
+display_by_message!(FilmError);
+
+impl FilmError {
+    /// Why, as a message.
+    #[must_use]
+    pub fn message(&self) -> Message {
+        match self {
+            Self::Size { width, height, found_width, found_height } => {
+                texts::film_size(*found_width, *found_height, *width, *height)
+            }
+            Self::TooLarge { width, height } => texts::film_too_large(*width, *height),
+            Self::Unwritten(error) => texts::foreign(error.to_string()),
+            Self::Encoding(reason) => texts::film_not_encoded(reason.to_string()),
+        }
+    }
 }
 
 impl From<png::EncodingError> for FilmError {

@@ -8,6 +8,7 @@
 use glam::{Quat, Vec3};
 
 use crate::rbt::Rbt;
+use crate::words::{self, Argument, Phrase, texts};
 
 /// Which interpolation plays between keyframes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -25,8 +26,8 @@ impl Interpolation {
 
     /// The names in files, as a sentence about a wrong one lists them: `"linear" or "catmull-rom"`.
     #[must_use]
-    pub fn names_quoted() -> String {
-        Self::ALL.map(|interpolation| format!("{:?}", interpolation.name())).join(" or ")
+    pub fn names_quoted() -> Argument {
+        words::one_of(&Self::ALL.map(|interpolation| words::quoted(interpolation.name())))
     }
 
     /// Its name in files and on the command line.
@@ -40,10 +41,10 @@ impl Interpolation {
 
     /// Its name for people.
     #[must_use]
-    pub const fn label(self) -> &'static str {
+    pub const fn title(self) -> Phrase {
         match self {
-            Self::Linear => "Linear",
-            Self::CatmullRom => "Catmull-Rom",
+            Self::Linear => texts::BLEND_LINEAR,
+            Self::CatmullRom => texts::BLEND_CATMULL_ROM,
         }
     }
 

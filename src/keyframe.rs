@@ -16,7 +16,7 @@ pub use file::{
     keyframes_to_json,
 };
 pub use list::{DURATION_RANGE, Keyframe, KeyframeIndex, KeyframeList};
-pub use sample::{PlayRange, SampleError, keyframes_counted};
+pub use sample::{PlayRange, SampleError};
 pub use timing::{Timing, to_f64, whole};
 
 /// Milliseconds between keyframes that can be chosen, both ends included.

@@ -27,6 +27,7 @@
 //!
 //! | level | modules | may name |
 //! |---|---|---|
+//! | 0 | [`words`] | serde, for the code of a language in settings |
 //! | 0 | [`rbt`], [`interpolation`], [`rotation_rules`], [`json`], [`colour`], [`picture`], [`text`], [`parallel`] | glam |
 //! | 1 | [`timed`], [`pose`], [`blend`], [`scene`], [`camera`] | serde, in file formats |
 //! | 2 | [`keyframe`], [`clock`], [`settings`], [`text_layouts`], [`frame`], [`film`] | serde, in file formats; `Duration`, never `Instant` |
@@ -108,3 +109,4 @@ pub mod timed;
 pub mod ui;
 pub mod view;
 pub mod window;
+pub mod words;

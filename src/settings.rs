@@ -9,6 +9,8 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
+use crate::words::{Argument, Language, Message, display_by_message, texts};
+
 /// What the file says that it is.
 const FORMAT: &str = "inbetween.settings";
 /// The version that is written, and the newest that is read.
@@ -38,41 +40,6 @@ pub enum ThemeChoice {
 impl ThemeChoice {
     /// All of them, in the order of menus.
     pub const ALL: [Self; 3] = [Self::System, Self::Light, Self::Dark];
-}
-
-/// The language of the window's words.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
-pub enum Language {
-    /// English.
-    #[default]
-    #[serde(rename = "en")]
-    English,
-    /// Korean.
-    #[serde(rename = "ko")]
-    Korean,
-}
-
-impl Language {
-    /// All of them, in the order of menus.
-    pub const ALL: [Self; 2] = [Self::English, Self::Korean];
-
-    /// Its name in itself.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::English => "English",
-            Self::Korean => "한국어",
-        }
-    }
-
-    /// The language for a system's locale, such as `ko_KR.UTF-8`; English where there is none of its own.
-    #[must_use]
-    pub fn of_locale(locale: &str) -> Self {
-        match locale.split(['_', '-', '.', '@']).next() {
-            Some("ko") => Self::Korean,
-            _ => Self::English,
-        }
-    }
 }
 
 /// The settings.
@@ -141,28 +108,24 @@ struct Header {
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 pub enum SettingsError {
     /// It is something else.
-    #[error("its format is \"{found}\", not \"{FORMAT}\"")]
     Format {
         /// What it says that it is.
         found: String,
     },
     /// It is of a newer program.
-    #[error("its version is {found}, and this program knows {VERSION}")]
     Version {
         /// Which version it is.
         found: u32,
     },
     /// It is no JSON, or holds what is not known.
-    #[error("{reason}")]
     Json {
         /// What is wrong, and the line and column.
         reason: String,
     },
     /// A number is out of range.
-    #[error("{what} is {found}, and must be {least} to {most}")]
     Range {
         /// Which.
-        what: String,
+        what: Argument,
         /// What it is.
         found: String,
         /// The least that it may be.
@@ -170,6 +133,21 @@ pub enum SettingsError {
         /// The most that it may be.
         most: u16,
     },
+}
+
+display_by_message!(SettingsError);
+
+impl SettingsError {
+    /// What is wrong, for people.
+    #[must_use]
+    pub fn message(&self) -> Message {
+        match self {
+            Self::Format { found } => texts::settings_format(found, FORMAT),
+            Self::Version { found } => texts::settings_version(*found, VERSION),
+            Self::Json { reason } => texts::foreign(reason),
+            Self::Range { what, found, least, most } => texts::settings_range(what.clone(), found, *least, *most),
+        }
+    }
 }
 
 impl From<serde_json::Error> for SettingsError {
@@ -195,10 +173,10 @@ impl Settings {
         let (least, most) = (SCALES[0], SCALES[SCALES.len() - 1]);
         if !(least..=most).contains(&file.scale_percent) {
             let found = file.scale_percent.to_string();
-            return Err(SettingsError::Range { what: "scale_percent".to_owned(), found, least, most });
+            return Err(SettingsError::Range { what: "scale_percent".into(), found, least, most });
         }
         if let Some((name, size)) = file.panels.iter().find(|(_, size)| !PANEL_SIZES.contains(size)) {
-            let (what, found) = (format!("the size of the panel \"{name}\""), size.to_string());
+            let (what, found) = (texts::settings_panel_size(name).into(), size.to_string());
             return Err(SettingsError::Range { what, found, least: 40, most: 4000 });
         }
         let mut recent = file.recent;
@@ -265,13 +243,17 @@ mod tests {
 
     #[test]
     fn what_is_written_is_read() {
-        let mut settings = Settings { theme: ThemeChoice::Light, language: Language::Korean, ..Settings::default() };
-        settings.keys.insert("keyframe-new".to_owned(), vec!["Ctrl+K".to_owned(), "n".to_owned()]);
-        settings.scale_percent = 125;
-        settings.used(Path::new("folder/걷기.json"));
-        assert!(settings.resized("side", 300.2));
-        assert!(!settings.resized("side", 300.4));
-        assert_eq!(Settings::from_json(settings.to_json().as_bytes()), Ok(settings));
+        for language in Language::all() {
+            let mut settings = Settings { theme: ThemeChoice::Light, language, ..Settings::default() };
+            settings.keys.insert("keyframe-new".to_owned(), vec!["Ctrl+K".to_owned(), "n".to_owned()]);
+            settings.scale_percent = 125;
+            settings.used(Path::new("folder/걷기.json"));
+            assert!(settings.resized("side", 300.2));
+            assert!(!settings.resized("side", 300.4));
+            let text = settings.to_json();
+            assert!(text.contains(&format!("\"language\": \"{}\"", language.code())), "{text}");
+            assert_eq!(Settings::from_json(text.as_bytes()), Ok(settings));
+        }
     }
 
     #[test]
@@ -293,6 +275,7 @@ mod tests {
         check_refused(r#"{"format": "inbetween.settings", "version": 2, "more": 1}"#, "version is 2");
         check_refused(r#"{"format": "inbetween.settings", "version": 1, "more": 1}"#, "`more`");
         check_refused(r#"{"format": "inbetween.settings", "version": 1, "theme": "pink"}"#, "`pink`");
+        check_refused(r#"{"format": "inbetween.settings", "version": 1, "language": "xx"}"#, "variant `xx`, expected");
         check_refused(r#"{"format": "inbetween.settings", "version": 1, "scale_percent": 9}"#, "is 9");
         check_refused(r#"{"format": "inbetween.settings", "version": 1, "panels": {"side": 1e9}}"#, "\"side\"");
     }
@@ -319,13 +302,8 @@ mod tests {
 
     #[test]
     fn a_locale_has_a_language() {
-        for (locale, language) in [
-            ("ko_KR.UTF-8", Language::Korean),
-            ("ko", Language::Korean),
-            ("C", Language::English),
-            ("", Language::English),
-        ] {
-            assert_eq!(Language::of_locale(locale), language, "{locale}");
+        for (locale, language) in [("ko_KR.UTF-8", "ko"), ("ko", "ko"), ("en_GB", "en"), ("C", "en"), ("", "en")] {
+            assert_eq!(Language::of_locale(locale).code(), language, "{locale}");
         }
     }
 }

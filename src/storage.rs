@@ -11,6 +11,8 @@ use std::path::{Path, PathBuf};
 
 use thiserror::Error;
 
+use crate::words::{Message, display_by_message, texts};
+
 pub use draft::{Committed, Draft, Foreign};
 pub use place::is_stream;
 pub use stamp::{Stamp, Stamping};
@@ -20,13 +22,10 @@ pub use walk::{Entry, EntryKind, entries as list, inside, kind};
 #[derive(Debug, Error)]
 pub enum StorageError {
     /// The system refused.
-    #[error("{}", system_sentence(.0))]
     System(#[from] io::Error),
     /// The file's mode has no write bit: its owner wants it kept, even from root.
-    #[error("it is read-only")]
     ReadOnly,
     /// The file is larger than what is read.
-    #[error("the file has {found} bytes, and at most {limit} are read")]
     TooLarge {
         /// Its size in bytes.
         found: u64,
@@ -35,12 +34,22 @@ pub enum StorageError {
     },
 }
 
-fn system_sentence(error: &io::Error) -> String {
-    match error.kind() {
-        io::ErrorKind::NotFound => "there is no such file or folder".to_owned(),
-        io::ErrorKind::PermissionDenied => "permission denied".to_owned(),
-        io::ErrorKind::IsADirectory => "it is a folder, not a file".to_owned(),
-        _ => error.to_string(),
+display_by_message!(StorageError);
+
+impl StorageError {
+    /// Why, as a message.
+    #[must_use]
+    pub fn message(&self) -> Message {
+        match self {
+            Self::System(error) => match error.kind() {
+                io::ErrorKind::NotFound => texts::STORAGE_NOT_FOUND.into(),
+                io::ErrorKind::PermissionDenied => texts::STORAGE_PERMISSION_DENIED.into(),
+                io::ErrorKind::IsADirectory => texts::STORAGE_IS_FOLDER.into(),
+                _ => texts::foreign(error.to_string()),
+            },
+            Self::ReadOnly => texts::STORAGE_READ_ONLY.into(),
+            Self::TooLarge { found, limit } => texts::storage_too_large(*found, *limit),
+        }
     }
 }
 

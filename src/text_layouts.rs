@@ -28,7 +28,8 @@ use thiserror::Error;
 
 use crate::keyframe::{KeyframeFile, KeyframeFileError, keyframes_from_json};
 use crate::scene::SceneGraph;
-use crate::text::{counted, without_byte_order_mark};
+use crate::text::without_byte_order_mark;
+use crate::words::texts;
 
 /// What decides where a text leaves it open, or is wrong.
 #[derive(Clone, Debug, Default)]
@@ -106,11 +107,10 @@ pub fn import(bytes: &[u8], scene: &SceneGraph, options: &Options) -> Result<Imp
         return Err(TextError::new(bytes, at, TextProblem::NothingToSalvage).into());
     }
     let keyframes = rows::keyframes(bytes, &mut plan, named_order, scene, options)?;
-    let summary = format!(
-        "{} of {}, layout {}",
-        counted(keyframes.len(), "keyframe"),
-        counted(plan.nodes, "node"),
-        plan.layout.name()
+    let summary = texts::file_text_summary(
+        texts::count_keyframes(keyframes.len()),
+        texts::count_nodes(plan.nodes),
+        plan.layout.name(),
     );
     let file = KeyframeFile { interpolation: None, ms_between_keyframes: None, keyframes };
     Ok(Imported::Text(file, Report { summary, findings: plan.findings }))

@@ -8,25 +8,37 @@ use glam::{Quat, Vec3};
 use thiserror::Error;
 
 use crate::interpolation::{lerp, slerp};
+use crate::words::{Message, display_by_message, texts};
 
 /// Why keys cannot be made of these pairs.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum KeyError {
     /// There is none.
-    #[error("there are no keys: at least one is needed")]
     NoKeys,
     /// A time is infinite or no number.
-    #[error("a key's time is {seconds}, expected a finite number of seconds")]
     TimeNotFinite {
         /// The time.
         seconds: f64,
     },
     /// Two keys are at one time.
-    #[error("two keys are at {seconds} s")]
     TwoAtOneTime {
         /// The time.
         seconds: f64,
     },
+}
+
+display_by_message!(KeyError);
+
+impl KeyError {
+    /// What is wrong, as a message.
+    #[must_use]
+    pub fn message(&self) -> Message {
+        match self {
+            Self::NoKeys => texts::TIMED_NO_KEYS.into(),
+            Self::TimeNotFinite { seconds } => texts::timed_not_finite(*seconds),
+            Self::TwoAtOneTime { seconds } => texts::timed_two_at_one_time(*seconds),
+        }
+    }
 }
 
 /// A value that has a usual way between two of it.

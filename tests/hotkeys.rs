@@ -9,6 +9,7 @@ use inbetween::editor::{Command, Edit, Editor, Effect, GestureCommand, Severity,
 use inbetween::interpolation::Interpolation;
 use inbetween::keyframe::{KeyframeIndex, keyframes_to_json};
 use inbetween::rbt::Rbt;
+use inbetween::words::texts;
 
 /// With `keyframes` in the list (their x is their place) and the `current` one on screen, `keys` lead to `expected`.
 #[track_caller]
@@ -48,8 +49,8 @@ fn what_cannot_be_done_says_so_and_changes_nothing() {
         let mut editor = editor_with(keyframes);
         let before = editor.document().clone();
         press(&mut editor, keys);
-        assert!(editor.message().text.contains(word), "{keys}: {}", editor.message().text);
-        assert_eq!(editor.message().severity, Severity::Error);
+        assert!(editor.message_text().contains(word), "{keys}: {}", editor.message_text());
+        assert_eq!(editor.message().unwrap().severity(), Severity::Error);
         assert_eq!(editor.document(), &before);
     }
 }
@@ -165,7 +166,7 @@ fn what_playing_refuses_leaves_it_running() {
     for key in ["u", "n", "d", "<", ">", "i", "r", "space", "c", "ctrl+z", "ctrl+shift+z", "ctrl+y"] {
         let effects = press(&mut editor, key);
         assert!(editor.is_playing() && effects.is_empty(), "{key}");
-        assert!(editor.message().text.contains("while playing"), "{key}: {}", editor.message().text);
+        assert!(editor.message_text().contains("while playing"), "{key}: {}", editor.message_text());
         assert_eq!(editor.document(), &before, "{key}");
     }
     let refused = editor.apply(Command::Gesture(GestureCommand::Begin));
@@ -191,7 +192,7 @@ fn a_drag_is_one_step_and_escape_takes_it_back() {
     let mut editor = editor();
     drag(&mut editor);
     press(&mut editor, "ctrl+z");
-    assert!(editor.message().text.contains("drag"), "undo waits for the end of the drag");
+    assert!(editor.message_text().contains("drag"), "undo waits for the end of the drag");
     apply(&mut editor, Command::Gesture(GestureCommand::Commit));
     assert_eq!(shown(&editor), " | 8");
     press(&mut editor, "ctrl+z");
@@ -215,9 +216,9 @@ fn the_eye_moves_where_nothing_is_chosen() {
     press(&mut editor, "v");
     assert_eq!(editor.scene().rbt_path(editor.node_at_hand()), "robot1");
     press(&mut editor, "m");
-    assert_eq!(editor.message().severity, Severity::Error, "the sky modes need the sky as eye");
+    assert_eq!(editor.message().unwrap().severity(), Severity::Error, "the sky modes need the sky as eye");
     press(&mut editor, "v v m");
-    assert_eq!(editor.message().severity, Severity::Information);
+    assert_eq!(editor.message().unwrap().severity(), Severity::Information);
     assert_eq!(editor.node_at_hand(), sky);
 }
 
@@ -259,13 +260,13 @@ fn importing_replaces_the_list_and_can_be_undone() {
 #[test]
 fn a_bad_import_changes_nothing_and_says_why() {
     for (bytes, words) in
-        [(Ok(b"{".to_vec()), "line 1 column 1"), (Err("there is no such file or folder".to_owned()), "no such file")]
+        [(Ok(b"{".to_vec()), "line 1 column 1"), (Err(texts::STORAGE_NOT_FOUND.into()), "no such file")]
     {
         let mut editor = editor_with(2);
         let before = editor.document().clone();
         assert!(editor.keyframes_read(Path::new("wave.json"), bytes).is_err());
         assert_eq!(editor.document(), &before);
-        assert!(editor.message().text.starts_with("wave.json: ") && editor.message().text.contains(words));
+        assert!(editor.message_text().starts_with("wave.json: ") && editor.message_text().contains(words));
         assert_eq!(editor.path(), Path::new("animation.json"));
     }
 }
@@ -276,7 +277,7 @@ fn a_text_is_imported_and_not_written_over_unseen() {
     let mut editor = editor_with(2);
     editor.keyframes_read(Path::new("student.txt"), Ok(text.as_bytes().to_vec())).unwrap();
     assert_eq!(
-        editor.message().text,
+        editor.message_text(),
         "Imported 6 keyframes from student.txt. Read as text: 6 keyframes of 22 nodes, layout header."
     );
     assert_eq!(editor.document().keyframes.len(), 6);
@@ -292,7 +293,7 @@ fn a_text_is_imported_and_not_written_over_unseen() {
         let before = editor.document().clone();
         assert!(editor.keyframes_read(Path::new("bad.txt"), Ok(text.into())).is_err());
         assert_eq!(editor.document(), &before);
-        assert!(editor.message().text.contains(words), "{}", editor.message().text);
+        assert!(editor.message_text().contains(words), "{}", editor.message_text());
     }
 }
 

@@ -9,6 +9,7 @@ use inbetween::editor::{Command, Edit, Editor, PathDot, PlaybackCommand, ViewCom
 use inbetween::keyframe::{KeyframeIndex, keyframes_to_json};
 use inbetween::view::{frame_of_editor, mark_dot};
 use inbetween::window::path::{PathDrag, REACH};
+use inbetween::words::Phrase;
 
 const SIZE: Vec2 = Vec2::new(1020.0, 580.0);
 
@@ -71,7 +72,7 @@ fn a_dragged_dot_moves_the_node_in_its_keyframe_in_one_step() {
             assert!((to_px - from_px).distance(Vec2::new(40.0, -25.0)) < 0.05, "{node}: {from_px} to {to_px}");
             assert!((depth(&editor) - depth_before).abs() < 1e-4, "it stays in the plane parallel to the view");
             assert_ne!(bytes(&editor), before);
-            assert_eq!(editor.undo_label(), Some("change of a node in a keyframe"));
+            assert_eq!(editor.undo_label().map(Phrase::english), Some("change of a node in a keyframe"));
             let others = |editor: &Editor| {
                 let keyframes = editor.document().keyframes.as_slice();
                 let others = keyframes.iter().enumerate().filter(|(other, _)| *other != place);

@@ -9,8 +9,9 @@ use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use inbetween::editor::keymap::bindings;
 use inbetween::editor::{Command, Edit, Editor, Effect, FileCommand, Severity, ViewCommand, WindowCommand};
 use inbetween::scene::{DEFAULT_SCENE, built_in_scene};
-use inbetween::settings::{Language, Settings, ThemeChoice};
+use inbetween::settings::{Settings, ThemeChoice};
 use inbetween::ui::{Statistics, Ui, theme};
+use inbetween::words::Language;
 
 struct App {
     editor: Editor,
@@ -27,8 +28,9 @@ impl App {
     fn apply(&mut self, command: Command) {
         if let Ok(Some(Effect::Window(command))) = self.editor.apply(command.clone()) {
             match self.ui.perform(&command, &mut self.settings) {
-                Ok(said) => self.editor.say_of(Severity::Outcome, said),
-                Err(error) => self.editor.say_of(Severity::Error, error.to_string()),
+                Ok(None) => {}
+                Ok(Some(said)) => self.editor.say(said.with_severity(Severity::Outcome)),
+                Err(error) => self.editor.say(error.message()),
             }
         }
         self.commands.push(command);
@@ -264,9 +266,9 @@ fn statistics_are_in_the_status_line() {
     });
     harness.run();
     harness.get_by_label(english);
-    ask(&mut harness, WindowCommand::SetLanguage(Language::Korean));
+    ask(&mut harness, WindowCommand::SetLanguage(Language::of_code("ko").unwrap()));
     harness.get_by_label(korean);
-    ask(&mut harness, WindowCommand::SetLanguage(Language::English));
+    ask(&mut harness, WindowCommand::SetLanguage(Language::default()));
     ask(&mut harness, WindowCommand::ToggleStatistics);
     assert!(harness.query_by_label_contains("pictures/s").is_none());
 }
@@ -288,7 +290,7 @@ fn a_repeated_error_is_one_toast() {
 #[test]
 fn the_window_speaks_korean() {
     let mut harness = harness(0);
-    ask(&mut harness, WindowCommand::SetLanguage(Language::Korean));
+    ask(&mut harness, WindowCommand::SetLanguage(Language::of_code("ko").unwrap()));
     click(&mut harness, "편집");
     harness.get_by_label("새 키프레임 n");
     press(&mut harness, Key::Escape);

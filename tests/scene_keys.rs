@@ -14,6 +14,7 @@ use inbetween::editor::{
 };
 use inbetween::keyframe::{KeyframeIndex, keyframes_to_json};
 use inbetween::scene::{Channel, KeyValue, built_in_scene, scene_from_json, scene_to_json};
+use inbetween::words::texts;
 
 /// The cylinder, whose control node has keys of its translation at 0, 2 and 4 s, of its rotation at 0, 2, 3 and 4, of its scale at 0, 2, 4.
 fn cylinder() -> Editor {
@@ -26,7 +27,7 @@ fn key(channel: Channel, seconds: f64) -> KeyAt {
 
 fn edit(editor: &mut Editor, edit: SceneEdit) -> String {
     apply(editor, Command::Edit(Edit::Scene(edit)));
-    editor.message().text.clone()
+    editor.message_text()
 }
 
 /// What both files would hold.
@@ -54,7 +55,7 @@ fn check(does: SceneEdit, channel: Channel, expected: &[f64]) -> Editor {
     let before = bytes(&editor);
     edit(&mut editor, does.clone());
     let after = bytes(&editor);
-    assert_ne!(after, before, "{does:?}: {}", editor.message().text);
+    assert_ne!(after, before, "{does:?}: {}", editor.message_text());
     assert_eq!(times(&editor, "cylinder", channel), expected, "{does:?}");
     assert!(editor.has_unsaved_scene() && editor.has_unsaved_changes() && !editor.has_unsaved_keyframes());
     let done = editor.clone();
@@ -174,7 +175,7 @@ fn a_control_node_is_put_above_any_node_and_taken_away() {
     let stood = at(&editor);
     apply(&mut editor, Command::View(ViewCommand::Choose(Some(head))));
     apply(&mut editor, Command::Edit(Edit::Scene(SceneEdit::PutControlAboveChosen)));
-    assert!(editor.message().text.starts_with("robot1/head_control stands above it"), "{}", editor.message().text);
+    assert!(editor.message_text().starts_with("robot1/head_control stands above it"), "{}", editor.message_text());
     assert_eq!(at(&editor), stood);
     assert!(!editor.has_unsaved_keyframes(), "the keyframes are what they were");
     let control = || Arc::from("robot1/head_control");
@@ -241,10 +242,10 @@ fn a_scene_is_saved_and_opened_again() {
     let [Effect::WriteScene { path, text, is_known: false }] = effects.as_slice() else { panic!("{effects:?}") };
     assert_eq!(*text, scene_to_json(editor.scene()));
     assert!(editor.has_unsaved_scene(), "it is not written yet");
-    assert!(editor.scene_written(path, Err("permission denied".to_owned())).is_err());
-    assert_eq!((editor.message().text.as_str(), editor.scene_path()), ("lamp.json: permission denied", None));
+    assert!(editor.scene_written(path, Err(texts::STORAGE_PERMISSION_DENIED.into())).is_err());
+    assert_eq!((editor.message_text().as_str(), editor.scene_path()), ("lamp.json: permission denied", None));
     editor.scene_written(path, Ok(None)).unwrap();
-    assert_eq!(editor.message().text, "Wrote the scene to lamp.json.");
+    assert_eq!(editor.message_text(), "Wrote the scene to lamp.json.");
     assert!(!editor.has_unsaved_changes());
     let again = scene_from_json(text).unwrap();
     assert!(again == **editor.scene());
@@ -267,7 +268,7 @@ fn a_scrubbed_time_is_held_until_something_plays() {
     scrub(&mut editor, -3.0);
     assert_eq!(editor.seconds(), 0.0);
     apply(&mut editor, Command::View(ViewCommand::ScrubSeconds(f64::NAN)));
-    assert_eq!((editor.seconds(), editor.message().text.as_str()), (0.0, "That is not a time: nothing was changed."));
+    assert_eq!((editor.seconds(), editor.message_text().as_str()), (0.0, "That is not a time: nothing was changed."));
     press(&mut editor, "n n n n");
     scrub(&mut editor, 1.0);
     apply(&mut editor, Command::Playback(PlaybackCommand::Scrub(0.5)));

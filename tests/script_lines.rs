@@ -9,6 +9,7 @@ use common::{apply, editor_with, press, shown};
 use inbetween::editor::{Editor, Effect, PlayMode, Session};
 use inbetween::keyframe::keyframes_to_json;
 use inbetween::script::{markdown as script_lines, script_commands};
+use inbetween::words::Phrase;
 
 fn run(editor: &mut Editor, script: &str) {
     let commands = script_commands(script.as_bytes(), editor.scene()).unwrap_or_else(|problems| panic!("{problems:?}"));
@@ -92,7 +93,7 @@ fn every_edit_is_one_step_of_undo_back_to_the_same_bytes() {
         run(&mut editor, line);
         assert_eq!(shown(&editor), expected, "{line}");
         if !message.is_empty() {
-            assert_eq!(editor.message().text, message, "{line}");
+            assert_eq!(editor.message_text(), message, "{line}");
         }
         let after = document(&editor);
         assert_ne!(after, was, "{line} changes nothing");
@@ -115,7 +116,7 @@ fn what_undo_takes_back_is_named_after_what_was_done() {
     ] {
         let mut editor = editor_with(6);
         run(&mut editor, script);
-        assert_eq!(editor.undo_label(), Some(label), "{script}");
+        assert_eq!(editor.undo_label().map(Phrase::english), Some(label), "{script}");
     }
 }
 
@@ -209,7 +210,7 @@ fn refusals_are_sentences() {
     ] {
         let mut editor = editor_with(6);
         run(&mut editor, script);
-        assert_eq!(editor.message().text, sentence, "{script}");
+        assert_eq!(editor.message_text(), sentence, "{script}");
     }
     let mut empty = editor_with(0);
     for (line, sentence) in [
@@ -221,7 +222,7 @@ fn refusals_are_sentences() {
         ("scrub 1", "Fewer than 4 keyframes: nothing to play yet. Press n to add one."),
     ] {
         run(&mut empty, line);
-        assert_eq!(empty.message().text, sentence, "{line}");
+        assert_eq!(empty.message_text(), sentence, "{line}");
     }
 }
 
@@ -256,15 +257,15 @@ fn many_keys_are_edited_by_a_line() {
     let seconds =
         |editor: &Editor| -> Vec<f64> { editor.session().selected_keys.iter().map(|key| key.seconds).collect() };
     run(&mut editor, "put-control robot1\nadd-keys translation 1 robot1_control scale 2 \"robot1_control\" # two");
-    assert_eq!((seconds(&editor), editor.message().text.as_str()), (vec![1.0, 2.0], "2 keys at 1.000 s."));
+    assert_eq!((seconds(&editor), editor.message_text().as_str()), (vec![1.0, 2.0], "2 keys at 1.000 s."));
     run(&mut editor, "move-keys 0.5 translation 1 robot1_control scale 2 robot1_control");
-    assert_eq!((seconds(&editor), editor.message().text.as_str()), (vec![1.5, 2.5], "Moved 2 keys by 0.500 s."));
+    assert_eq!((seconds(&editor), editor.message_text().as_str()), (vec![1.5, 2.5], "Moved 2 keys by 0.500 s."));
     run(&mut editor, "select-keys scale 2.5 robot1_control");
     assert_eq!(seconds(&editor), [2.5]);
     run(&mut editor, "select-keys none");
     assert_eq!(seconds(&editor), [0.0; 0]);
     run(&mut editor, "delete-keys translation 1.5 robot1_control scale 2.5 robot1_control");
-    assert_eq!(editor.message().text, "Deleted 2 keys.");
+    assert_eq!(editor.message_text(), "Deleted 2 keys.");
     run(&mut editor, "undo\nundo\nundo\nundo");
     assert!(!editor.has_unsaved_scene());
 }
@@ -282,7 +283,7 @@ fn the_ends_of_the_list_are_a_command_away() {
     }
     let mut empty = editor_with(0);
     run(&mut empty, "do keyframe-last");
-    assert_eq!(empty.message().text, "No keyframe is defined yet. Press n to create one.");
+    assert_eq!(empty.message_text(), "No keyframe is defined yet. Press n to create one.");
 }
 
 #[test]
@@ -295,12 +296,15 @@ fn files_are_named_bare_or_in_double_quotes() {
         let mut editor = editor_with(2);
         let [command] = script_commands(line.as_bytes(), editor.scene()).unwrap().try_into().unwrap();
         let effects = apply(&mut editor, command);
-        assert!(matches!(effects, Some(Effect::WriteKeyframes { path, .. }) if path == Path::new(name)), "{line}");
+        assert!(
+            matches!(effects.as_slice(), [Effect::WriteKeyframes { path, .. }] if path == Path::new(name)),
+            "{line}"
+        );
     }
     let mut editor = editor_with(2);
     let [command] = script_commands(b"open walk.json", editor.scene()).unwrap().try_into().unwrap();
     let effects = apply(&mut editor, command);
-    assert!(matches!(effects, Some(Effect::ReadKeyframes { path }) if path == Path::new("walk.json")));
+    assert!(matches!(effects.as_slice(), [Effect::ReadKeyframes { path }] if path == Path::new("walk.json")));
 }
 
 #[test]
@@ -333,14 +337,14 @@ fn sentences_name_the_keys_in_force() {
     let mut editor = editor_with(0);
     editor.set_keymap(keymap.clone());
     run(&mut editor, "scrub 1");
-    assert_eq!(editor.message().text, "Fewer than 4 keyframes: nothing to play yet. Press k to add one.");
+    assert_eq!(editor.message_text(), "Fewer than 4 keyframes: nothing to play yet. Press k to add one.");
     let mut editor = editor_with(6);
     editor.set_keymap(keymap);
     run(&mut editor, "paste");
-    assert_eq!(editor.message().text, "Nothing is copied yet: “Copy keyframes” copies the selected keyframes.");
+    assert_eq!(editor.message_text(), "Nothing is copied yet: “Copy keyframes” copies the selected keyframes.");
     press(&mut editor, "y");
     run(&mut editor, "cut");
-    assert_eq!(editor.message().text, "Cannot edit the timeline while playing. Press F5 to stop or F6 to pause first.");
+    assert_eq!(editor.message_text(), "Cannot edit the timeline while playing. Press F5 to stop or F6 to pause first.");
     press(&mut editor, "shift+p");
-    assert_eq!(editor.message().text, "Paused: k or u captures this pose, F6 goes on.");
+    assert_eq!(editor.message_text(), "Paused: k or u captures this pose, F6 goes on.");
 }

@@ -204,7 +204,7 @@ fn auto_key_updates_the_current_keyframe_in_the_same_step() {
     apply(&mut editor, Command::Gesture(GestureCommand::Move(Rbt::from_translation(Vec3::X))));
     apply(&mut editor, Command::Gesture(GestureCommand::Commit));
     assert_eq!(shown(&editor), "0 1 [3] | 3");
-    assert!(editor.message().text.contains("auto-key"));
+    assert!(editor.message_text().contains("auto-key"));
     press(&mut editor, "ctrl+z");
     assert_eq!((text(&editor), shown(&editor)), before);
 }
@@ -229,7 +229,7 @@ fn a_pose_is_pasted_to_the_other_robot() {
     assert_eq!(editor.displayed_pose(), before);
     apply(&mut editor, Command::View(ViewCommand::Choose(Some(elbow2))));
     press(&mut editor, "ctrl+shift+v");
-    assert!(editor.message().text.contains("has not"), "{}", editor.message().text);
+    assert!(editor.message_text().contains("has not"), "{}", editor.message_text());
 }
 
 #[test]

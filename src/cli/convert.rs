@@ -9,8 +9,8 @@ use crate::files::{self, FileError};
 use crate::keyframe::{Keyframe, KeyframeFile, KeyframesJson, LARGEST_FILE_BYTES};
 use crate::scene::SceneGraph;
 use crate::storage;
-use crate::text::counted;
 use crate::text_layouts::{Certainty, Finding, Imported, JointList, KeyframeText, Layout, Options, Report, import};
+use crate::words::texts;
 
 /// The largest list of joints that is read: 16 MiB.
 const LARGEST_LIST_BYTES: u64 = 16 << 20;
@@ -56,7 +56,7 @@ fn joint_list(file: &Path, scene: &SceneGraph) -> Result<JointList, FileError> {
 }
 
 fn keyframe_file_report(file: &KeyframeFile, scene: &SceneGraph, options: &Options, to: Option<Layout>) -> Report {
-    let (keyframes, nodes) = (counted(file.keyframes.len(), "keyframe"), scene.rbt_count());
+    let (keyframes, nodes) = (file.keyframes.len(), scene.rbt_count());
     let mut findings = Vec::new();
     if options.order.is_some() || options.joints.is_some() || options.salvage {
         let text =
@@ -68,7 +68,7 @@ fn keyframe_file_report(file: &KeyframeFile, scene: &SceneGraph, options: &Optio
         let text = "a text has poses alone: interpolation, times, names and easings are left out".to_owned();
         findings.push(Finding { certainty: Certainty::Note, text });
     }
-    Report { summary: format!("{keyframes} of {nodes} nodes, keyframe file"), findings }
+    Report { summary: texts::file_own_summary(texts::count_keyframes(keyframes), nodes), findings }
 }
 
 fn write_keyframes(arguments: &ConvertArguments, scene: &SceneGraph, file: KeyframeFile) -> Result<(), CliError> {

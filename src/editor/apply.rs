@@ -6,50 +6,53 @@ use super::commands::{Row, row_of};
 use super::history::Run;
 use super::keymap::Keymap;
 use super::playback::Playback;
-use super::{Command, CommandError, Document, Edit, Editor, Effect, Message, PlaybackCommand, Severity, ViewCommand};
+use super::{Command, CommandError, Document, Edit, Editor, Effect, Message, PlaybackCommand, ViewCommand};
 use crate::keyframe::{Keyframe, KeyframeIndex, KeyframeList, MS_BETWEEN_KEYFRAMES_RANGE};
 use crate::pose::RbtIndex;
 use crate::rbt::Rbt;
 use crate::rotation_rules::unit;
+use crate::words::{Argument, Phrase, texts};
 
 /// How much `+` and `-` change the ms between keyframes.
 const MS_STEP: u32 = 100;
 
-pub(super) type Outcome = Result<String, CommandError>;
+/// What a command says, or nothing; or why it was refused.
+pub(super) type Outcome = Result<Option<Message>, CommandError>;
 
 impl Editor {
-    /// Does a command, and returns what is to be done outside for it. What it says is the message afterwards, in either outcome.
+    /// Does a command, and returns what is to be done outside for it. What it says is the message afterwards, in either outcome. A drag
+    /// says nothing of its movements: the status line keeps what it shows. What else says nothing clears it.
     ///
     /// # Errors
     /// Why the command was refused; nothing has changed then.
     pub fn apply(&mut self, command: Command) -> Result<Option<Effect>, CommandError> {
+        let is_drag = matches!(command, Command::Gesture(_));
+        self.message = None;
         let outcome = self.dispatch(command);
         self.fit_session_to_list();
         match &outcome {
-            Ok((text, _)) => self.say(text.clone()),
+            Ok((Some(message), _)) => self.say(message.clone()),
+            Ok((None, _)) if is_drag => {}
+            Ok((None, _)) => (self.message, self.status) = (None, None),
             Err(error) => self.say_error(error),
         }
         outcome.map(|(_, effect)| effect)
     }
 
-    /// Says something as the editor would, for the log and the status line.
-    pub fn say_of(&mut self, severity: Severity, text: String) {
-        if !text.is_empty() {
-            self.said.push(Message { text: text.clone(), severity });
-        }
-        self.message = Message { text, severity };
-    }
-
-    pub(super) fn say(&mut self, text: String) {
-        self.say_of(Severity::Information, text);
+    /// Says something, for the log and the status line.
+    pub fn say(&mut self, message: impl Into<Message>) {
+        let message = message.into();
+        self.said.push(message.clone());
+        self.status = Some(message.clone());
+        self.message = Some(message);
     }
 
     pub(super) fn say_error(&mut self, error: &CommandError) {
-        self.say_of(Severity::Error, error.to_string());
+        self.say(error.message());
     }
 
-    fn dispatch(&mut self, command: Command) -> Result<(String, Option<Effect>), CommandError> {
-        let silent = |outcome: Outcome| outcome.map(|text| (text, None));
+    fn dispatch(&mut self, command: Command) -> Result<(Option<Message>, Option<Effect>), CommandError> {
+        let silent = |outcome: Outcome| outcome.map(|said| (said, None));
         let row = row_of(&command);
         if let Some(what) = row.refused_while_playing {
             self.refuse_while_playing(what)?;
@@ -58,12 +61,12 @@ impl Editor {
             Command::Edit(edit) => silent(self.edit(edit, row)),
             Command::Playback(playback) => silent(self.play(playback)),
             Command::View(view) => silent(self.view(view)),
-            Command::File(file) => Ok((String::new(), Some(self.file(file)))),
+            Command::File(file) => Ok((None, Some(self.file(file)))),
             Command::Gesture(gesture) => silent(self.gesture(gesture)),
             Command::Undo => silent(self.undo()),
             Command::Redo => silent(self.redo()),
             Command::Cancel => silent(Ok(self.cancel())),
-            Command::Window(command) => Ok((String::new(), Some(Effect::Window(command)))),
+            Command::Window(command) => Ok((None, Some(Effect::Window(command)))),
         }
     }
 
@@ -73,11 +76,12 @@ impl Editor {
     }
 
     /// The key of a command as a sentence names it; where it has none, its name.
-    pub(super) fn key_of(&self, command: &Command) -> String {
-        let binding = self.keymap.bindings().iter().find(|binding| binding.command == *command);
-        binding
-            .map(|binding| if binding.chords.is_empty() { format!("“{}”", binding.name) } else { binding.menu_key() })
-            .unwrap_or_default()
+    pub(super) fn key_of(&self, command: &Command) -> Argument {
+        match self.keymap.bindings().iter().find(|binding| binding.command == *command) {
+            Some(binding) if binding.chords.is_empty() => texts::hotkeys_command_without_key(binding.title()).into(),
+            Some(binding) => binding.menu_key().into(),
+            None => "".into(),
+        }
     }
 
     pub(super) fn no_keyframe(&self) -> CommandError {
@@ -92,7 +96,7 @@ impl Editor {
         CommandError::NothingChosen { pick: self.key_of(&Command::View(ViewCommand::StartPicking)) }
     }
 
-    pub(super) fn refuse_while_playing(&self, what: &'static str) -> Result<(), CommandError> {
+    pub(super) fn refuse_while_playing(&self, what: Phrase) -> Result<(), CommandError> {
         if !self.is_playing() {
             return Ok(());
         }
@@ -109,8 +113,8 @@ impl Editor {
             Edit::Timeline(edit) => self.edit_timeline(edit, row),
             Edit::Scene(edit) => self.edit_scene(edit),
             Edit::DisplayCurrent => self.display_current(),
-            Edit::UpdateCurrent => Ok(self.update_current()),
-            Edit::CreateKeyframe => Ok(self.create_keyframe()),
+            Edit::UpdateCurrent => Ok(Some(self.update_current())),
+            Edit::CreateKeyframe => Ok(Some(self.create_keyframe())),
             Edit::GoToNext => self.step(1),
             Edit::GoToPrevious => self.step(-1),
             Edit::GoToFirst => self.go_to_end(true),
@@ -120,41 +124,49 @@ impl Editor {
             Edit::ResetPose => {
                 self.end_scrub();
                 let rest = self.document.scene.rest_pose().clone();
-                self.record("return to the rest pose", None, |document| document.live_pose = rest);
-                Ok("The scene is back in its rest pose.".to_owned())
+                self.record(texts::ACT_RETURN_TO_THE_REST_POSE, None, |document| document.live_pose = rest);
+                Ok(Some(texts::POSE_IS_REST.into()))
             }
-            Edit::NextInterpolation => Ok(self.set_interpolation(self.document.interpolation.next())),
-            Edit::SetInterpolation(interpolation) => Ok(self.set_interpolation(interpolation)),
-            Edit::Faster => Ok(self.set_ms(self.document.ms_between_keyframes.saturating_sub(MS_STEP))),
-            Edit::Slower => Ok(self.set_ms(self.document.ms_between_keyframes.saturating_add(MS_STEP))),
-            Edit::SetMsBetweenKeyframes(ms) => Ok(self.set_ms(ms)),
-            Edit::SetTranslation(rbt, translation) => {
-                self.place(rbt, |parent_from_node| Rbt { translation, ..parent_from_node }, "move a node", None)
-            }
+            Edit::NextInterpolation => Ok(Some(self.set_interpolation(self.document.interpolation.next()))),
+            Edit::SetInterpolation(interpolation) => Ok(Some(self.set_interpolation(interpolation))),
+            Edit::Faster => Ok(Some(self.set_ms(self.document.ms_between_keyframes.saturating_sub(MS_STEP)))),
+            Edit::Slower => Ok(Some(self.set_ms(self.document.ms_between_keyframes.saturating_add(MS_STEP)))),
+            Edit::SetMsBetweenKeyframes(ms) => Ok(Some(self.set_ms(ms))),
+            Edit::SetTranslation(rbt, translation) => self.place(
+                rbt,
+                |parent_from_node| Rbt { translation, ..parent_from_node },
+                texts::ACT_MOVE_A_NODE,
+                None,
+            ),
             Edit::SetRotation(rbt, rotation) => {
-                let rotation = unit(rotation).ok_or(CommandError::NotAValue { what: "rotation" })?;
-                self.place(rbt, |parent_from_node| Rbt { rotation, ..parent_from_node }, "turn a node", None)
+                let rotation = unit(rotation).ok_or(CommandError::NotAValue { what: texts::VALUE_ROTATION })?;
+                self.place(rbt, |parent_from_node| Rbt { rotation, ..parent_from_node }, texts::ACT_TURN_A_NODE, None)
             }
             Edit::RotateChosen { axis_in_node, radians } => {
                 let chosen = self.session.chosen.ok_or_else(|| self.nothing_chosen())?;
                 let turn = unit(Quat::from_axis_angle(axis_in_node, radians))
-                    .ok_or(CommandError::NotAValue { what: "rotation" })?;
+                    .ok_or(CommandError::NotAValue { what: texts::VALUE_ROTATION })?;
                 let turned = |from: Rbt| Rbt { rotation: from.rotation * turn, ..from }.renormalized();
-                self.place(chosen, turned, "turn a node", None)
+                self.place(chosen, turned, texts::ACT_TURN_A_NODE, None)
             }
             Edit::TranslateChosen(by) => {
                 let chosen = self.session.chosen.ok_or_else(|| self.nothing_chosen())?;
-                self.place(chosen, |from| Rbt { translation: from.translation + by, ..from }, "move a node", None)
+                self.place(
+                    chosen,
+                    |from| Rbt { translation: from.translation + by, ..from },
+                    texts::ACT_MOVE_A_NODE,
+                    None,
+                )
             }
             Edit::Wheel(motion) => {
                 let moved = self.moved(motion);
-                self.place(self.node_at_hand(), |_| moved, "move along the view", Some(Run::Wheel))
+                self.place(self.node_at_hand(), |_| moved, texts::ACT_MOVE_ALONG_THE_VIEW, Some(Run::Wheel))
             }
         }
     }
 
     /// Changes the document as one step of undo. During a drag the drag is the step.
-    pub(super) fn record(&mut self, label: &'static str, run: Option<Run>, change: impl FnOnce(&mut Document)) {
+    pub(super) fn record(&mut self, label: Phrase, run: Option<Run>, change: impl FnOnce(&mut Document)) {
         let before = self.document.clone();
         change(&mut self.document);
         match &mut self.gesture {
@@ -164,7 +176,7 @@ impl Editor {
     }
 
     /// Copies a keyframe's pose to the scene, which is a step of undo only where it discards unsaved posing.
-    pub(super) fn show_keyframe(&mut self, label: &'static str, index: KeyframeIndex) {
+    pub(super) fn show_keyframe(&mut self, label: Phrase, index: KeyframeIndex) {
         self.end_scrub();
         let discards = self.document.has_unsaved_posing(self.document.scene.rest_pose());
         let before = self.document.clone();
@@ -182,23 +194,28 @@ impl Editor {
 
     /// The current keyframe and the range of the list: `Keyframe 3 (0 to 5)`.
     #[must_use]
-    pub fn where_we_are(&self) -> String {
+    pub fn where_we_are(&self) -> Message {
         match (self.document.keyframes.current(), self.document.keyframes.last()) {
-            (Some(current), Some(last)) => format!("Keyframe {} (0 to {})", current.get(), last.get()),
-            _ => "No keyframes".to_owned(),
+            (Some(current), Some(last)) => texts::position_keyframe(current.get(), last.get()),
+            _ => texts::POSITION_NO_KEYFRAMES.into(),
         }
+    }
+
+    /// What was done at the current keyframe, said after it.
+    pub(super) fn at_current(&self, rest: impl Into<Argument>) -> Message {
+        texts::at_position(self.where_we_are(), rest)
     }
 
     fn display_current(&mut self) -> Outcome {
         let current = self.document.keyframes.current().ok_or_else(|| self.no_keyframe())?;
-        self.show_keyframe("display of a keyframe", current);
-        Ok(format!("{}: copied to the scene.", self.where_we_are()))
+        self.show_keyframe(texts::ACT_DISPLAY_OF_A_KEYFRAME, current);
+        Ok(Some(self.at_current(texts::KEYFRAME_COPIED)))
     }
 
-    fn update_current(&mut self) -> String {
+    fn update_current(&mut self) -> Message {
         let Some(current) = self.document.keyframes.current_keyframe().cloned() else { return self.create_keyframe() };
         let scrubbed = self.end_scrub();
-        self.record("update of a keyframe", None, |document| {
+        self.record(texts::ACT_UPDATE_OF_A_KEYFRAME, None, |document| {
             if let Some(pose) = scrubbed {
                 document.live_pose = pose;
             }
@@ -206,14 +223,14 @@ impl Editor {
                 document.keyframes.replace(index, current.with_pose(document.live_pose.clone()));
             }
         });
-        format!("{}: updated from the scene.", self.where_we_are())
+        self.at_current(texts::KEYFRAME_UPDATED)
     }
 
-    fn create_keyframe(&mut self) -> String {
+    fn create_keyframe(&mut self) -> Message {
         let left = self.playhead().filter(|_| self.is_scrubbed()).map(|key_time| key_time as usize + 1);
         let after = left.map(KeyframeIndex::new).or(self.document.keyframes.current());
         let scrubbed = self.end_scrub();
-        self.record("new keyframe", None, |document| {
+        self.record(texts::ACT_NEW_KEYFRAME, None, |document| {
             if let (Some(pose), Some(after)) = (scrubbed, after) {
                 document.live_pose = pose;
                 document.keyframes.set_current(after);
@@ -223,20 +240,20 @@ impl Editor {
         });
         self.session.selected.clear();
         match after {
-            Some(after) => format!("{}: created after keyframe {}.", self.where_we_are(), after.get()),
-            None => format!("{}: created the first keyframe.", self.where_we_are()),
+            Some(after) => self.at_current(texts::keyframe_created(after.get())),
+            None => self.at_current(texts::KEYFRAME_CREATED_FIRST),
         }
     }
 
     fn step(&mut self, by: isize) -> Outcome {
         let Some(current) = self.document.keyframes.current() else {
-            return Ok("No keyframes: nothing to go to.".to_owned());
+            return Ok(Some(self.at_current(texts::KEYFRAME_NOTHING_TO_GO_TO)));
         };
         let target = current.get().checked_add_signed(by).filter(|&place| place < self.document.keyframes.len());
         match target {
             Some(place) => self.go_to(KeyframeIndex::new(place)),
-            None if by > 0 => Ok(format!("Keyframe {} is the last one.", current.get())),
-            None => Ok(format!("Keyframe {} is the first one.", current.get())),
+            None if by > 0 => Ok(Some(texts::keyframe_is_last(current.get()))),
+            None => Ok(Some(texts::keyframe_is_first(current.get()))),
         }
     }
 
@@ -250,41 +267,43 @@ impl Editor {
         if index.get() >= count {
             return Err(CommandError::NoSuchKeyframe { index: index.get(), count });
         }
-        self.show_keyframe("step to another keyframe", index);
+        self.show_keyframe(texts::ACT_STEP_TO_ANOTHER_KEYFRAME, index);
         // A selection is what the next edit is for: one that was left behind would surprise.
         if !self.session.selected.contains(&index) {
             self.session.selected.clear();
         }
-        Ok(format!("{}: copied to the scene.", self.where_we_are()))
+        Ok(Some(self.at_current(texts::KEYFRAME_COPIED)))
     }
 
     fn delete_current(&mut self) -> Outcome {
         self.end_scrub();
         let deleted = self.document.keyframes.current().ok_or(CommandError::NothingToDelete)?;
         self.session.selected.clear();
-        self.record("deletion of a keyframe", None, |document| {
+        self.record(texts::ACT_DELETION_OF_A_KEYFRAME, None, |document| {
             document.keyframes.delete_current();
             if let Some(keyframe) = document.keyframes.current_keyframe() {
                 document.live_pose = keyframe.pose.clone();
             }
         });
-        Ok(format!("Deleted keyframe {}. {}.", deleted.get(), self.where_we_are()))
+        Ok(Some(texts::keyframe_deleted(deleted.get(), self.where_we_are())))
     }
 
-    fn set_interpolation(&mut self, interpolation: crate::interpolation::Interpolation) -> String {
-        self.record("change of interpolation", None, |document| document.interpolation = interpolation);
-        format!("Interpolation: {}.", interpolation.label())
+    fn set_interpolation(&mut self, interpolation: crate::interpolation::Interpolation) -> Message {
+        self.record(texts::ACT_CHANGE_OF_INTERPOLATION, None, |document| document.interpolation = interpolation);
+        texts::interpolation_is(interpolation.title())
     }
 
-    fn set_ms(&mut self, ms: u32) -> String {
+    fn set_ms(&mut self, ms: u32) -> Message {
         let ms = ms.clamp(*MS_BETWEEN_KEYFRAMES_RANGE.start(), *MS_BETWEEN_KEYFRAMES_RANGE.end());
         let was = self.document.ms_between_keyframes;
-        self.record("change of pace", Some(Run::MsBetweenKeyframes), |document| document.ms_between_keyframes = ms);
+        self.record(texts::ACT_CHANGE_OF_PACE, Some(Run::MsBetweenKeyframes), |document| {
+            document.ms_between_keyframes = ms;
+        });
         self.refit_pace();
         match ms {
-            100 if was == ms => "100 ms between keyframes: as fast as it goes.".to_owned(),
-            10_000 if was == ms => "10000 ms between keyframes: as slow as it goes.".to_owned(),
-            _ => format!("{ms} ms between keyframes."),
+            100 if was == ms => texts::pace_fastest(ms),
+            10_000 if was == ms => texts::pace_slowest(ms),
+            _ => texts::pace_is(ms),
         }
     }
 
@@ -292,15 +311,15 @@ impl Editor {
         &mut self,
         rbt: RbtIndex,
         change: impl FnOnce(Rbt) -> Rbt,
-        label: &'static str,
+        label: Phrase,
         run: Option<Run>,
     ) -> Outcome {
         if rbt.get() >= self.document.scene.rbt_count() {
-            return Err(CommandError::NotInScene { what: "node" });
+            return Err(CommandError::NotInScene { what: texts::VALUE_NODE });
         }
         let placed = change(self.pose_at_hand().get(rbt));
         if !placed.is_finite() {
-            return Err(CommandError::NotAValue { what: "position" });
+            return Err(CommandError::NotAValue { what: texts::VALUE_POSITION });
         }
         let scrubbed = self.end_scrub();
         self.record(label, run, |document| {
@@ -309,10 +328,10 @@ impl Editor {
             }
             document.live_pose.set(rbt, placed);
         });
-        Ok(String::new())
+        Ok(None)
     }
 
-    pub(super) fn replace_keyframes(&mut self, label: &'static str, change: impl FnOnce(&mut Document)) {
+    pub(super) fn replace_keyframes(&mut self, label: Phrase, change: impl FnOnce(&mut Document)) {
         self.record(label, None, change);
         self.playback = Playback::Stopped;
     }

@@ -10,7 +10,8 @@ use crate::interpolation::Interpolation;
 use crate::keyframe::{Easing, KeyframeIndex, KeyframesText};
 use crate::pose::RbtIndex;
 use crate::rbt::Rbt;
-use crate::settings::{Language, ThemeChoice};
+use crate::settings::ThemeChoice;
+use crate::words::Language;
 
 use super::keymap::Chord;
 

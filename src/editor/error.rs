@@ -5,23 +5,21 @@ use std::path::PathBuf;
 use thiserror::Error;
 
 use crate::keyframe::KeyframeFileError;
-use crate::scene::SceneError;
+use crate::scene::{Channel, SceneError};
 use crate::text_layouts::TextError;
+use crate::words::{Argument, Message, Phrase, Severity, display_by_message, quoted, texts};
 
 /// A command that did nothing, and why.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum CommandError {
     /// There is no current keyframe.
-    #[error("No keyframe is defined yet. Press {create} to create one.")]
     NoKeyframe {
         /// The key that creates one.
-        create: String,
+        create: Argument,
     },
     /// There is nothing to delete.
-    #[error("The list is empty: there is no keyframe to delete.")]
     NothingToDelete,
     /// There is no keyframe in that place.
-    #[error("There is no keyframe {index}: {}", range_sentence(*.count))]
     NoSuchKeyframe {
         /// The place asked for.
         index: usize,
@@ -29,25 +27,20 @@ pub enum CommandError {
         count: usize,
     },
     /// The list is too short to play.
-    #[error("Fewer than 4 keyframes: nothing to play yet. Press {create} to add one.")]
     TooFewToPlay {
         /// The key that creates one.
-        create: String,
+        create: Argument,
     },
     /// The command cannot be done while playing.
-    #[error("Cannot {what} while playing. Press {stop} to stop or {pause} to pause first.")]
     WhilePlaying {
         /// What was asked, as in "delete a keyframe".
-        what: &'static str,
+        what: Phrase,
         /// The key that stops.
-        stop: String,
+        stop: Argument,
         /// The key that pauses.
-        pause: String,
+        pause: Argument,
     },
     /// A range of keyframes that cannot play.
-    #[error(
-        "Keyframes {first} to {last} cannot play: a range runs from keyframe 1 or later to the last but one or earlier."
-    )]
     NoSuchRange {
         /// Its first keyframe.
         first: usize,
@@ -55,16 +48,13 @@ pub enum CommandError {
         last: usize,
     },
     /// There is nothing to paste.
-    #[error("Nothing is copied yet: {copy} copies the selected keyframes.")]
     NothingCopied {
         /// The key that copies.
-        copy: String,
+        copy: Argument,
     },
     /// There is no copied pose.
-    #[error("No pose is copied yet: choose a node and copy its pose first.")]
     NoPoseCopied,
     /// The copied pose is of other nodes.
-    #[error("The copied pose has a node {path:?} that {chosen:?} has not.")]
     OtherNodes {
         /// The path below the node that was copied.
         path: String,
@@ -72,76 +62,61 @@ pub enum CommandError {
         chosen: String,
     },
     /// Pausing needs something that plays.
-    #[error("Nothing is playing. Press {play} to play.")]
     NothingPlaying {
         /// The key that plays.
-        play: String,
+        play: Argument,
     },
     /// A movement needs a node.
-    #[error("No node is chosen. Choose one first: {pick} and a click, Ctrl+click, or the list of nodes.")]
     NothingChosen {
         /// The key after which a click chooses.
-        pick: String,
+        pick: Argument,
     },
     /// The scene has no such node or eye.
-    #[error("The scene has no such {what}.")]
     NotInScene {
         /// `node` or `eye`.
-        what: &'static str,
+        what: Phrase,
     },
     /// The scene has no node with that path.
-    #[error("The scene has no node {path:?}.")]
     NoSuchNode {
         /// The path.
         path: String,
     },
     /// There is no key at that time.
-    #[error("{path} has no key of its {channel} at {seconds} s.")]
     NoSuchKey {
         /// The node's path.
         path: String,
         /// Which of its values.
-        channel: &'static str,
+        channel: Channel,
         /// The time asked for.
         seconds: f64,
     },
     /// No key is meant.
-    #[error("No keys are selected: click one in the timeline.")]
     NoKeys,
     /// The scene cannot become so.
-    #[error("{0}")]
     Scene(#[from] SceneError),
     /// A number is not finite, or a rotation has no direction.
-    #[error("That is not a {what}: nothing was changed.")]
     NotAValue {
         /// `position`, `rotation`, `duration`, `time` or `key time`.
-        what: &'static str,
+        what: Phrase,
     },
     /// Undo and redo wait for the end of a drag.
-    #[error("Finish the drag first, or press Escape to take it back.")]
     DuringDrag,
     /// There is no drag to go on with.
-    #[error("There is no drag to go on with.")]
     NoDrag,
     /// There is nothing to undo.
-    #[error("There is nothing to undo.")]
     NothingToUndo,
     /// There is nothing to redo.
-    #[error("There is nothing to redo.")]
     NothingToRedo,
     /// The sky modes are for the sky camera with nothing chosen.
-    #[error("The two ways to move the sky camera need the sky as eye and no node chosen.")]
     NoSkyMode,
     /// The keyframe file could not be read.
-    #[error("{}: {reason}", path.display())]
     Read {
         /// Which file.
         path: PathBuf,
         /// Why.
-        reason: String,
+        reason: Message,
     },
     /// The keyframe file is wrong.
-    #[error("{}: {}{}", path.display(), .problems.first().map(ToString::to_string).unwrap_or_default(), more_sentence(.problems.len()))]
     File {
         /// Which file.
         path: PathBuf,
@@ -149,7 +124,6 @@ pub enum CommandError {
         problems: Vec<KeyframeFileError>,
     },
     /// The keyframe file is a text that cannot be read.
-    #[error("{}: {problem}", path.display())]
     Text {
         /// Which file.
         path: PathBuf,
@@ -157,39 +131,74 @@ pub enum CommandError {
         problem: TextError,
     },
     /// The file has a control node's keys, which are a part of a scene.
-    #[error("{}: keys of a control node, which belong to a scene, not to the list: make a scene file of them with `inbetween convert`", path.display())]
     HoldsScene {
         /// Which file.
         path: PathBuf,
     },
     /// A film could not be made.
-    #[error("Nothing was exported: {reason}.")]
     Export {
         /// Why.
-        reason: String,
+        reason: Message,
     },
     /// A file could not be written.
-    #[error("{}: {reason}", path.display())]
     Write {
         /// Which file.
         path: PathBuf,
         /// Why.
-        reason: String,
+        reason: Message,
     },
 }
 
-fn range_sentence(count: usize) -> String {
-    match count {
-        0 => "the list is empty.".to_owned(),
-        1 => "the only one is 0.".to_owned(),
-        _ => format!("they are 0 to {}.", count - 1),
-    }
-}
+display_by_message!(CommandError);
 
-fn more_sentence(problems: usize) -> String {
-    match problems {
-        0 | 1 => String::new(),
-        2 => " (and 1 more problem)".to_owned(),
-        _ => format!(" (and {} more problems)", problems - 1),
+impl CommandError {
+    /// Why, as a message.
+    #[must_use]
+    pub fn message(&self) -> Message {
+        self.sentence().with_severity(Severity::Error)
+    }
+
+    fn sentence(&self) -> Message {
+        match self {
+            Self::NoKeyframe { create } => texts::refused_no_keyframe(create.clone()),
+            Self::NothingToDelete => texts::REFUSED_NOTHING_TO_DELETE.into(),
+            Self::NoSuchKeyframe { index, count: 0 } => texts::refused_no_such_keyframe_in_empty_list(*index),
+            Self::NoSuchKeyframe { index, count: 1 } => texts::refused_no_such_keyframe_but_one(*index),
+            Self::NoSuchKeyframe { index, count } => texts::refused_no_such_keyframe(*index, count - 1),
+            Self::TooFewToPlay { create } => texts::refused_too_few_to_play(create.clone()),
+            Self::WhilePlaying { what, stop, pause } => {
+                texts::refused_while_playing(*what, stop.clone(), pause.clone())
+            }
+            Self::NoSuchRange { first, last } => texts::refused_no_such_range(*first, *last),
+            Self::NothingCopied { copy } => texts::refused_nothing_copied(copy.clone()),
+            Self::NoPoseCopied => texts::REFUSED_NO_POSE_COPIED.into(),
+            Self::OtherNodes { path, chosen } => texts::refused_other_nodes(quoted(path), quoted(chosen)),
+            Self::NothingPlaying { play } => texts::refused_nothing_playing(play.clone()),
+            Self::NothingChosen { pick } => texts::refused_nothing_chosen(pick.clone()),
+            Self::NotInScene { what } => texts::refused_not_in_scene(*what),
+            Self::NoSuchNode { path } => texts::refused_no_such_node(quoted(path)),
+            Self::NoSuchKey { path, channel, seconds } => texts::refused_no_such_key(path, channel.title(), *seconds),
+            Self::NoKeys => texts::REFUSED_NO_KEYS.into(),
+            Self::Scene(error) => error.message(),
+            Self::NotAValue { what } => texts::refused_not_a_value(*what),
+            Self::DuringDrag => texts::REFUSED_DURING_DRAG.into(),
+            Self::NoDrag => texts::REFUSED_NO_DRAG.into(),
+            Self::NothingToUndo => texts::REFUSED_NOTHING_TO_UNDO.into(),
+            Self::NothingToRedo => texts::REFUSED_NOTHING_TO_REDO.into(),
+            Self::NoSkyMode => texts::REFUSED_NO_SKY_MODE.into(),
+            Self::Read { path, reason } | Self::Write { path, reason } => {
+                texts::refused_file(path.display(), reason.clone())
+            }
+            Self::File { path, problems } => {
+                let problem = problems.first().map_or_else(|| Argument::from(""), |problem| problem.message().into());
+                match problems.len() {
+                    0 | 1 => texts::refused_file(path.display(), problem),
+                    more => texts::refused_file_and_more(path.display(), problem, more - 1),
+                }
+            }
+            Self::Text { path, problem } => texts::refused_file(path.display(), problem.message()),
+            Self::HoldsScene { path } => texts::refused_holds_scene(path.display()),
+            Self::Export { reason } => texts::refused_export(reason.clone()),
+        }
     }
 }

@@ -2,9 +2,10 @@
 
 use std::path::Path;
 
-use super::{CommandError, Editor, Severity};
+use super::{CommandError, Editor};
 use crate::film::ExportEnd;
 use crate::keyframe::Animation;
+use crate::words::texts;
 
 impl Editor {
     /// What plays; `None` where the list is empty.
@@ -22,17 +23,9 @@ impl Editor {
     pub fn exported(&mut self, path: &Path, end: ExportEnd) {
         let path = path.display();
         match end {
-            ExportEnd::Written(1) => self.say_of(Severity::Outcome, format!("Exported 1 frame to {path}.")),
-            ExportEnd::Written(frames) => {
-                self.say_of(Severity::Outcome, format!("Exported {frames} frames to {path}."));
-            }
-            ExportEnd::Cancelled(0) => {
-                self.say_of(Severity::Outcome, "The export was cancelled: nothing of it is kept.".to_owned());
-            }
-            ExportEnd::Cancelled(frames) => {
-                let text = format!("The export was cancelled: its first {frames} frames are in {path}.");
-                self.say_of(Severity::Outcome, text);
-            }
+            ExportEnd::Written(frames) => self.say_outcome(texts::file_exported(frames, path)),
+            ExportEnd::Cancelled(0) => self.say_outcome(texts::FILE_EXPORT_CANCELLED),
+            ExportEnd::Cancelled(frames) => self.say_outcome(texts::file_export_cancelled_within(frames, path)),
             ExportEnd::Failed(reason) => self.say_error(&CommandError::Export { reason }),
         }
     }

@@ -3,10 +3,11 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::{CommandError, Editor, Effect, FileCommand, Severity};
-use crate::keyframe::{KeyframeList, KeyframesText, keyframes_counted};
+use super::{CommandError, Editor, Effect, FileCommand, Message, Severity};
+use crate::keyframe::{KeyframeList, KeyframesText};
 use crate::scene::scene_to_json;
 use crate::text_layouts::{ImportError, Imported, Options, import};
+use crate::words::texts;
 
 impl Editor {
     pub(super) fn file(&mut self, command: FileCommand) -> Effect {
@@ -70,12 +71,17 @@ impl Editor {
     ///
     /// # Errors
     /// Why the file is as it was.
-    pub fn scene_written(&mut self, path: &Path, outcome: Result<Option<PathBuf>, String>) -> Result<(), CommandError> {
+    pub fn scene_written(
+        &mut self,
+        path: &Path,
+        outcome: Result<Option<PathBuf>, Message>,
+    ) -> Result<(), CommandError> {
         match outcome {
             Ok(kept) => {
-                let kept =
-                    kept.map_or_else(String::new, |kept| format!(" What it held before is in {}.", kept.display()));
-                self.say_of(Severity::Outcome, format!("Wrote the scene to {}.{kept}", path.display()));
+                self.say_outcome(match kept {
+                    Some(kept) => texts::file_scene_written_over(path.display(), kept.display()),
+                    None => texts::file_scene_written(path.display()),
+                });
                 self.scene_path = Some(path.to_owned());
                 self.saved_scene = Arc::clone(&self.document.scene);
                 Ok(())
@@ -92,41 +98,44 @@ impl Editor {
     ///
     /// # Errors
     /// Why nothing was imported; the list is as it was then.
-    pub fn keyframes_read(&mut self, path: &Path, bytes: Result<Vec<u8>, String>) -> Result<(), CommandError> {
+    pub fn keyframes_read(&mut self, path: &Path, bytes: Result<Vec<u8>, Message>) -> Result<(), CommandError> {
         let outcome = self.import(path, bytes);
         match &outcome {
-            Ok(text) => self.say_of(Severity::Outcome, text.clone()),
+            Ok(message) => self.say_outcome(message.clone()),
             Err(error) => self.say_error(error),
         }
         outcome.map(|_| ())
     }
 
-    fn import(&mut self, path: &Path, bytes: Result<Vec<u8>, String>) -> Result<String, CommandError> {
-        self.refuse_while_playing("import")?;
+    fn import(&mut self, path: &Path, bytes: Result<Vec<u8>, Message>) -> Result<Message, CommandError> {
+        self.refuse_while_playing(texts::ACT_IMPORT)?;
         let path = path.to_owned();
         let bytes = bytes.map_err(|reason| CommandError::Read { path: path.clone(), reason })?;
-        let (file, summary) = match import(&bytes, &self.document.scene, &Options::default()) {
-            Ok(Imported::KeyframeFile(file)) => (file, String::new()),
-            Ok(Imported::Text(file, report)) => {
-                let look = if report.has_warnings() { ", with warnings: see `inbetween convert`" } else { "" };
-                (file, format!(" Read as text: {}{look}.", report.summary))
-            }
+        let (file, report) = match import(&bytes, &self.document.scene, &Options::default()) {
+            Ok(Imported::KeyframeFile(file)) => (file, None),
+            Ok(Imported::Text(file, report)) => (file, Some(report)),
             Ok(Imported::Scene(..)) => return Err(CommandError::HoldsScene { path }),
             Err(ImportError::KeyframeFile(problems)) => return Err(CommandError::File { path, problems }),
             Err(ImportError::Text(problem)) => return Err(CommandError::Text { path, problem }),
         };
-        let count = file.keyframes.len();
-        self.replace_keyframes("import", |document| {
+        let what = texts::count_keyframes(file.keyframes.len());
+        self.replace_keyframes(texts::ACT_IMPORT, |document| {
             document.interpolation = file.interpolation.unwrap_or(document.interpolation);
             document.ms_between_keyframes = file.ms_between_keyframes.unwrap_or(document.ms_between_keyframes);
             Self::list_with_first_current(document, KeyframeList::new(file.keyframes));
         });
-        let text = format!("Imported {} from {}.{summary}", keyframes_counted(count), path.display());
-        let is_text = !summary.is_empty();
-        self.is_now_saved_in(path);
         // What a student wrote is not written over without a copy.
-        self.is_file_known = !is_text;
-        Ok(text)
+        let is_known = report.is_none();
+        let said = match report {
+            None => texts::file_imported(what, path.display()),
+            Some(report) if report.has_warnings() => {
+                texts::file_imported_text_with_warnings(what, path.display(), report.summary)
+            }
+            Some(report) => texts::file_imported_text(what, path.display(), report.summary),
+        };
+        self.is_now_saved_in(path);
+        self.is_file_known = is_known;
+        Ok(said)
     }
 
     /// Takes in that the keyframe file was written, or why it could not be. It becomes the file that is written.
@@ -138,14 +147,15 @@ impl Editor {
     pub fn keyframes_written(
         &mut self,
         path: &Path,
-        outcome: Result<Option<PathBuf>, String>,
+        outcome: Result<Option<PathBuf>, Message>,
     ) -> Result<(), CommandError> {
         match outcome {
             Ok(kept) => {
-                let count = keyframes_counted(self.document.keyframes.len());
-                let kept =
-                    kept.map_or_else(String::new, |kept| format!(" What it held before is in {}.", kept.display()));
-                self.say_of(Severity::Outcome, format!("Wrote {count} to {}.{kept}", path.display()));
+                let what = texts::count_keyframes(self.document.keyframes.len());
+                self.say_outcome(match kept {
+                    Some(kept) => texts::file_written_over(what, path.display(), kept.display()),
+                    None => texts::file_written(what, path.display()),
+                });
                 self.is_now_saved_in(path.to_owned());
                 Ok(())
             }
@@ -161,10 +171,10 @@ impl Editor {
     ///
     /// # Errors
     /// Why there is no picture.
-    pub fn screenshot_taken(&mut self, path: &Path, outcome: Result<(), String>) -> Result<(), CommandError> {
+    pub fn screenshot_taken(&mut self, path: &Path, outcome: Result<(), Message>) -> Result<(), CommandError> {
         match outcome {
             Ok(()) => {
-                self.say_of(Severity::Outcome, format!("Screenshot: {}.", path.display()));
+                self.say_outcome(texts::file_screenshot(path.display()));
                 Ok(())
             }
             Err(reason) => {
@@ -173,6 +183,11 @@ impl Editor {
                 Err(error)
             }
         }
+    }
+
+    /// Says what became of something outside.
+    pub(super) fn say_outcome(&mut self, message: impl Into<Message>) {
+        self.say(message.into().with_severity(Severity::Outcome));
     }
 
     fn is_now_saved_in(&mut self, path: PathBuf) {

@@ -3,6 +3,7 @@
 use super::apply::Outcome;
 use super::{CommandError, Document, Editor, GestureCommand};
 use crate::keyframe::{Keyframe, KeyframeList};
+use crate::words::{Message, Phrase, texts};
 
 /// A drag that goes on.
 #[derive(Clone, Debug)]
@@ -10,7 +11,7 @@ pub(super) struct Gesture {
     /// The document before it.
     pub(super) before: Document,
     /// What undo calls it.
-    pub(super) label: &'static str,
+    pub(super) label: Phrase,
 }
 
 impl Editor {
@@ -20,7 +21,7 @@ impl Editor {
                 self.commit_gesture();
                 self.history.end_run();
                 // What was scrubbed to stays on screen until the drag moves a node.
-                self.gesture = Some(Gesture { before: self.document.clone(), label: "drag" });
+                self.gesture = Some(Gesture { before: self.document.clone(), label: texts::ACT_DRAG });
             }
             GestureCommand::Move(motion) => {
                 if self.gesture.is_none() {
@@ -28,9 +29,9 @@ impl Editor {
                 }
                 let moved = self.moved(motion);
                 let label = match self.session.chosen {
-                    None => "move the eye",
-                    Some(_) if motion.translation == glam::Vec3::ZERO => "turn a node",
-                    Some(_) => "move a node",
+                    None => texts::ACT_MOVE_THE_EYE,
+                    Some(_) if motion.translation == glam::Vec3::ZERO => texts::ACT_TURN_A_NODE,
+                    Some(_) => texts::ACT_MOVE_A_NODE,
                 };
                 self.place(self.node_at_hand(), |_| moved, label, None)?;
             }
@@ -40,11 +41,11 @@ impl Editor {
             GestureCommand::Abort => {
                 if let Some(gesture) = self.gesture.take() {
                     self.document = gesture.before;
-                    return Ok("Drag taken back.".to_owned());
+                    return Ok(Some(texts::DRAG_TAKEN_BACK.into()));
                 }
             }
         }
-        Ok(self.message.text.clone())
+        Ok(None)
     }
 
     /// Ends a drag, as one step of undo.
@@ -58,7 +59,7 @@ impl Editor {
         {
             let updated = keyframe.with_pose(self.document.live_pose.clone());
             self.document.keyframes.replace(index, updated);
-            self.say(format!("{}: updated by auto-key.", self.where_we_are()));
+            self.say(self.at_current(texts::KEYFRAME_UPDATED_BY_AUTO_KEY));
         }
         self.history.record(before, &self.document, label, None);
     }
@@ -71,7 +72,7 @@ impl Editor {
         let before = self.document.keyframes.clone();
         let label = self.history.undo(&mut self.document).ok_or(CommandError::NothingToUndo)?;
         self.drop_stale_selection(&before);
-        Ok(format!("Undone: {label}."))
+        Ok(Some(texts::undone(label)))
     }
 
     pub(super) fn redo(&mut self) -> Outcome {
@@ -82,7 +83,7 @@ impl Editor {
         let before = self.document.keyframes.clone();
         let label = self.history.redo(&mut self.document).ok_or(CommandError::NothingToRedo)?;
         self.drop_stale_selection(&before);
-        Ok(format!("Redone: {label}."))
+        Ok(Some(texts::redone(label)))
     }
 
     /// Selects nothing where the list has become another one, in which the same places are other keyframes.
@@ -94,16 +95,16 @@ impl Editor {
         }
     }
 
-    pub(super) fn cancel(&mut self) -> String {
+    pub(super) fn cancel(&mut self) -> Option<Message> {
         if let Some(gesture) = self.gesture.take() {
             self.document = gesture.before;
-            return "Drag taken back.".to_owned();
+            return Some(texts::DRAG_TAKEN_BACK.into());
         }
         if self.session.is_picking {
             self.session.is_picking = false;
-            return "Nothing picked.".to_owned();
+            return Some(texts::VIEW_NOTHING_PICKED.into());
         }
         self.session.shows_help = false;
-        String::new()
+        None
     }
 }

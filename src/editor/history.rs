@@ -3,6 +3,7 @@
 use std::collections::VecDeque;
 
 use super::document::Document;
+use crate::words::Phrase;
 
 /// How many steps can be undone; older ones are forgotten.
 pub const MOST_STEPS: usize = 2000;
@@ -19,7 +20,7 @@ pub enum Run {
 #[derive(Clone, Debug)]
 struct Step {
     document: Document,
-    label: &'static str,
+    label: Phrase,
 }
 
 /// What was before each edit, and what was undone.
@@ -33,7 +34,7 @@ pub struct History {
 impl History {
     /// Records an edit that led from `before` to `after`. An edit that changed nothing is dropped; one of the same run as the
     /// last is part of that step.
-    pub fn record(&mut self, before: Document, after: &Document, label: &'static str, run: Option<Run>) {
+    pub fn record(&mut self, before: Document, after: &Document, label: Phrase, run: Option<Run>) {
         let continues = run.is_some() && run == self.run;
         self.run = run;
         if continues {
@@ -60,7 +61,7 @@ impl History {
     }
 
     /// Steps back: puts the document before the last edit in place and says what was undone.
-    pub fn undo(&mut self, document: &mut Document) -> Option<&'static str> {
+    pub fn undo(&mut self, document: &mut Document) -> Option<Phrase> {
         let step = self.undo.pop_back()?;
         self.run = None;
         self.redo.push(Step { document: std::mem::replace(document, step.document), label: step.label });
@@ -68,7 +69,7 @@ impl History {
     }
 
     /// Steps forward again: puts back what the last undo took away and says what it was.
-    pub fn redo(&mut self, document: &mut Document) -> Option<&'static str> {
+    pub fn redo(&mut self, document: &mut Document) -> Option<Phrase> {
         let step = self.redo.pop()?;
         self.run = None;
         self.undo.push_back(Step { document: std::mem::replace(document, step.document), label: step.label });
@@ -77,13 +78,13 @@ impl History {
 
     /// What the next undo would take back.
     #[must_use]
-    pub fn undo_label(&self) -> Option<&'static str> {
+    pub fn undo_label(&self) -> Option<Phrase> {
         self.undo.back().map(|step| step.label)
     }
 
     /// What the next redo would bring back.
     #[must_use]
-    pub fn redo_label(&self) -> Option<&'static str> {
+    pub fn redo_label(&self) -> Option<Phrase> {
         self.redo.last().map(|step| step.label)
     }
 }

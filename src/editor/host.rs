@@ -5,9 +5,10 @@ use std::path::{Path, PathBuf};
 
 use super::{Command, CommandError, Editor, Effect, WindowCommand};
 use crate::film::ExportOptions;
+use crate::words::Message;
 
-/// What became of a file: a value, or a sentence that says why not. The editor is told of either.
-pub type FileOutcome<T> = Result<T, String>;
+/// What became of a file: a value, or a message that says why not. The editor is told of either.
+pub type FileOutcome<T> = Result<T, Message>;
 
 /// Which path a dialog asks for.
 #[derive(Clone, Debug, PartialEq, Eq)]

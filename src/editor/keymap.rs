@@ -250,7 +250,7 @@ pub fn markdown() -> String {
             continue;
         }
         let keys: Vec<String> = binding.chords.iter().map(|chord| format!("`{}`", chord.label())).collect();
-        let _ = writeln!(text, "| {} | {} |", keys.join(", "), binding.help);
+        let _ = writeln!(text, "| {} | {} |", keys.join(", "), binding.explanation());
     }
     text
 }

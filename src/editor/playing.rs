@@ -8,6 +8,7 @@ use super::playback::{Pace, PlayMode, Playback, Position, Span, span};
 use super::{Command, CommandError, Edit, Editor, PlaybackCommand};
 use crate::keyframe::{KeyframeIndex, PlayRange, Timing, to_f64};
 use crate::pose::Pose;
+use crate::words::texts;
 
 /// Speeds that can be chosen, in percent.
 pub const SPEED_PERCENT_RANGE: std::ops::RangeInclusive<u32> = 10..=1000;
@@ -24,19 +25,19 @@ impl Editor {
             PlaybackCommand::SetMode(mode) => {
                 self.session.play_mode = mode;
                 self.refit_playing();
-                Ok(match mode {
-                    PlayMode::Once => "Plays once.",
-                    PlayMode::Loop => "Plays in a loop.",
-                    PlayMode::PingPong => "Plays forwards and backwards.",
-                }
-                .to_owned())
+                let said = match mode {
+                    PlayMode::Once => texts::PLAYING_MODE_ONCE,
+                    PlayMode::Loop => texts::PLAYING_MODE_LOOP,
+                    PlayMode::PingPong => texts::PLAYING_MODE_PING_PONG,
+                };
+                Ok(Some(said.into()))
             }
             PlaybackCommand::NextMode => self.play(PlaybackCommand::SetMode(self.session.play_mode.next())),
             PlaybackCommand::SetRange(range) => self.set_range(range),
             PlaybackCommand::SetSpeedPercent(percent) => {
                 self.session.speed_percent = percent.clamp(*SPEED_PERCENT_RANGE.start(), *SPEED_PERCENT_RANGE.end());
                 self.refit_pace();
-                Ok(format!("Speed: {} %.", self.session.speed_percent))
+                Ok(Some(texts::playing_speed(self.session.speed_percent)))
             }
         }
     }
@@ -89,10 +90,10 @@ impl Editor {
     fn play_or_stop(&mut self) -> Outcome {
         if self.is_playing() {
             self.end_playback();
-            return Ok(format!("Stopped. {}.", self.where_we_are()));
+            return Ok(Some(texts::playing_stopped(self.where_we_are())));
         }
         self.start_at(&BigRational::zero())?;
-        Ok(format!("Playing {} keyframes.", self.document.keyframes.len() - 2))
+        Ok(Some(texts::playing_begins(self.document.keyframes.len() - 2)))
     }
 
     fn play_from_playhead(&mut self) -> Outcome {
@@ -103,7 +104,7 @@ impl Editor {
         let elapsed = self.playback.elapsed().unwrap_or_else(|| self.elapsed_at_current(timing));
         let span = self.span()?;
         self.start_at(if elapsed < span.end { &elapsed } else { &span.start })?;
-        Ok("Playing from the playhead.".to_owned())
+        Ok(Some(texts::PLAYING_BEGINS_AT_PLAYHEAD.into()))
     }
 
     fn start_at(&mut self, elapsed: &BigRational) -> Result<(), CommandError> {
@@ -123,18 +124,18 @@ impl Editor {
                 let before = self.document.clone();
                 self.document.live_pose = pose;
                 if discards {
-                    self.history.record(before, &self.document, "pause", None);
+                    self.history.record(before, &self.document, texts::ACT_PAUSE, None);
                 }
                 let create = self.key_of(&Command::Edit(Edit::CreateKeyframe));
                 let update = self.key_of(&Command::Edit(Edit::UpdateCurrent));
                 let resume = self.key_of(&Command::Playback(PlaybackCommand::PauseOrResume));
-                Ok(format!("Paused: {create} or {update} captures this pose, {resume} goes on."))
+                Ok(Some(texts::playing_paused(create, update, resume)))
             }
             Playback::Paused(position) => {
                 let mut position = position.in_span(self.span()?);
                 position.set_pace(self.pace());
                 self.playback = Playback::Playing(position);
-                Ok("Playing on.".to_owned())
+                Ok(Some(texts::PLAYING_GOES_ON.into()))
             }
             Playback::Stopped | Playback::Scrubbed(_) => {
                 Err(CommandError::NothingPlaying { play: self.key_of(&Command::Playback(PlaybackCommand::PlayOrStop)) })
@@ -145,7 +146,7 @@ impl Editor {
     fn scrub(&mut self, key_time: f64) -> Outcome {
         let timing = self.document.keyframes.timing().ok_or_else(|| self.too_few_to_play())?;
         if !key_time.is_finite() {
-            return Err(CommandError::NotAValue { what: "key time" });
+            return Err(CommandError::NotAValue { what: texts::VALUE_KEY_TIME });
         }
         let elapsed = timing.elapsed_at(key_time);
         if self.is_playing() {
@@ -153,7 +154,7 @@ impl Editor {
         } else {
             self.playback = Playback::Scrubbed(elapsed);
         }
-        Ok(String::new())
+        Ok(None)
     }
 
     fn step_ticks(&mut self, ticks: i32) -> Outcome {
@@ -162,7 +163,7 @@ impl Editor {
         let elapsed = (from + self.pace().elapsed(ticks)).clamp(BigRational::zero(), timing.total());
         let key_time = timing.key_time_at(&elapsed);
         self.playback = Playback::Scrubbed(elapsed);
-        Ok(format!("Key time {key_time:.3}."))
+        Ok(Some(texts::playing_key_time(format!("{key_time:.3}"))))
     }
 
     fn set_range(&mut self, range: Option<(usize, usize)>) -> Outcome {
@@ -174,16 +175,16 @@ impl Editor {
         }
         self.session.play_range = range;
         self.refit_playing();
-        Ok(match range {
-            Some((first, last)) => format!("Plays keyframes {first} to {last}."),
-            None => "Plays all keyframes but the first and the last.".to_owned(),
-        })
+        Ok(Some(match range {
+            Some((first, last)) => texts::playing_range(first, last),
+            None => texts::PLAYING_WHOLE_RANGE.into(),
+        }))
     }
 
     /// Ends the playback at the last keyframe that it plays, which becomes current and is copied to the scene.
     pub(super) fn end_playback(&mut self) {
         if let Playback::Playing(position) = std::mem::take(&mut self.playback) {
-            self.show_keyframe("playing", position.last_keyframe());
+            self.show_keyframe(texts::ACT_PLAYING, position.last_keyframe());
         }
     }
 
@@ -217,7 +218,7 @@ impl Editor {
         position.advance(ticks);
         if position.ended_at().is_some() {
             self.end_playback();
-            self.say("Played to the end.".to_owned());
+            self.say(texts::PLAYING_ENDED);
         }
         ticks > 0
     }

@@ -39,14 +39,15 @@ impl Said {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::words::texts;
 
     #[test]
     fn a_reader_sees_what_is_new_to_it() {
         let mut said = Said::default();
         for count in 0..100 {
-            said.push(Message { text: count.to_string(), ..Message::default() });
+            said.push(texts::foreign(count.to_string()));
         }
-        let new: Vec<&str> = said.after(97).map(|message| message.text.as_str()).collect();
+        let new: Vec<String> = said.after(97).map(Message::to_string).collect();
         assert_eq!(new, ["97", "98", "99"]);
         assert_eq!(said.after(100).count(), 0);
         assert_eq!(said.after(0).count(), MOST);

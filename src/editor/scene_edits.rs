@@ -6,6 +6,7 @@ use std::sync::Arc;
 use super::apply::Outcome;
 use super::{CommandError, Editor};
 use crate::scene::{Channel, KeyValue, NodeId, SceneError, SceneGraph, moved_seconds};
+use crate::words::{Message, Phrase, texts};
 
 /// A channel of a node.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -66,11 +67,6 @@ pub enum SceneEdit {
     RenameControl(Arc<str>, String),
 }
 
-/// `1 key`, `2 keys`.
-fn keys_counted(count: usize) -> String {
-    if count == 1 { "1 key".to_owned() } else { format!("{count} keys") }
-}
-
 impl Editor {
     pub(super) fn edit_scene(&mut self, edit: SceneEdit) -> Outcome {
         match edit {
@@ -78,29 +74,29 @@ impl Editor {
             SceneEdit::SetKey { node, seconds, value } => {
                 let id = self.known_node(&node)?;
                 let scene = self.document.scene.with_key(id, seconds, value)?;
-                self.put_scene("change of a key", scene);
-                Ok(String::new())
+                self.put_scene(texts::ACT_CHANGE_OF_A_KEY, scene);
+                Ok(None)
             }
             SceneEdit::MoveKeys { keys, by } => self.move_keys(&keys, by),
             SceneEdit::DeleteKeys(keys) => self.delete_keys(keys),
             SceneEdit::PutControlAbove(path) => {
                 let id = self.known_node(&path)?;
-                Ok(self.put_control_above(id))
+                Ok(Some(self.put_control_above(id)))
             }
             SceneEdit::PutControlAboveChosen => {
                 let chosen = self.session.chosen.ok_or_else(|| self.nothing_chosen())?;
-                Ok(self.put_control_above(self.document.scene.rbt_node(chosen)))
+                Ok(Some(self.put_control_above(self.document.scene.rbt_node(chosen))))
             }
             SceneEdit::RemoveControl(path) => {
                 let scene = self.document.scene.without_control(self.known_node(&path)?)?;
-                self.put_scene("removal of a control node", scene);
-                Ok(format!("The control node {path} is gone."))
+                self.put_scene(texts::ACT_REMOVAL_OF_A_CONTROL_NODE, scene);
+                Ok(Some(texts::control_removed(&*path)))
             }
             SceneEdit::RenameControl(path, name) => {
                 let id = self.known_node(&path)?;
                 let scene = self.document.scene.with_control_renamed(id, name.trim())?;
-                self.put_scene("renaming of a control node", scene);
-                Ok(format!("The control node is now “{}”.", name.trim()))
+                self.put_scene(texts::ACT_RENAMING_OF_A_CONTROL_NODE, scene);
+                Ok(Some(texts::control_renamed(name.trim())))
             }
         }
     }
@@ -110,14 +106,14 @@ impl Editor {
     }
 
     /// Puts another scene in place, as one step; during a drag it is a part of it.
-    fn put_scene(&mut self, label: &'static str, scene: SceneGraph) {
+    fn put_scene(&mut self, label: Phrase, scene: SceneGraph) {
         self.record(label, None, |document| document.scene = Arc::new(scene));
     }
 
-    fn put_control_above(&mut self, id: NodeId) -> String {
+    fn put_control_above(&mut self, id: NodeId) -> Message {
         let (scene, path) = self.document.scene.with_control_above(id);
-        self.put_scene("new control node", scene);
-        format!("{path} stands above it: key its translation, rotation and scale in the timeline.")
+        self.put_scene(texts::ACT_NEW_CONTROL_NODE, scene);
+        texts::control_put_above(path)
     }
 
     fn add_keys(&mut self, keys: Vec<KeyAt>) -> Outcome {
@@ -130,13 +126,12 @@ impl Editor {
             let value = scene.key_value_at(id, key.track.channel, key.seconds);
             scene = scene.with_key(id, key.seconds, value.ok_or_else(|| no_channel(&scene, id, key.track.channel))?)?;
         }
-        self.put_scene("new keys", scene);
-        let text = match keys.first() {
-            Some(KeyAt { seconds, .. }) => format!("{} at {seconds:.3} s.", keys_counted(keys.len())),
-            None => String::new(),
-        };
+        self.put_scene(texts::ACT_NEW_KEYS, scene);
+        let said = keys
+            .first()
+            .map(|KeyAt { seconds, .. }| texts::keys_added(texts::count_keys(keys.len()), format!("{seconds:.3}")));
         self.select_keys(keys)?;
-        Ok(text)
+        Ok(said)
     }
 
     fn move_keys(&mut self, keys: &[KeyAt], by: f64) -> Outcome {
@@ -149,10 +144,10 @@ impl Editor {
         for (id, track, times) in by_track(&base, keys)? {
             scene = scene.with_keys_moved(id, track.channel, &times, by)?;
         }
-        self.put_scene("moving of keys", scene);
+        self.put_scene(texts::ACT_MOVING_OF_KEYS, scene);
         let moved = keys.iter().map(|key| KeyAt { seconds: moved_seconds(key.seconds, by), ..key.clone() });
         self.select_keys(moved.collect())?;
-        Ok(format!("Moved {} by {by:.3} s.", keys_counted(keys.len())))
+        Ok(Some(texts::keys_moved(texts::count_keys(keys.len()), format!("{by:.3}"))))
     }
 
     pub(super) fn delete_keys(&mut self, keys: Vec<KeyAt>) -> Outcome {
@@ -163,8 +158,8 @@ impl Editor {
         for (id, track, times) in by_track(&self.document.scene, &keys)? {
             scene = scene.without_keys(id, track.channel, &times)?;
         }
-        self.put_scene("deletion of keys", scene);
-        Ok(format!("Deleted {}.", keys_counted(keys.len())))
+        self.put_scene(texts::ACT_DELETION_OF_KEYS, scene);
+        Ok(Some(texts::keys_deleted(texts::count_keys(keys.len()))))
     }
 
     pub(super) fn select_keys(&mut self, mut keys: Vec<KeyAt>) -> Outcome {
@@ -175,7 +170,7 @@ impl Editor {
             self.session.selected.clear();
         }
         self.session.selected_keys = keys;
-        Ok(String::new())
+        Ok(None)
     }
 
     /// Drops what the scene no longer has from the selection.
@@ -207,7 +202,7 @@ fn by_track<'a>(scene: &SceneGraph, keys: &'a [KeyAt]) -> Result<Vec<TrackTimes<
         let path = &key.track.node;
         let id = scene.find(path).ok_or_else(|| CommandError::NoSuchNode { path: path.to_string() })?;
         if !has_key(scene, id, key) {
-            let (channel, seconds) = (key.track.channel.name(), key.seconds);
+            let (channel, seconds) = (key.track.channel, key.seconds);
             return Err(CommandError::NoSuchKey { path: path.to_string(), channel, seconds });
         }
         match tracks.iter_mut().find(|(_, track, _)| **track == key.track) {

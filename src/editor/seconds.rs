@@ -3,6 +3,7 @@
 use super::apply::Outcome;
 use super::{CommandError, Editor};
 use crate::clock::TICKS_PER_SECOND;
+use crate::words::{Message, texts};
 
 /// Ticks since the start of the program, or since the clock was set.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -54,29 +55,33 @@ impl Editor {
         self.tick_playback(ticks) || moved_by_itself
     }
 
-    pub(super) fn restart_seconds(&mut self) -> String {
+    pub(super) fn restart_seconds(&mut self) -> Message {
         let is_held = self.seconds_clock.is_held && !self.seconds_clock.is_scrubbed;
         self.seconds_clock = SecondsClock { is_held, ..SecondsClock::default() };
-        "Keys at their own times start again.".to_owned()
+        texts::VIEW_TIMED_KEYS_RESTARTED.into()
     }
 
-    pub(super) fn hold_seconds(&mut self) -> String {
+    pub(super) fn hold_seconds(&mut self) -> Message {
         self.seconds_clock.is_held = !self.seconds_clock.is_held;
         self.seconds_clock.is_scrubbed = false;
-        let state = if self.seconds_clock.is_held { "are held" } else { "go on" };
-        format!("Keys at their own times {state} at {:.2} s.", self.seconds())
+        let seconds = format!("{:.2}", self.seconds());
+        if self.seconds_clock.is_held {
+            texts::view_timed_keys_held(seconds)
+        } else {
+            texts::view_timed_keys_go_on(seconds)
+        }
     }
 
     /// Shows a time and holds it, until something plays or the clock is told to go on; while something plays it goes on from there.
     pub(super) fn scrub_seconds(&mut self, seconds: f64) -> Outcome {
         if !seconds.is_finite() {
-            return Err(CommandError::NotAValue { what: "time" });
+            return Err(CommandError::NotAValue { what: texts::VALUE_TIME });
         }
         let clock = self.seconds_clock;
         let is_scrubbed = !self.is_playing() && (clock.is_scrubbed || !clock.is_held);
         let is_held = clock.is_held || is_scrubbed;
         self.seconds_clock = SecondsClock { from: seconds.max(0.0), ticks: 0, is_held, is_scrubbed };
-        Ok(String::new())
+        Ok(None)
     }
 
     /// Playing begins at so many seconds after the first played keyframe: what was scrubbed to goes on with it.

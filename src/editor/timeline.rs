@@ -5,10 +5,11 @@ use std::sync::Arc;
 use super::apply::Outcome;
 use super::commands::Row;
 use super::{Command, CommandError, Editor, TimelineEdit, ViewCommand};
-use crate::keyframe::{DURATION_RANGE, Easing, Keyframe, KeyframeIndex, KeyframeList, keyframes_counted};
+use crate::keyframe::{DURATION_RANGE, Easing, Keyframe, KeyframeIndex, KeyframeList};
 use crate::pose::{Pose, RbtIndex};
 use crate::rbt::Rbt;
 use crate::rotation_rules::unit;
+use crate::words::{Message, Phrase, texts};
 
 /// The longest name of a keyframe, in characters.
 const LONGEST_NAME: usize = 100;
@@ -58,23 +59,24 @@ impl Editor {
             }
             TimelineEdit::SetEasing(easing) => self.set_easing(easing),
             TimelineEdit::MoveKeyframes(to) => self.move_keyframes(to),
-            TimelineEdit::DeleteKeyframes => self.delete_keyframes("deletion of keyframes"),
+            TimelineEdit::DeleteKeyframes => self.delete_keyframes(texts::ACT_DELETION_OF_KEYFRAMES),
             TimelineEdit::CutKeyframes => {
                 self.copy_keyframes()?;
-                self.delete_keyframes("cutting of keyframes")
+                self.delete_keyframes(texts::ACT_CUTTING_OF_KEYFRAMES)
             }
             TimelineEdit::PasteKeyframes => {
                 if self.clipboard.keyframes.is_empty() {
                     let copy = self.key_of(&Command::View(ViewCommand::CopyKeyframes));
                     return Err(CommandError::NothingCopied { copy });
                 }
-                let (count, at) = self.insert_after_hand("pasting of keyframes", self.clipboard.keyframes.clone());
-                Ok(format!("{count} pasted: now at {at}."))
+                let (count, at) =
+                    self.insert_after_hand(texts::ACT_PASTING_OF_KEYFRAMES, self.clipboard.keyframes.clone());
+                Ok(Some(texts::keyframes_pasted(count, at)))
             }
             TimelineEdit::DuplicateKeyframes => {
                 let copies = self.copies_at_hand()?;
-                let (count, at) = self.insert_after_hand("duplication of keyframes", copies);
-                Ok(format!("{count} duplicated: now at {at}."))
+                let (count, at) = self.insert_after_hand(texts::ACT_DUPLICATION_OF_KEYFRAMES, copies);
+                Ok(Some(texts::keyframes_duplicated(count, at)))
             }
             TimelineEdit::ReverseKeyframes => self.reverse_keyframes(),
             TimelineEdit::PastePose => self.paste_pose(),
@@ -82,7 +84,7 @@ impl Editor {
                 self.place_in_keyframe(keyframe, rbt, |from| Rbt { translation, ..from })
             }
             TimelineEdit::SetRotationInKeyframe(keyframe, rbt, rotation) => {
-                let rotation = unit(rotation).ok_or(CommandError::NotAValue { what: "rotation" })?;
+                let rotation = unit(rotation).ok_or(CommandError::NotAValue { what: texts::VALUE_ROTATION })?;
                 self.place_in_keyframe(keyframe, rbt, |from| Rbt { rotation, ..from })
             }
         }
@@ -112,7 +114,7 @@ impl Editor {
             self.session.selected_keys.clear();
         }
         self.session.selected = selected;
-        Ok(String::new())
+        Ok(None)
     }
 
     /// Drops what the list no longer has from the selection and the range to play.
@@ -127,32 +129,32 @@ impl Editor {
 
     pub(super) fn copy_keyframes(&mut self) -> Outcome {
         self.clipboard.keyframes = self.copies_at_hand()?;
-        Ok(format!("Copied {}.", keyframes_counted(self.clipboard.keyframes.len())))
+        Ok(Some(texts::keyframes_copied(texts::count_keyframes(self.clipboard.keyframes.len()))))
     }
 
     pub(super) fn copy_pose(&mut self) -> Outcome {
         let chosen = self.session.chosen.ok_or_else(|| self.nothing_chosen())?;
         self.clipboard.pose = Some((chosen, self.displayed_pose()));
-        Ok(format!("Copied the pose of {}.", self.document.scene.rbt_path(chosen)))
+        Ok(Some(texts::pose_copied(self.document.scene.rbt_path(chosen))))
     }
 
     fn rename(&mut self, index: KeyframeIndex, name: &str) -> Outcome {
         let renamed = self.known(index)?.clone();
         let name: String = name.chars().filter(|character| !character.is_control()).take(LONGEST_NAME).collect();
         let name: Option<Arc<str>> = Some(name.trim()).filter(|name| !name.is_empty()).map(Arc::from);
-        let text = match &name {
-            Some(name) => format!("Keyframe {} is now “{name}”.", index.get()),
-            None => format!("Keyframe {} has no name now.", index.get()),
+        let said = match &name {
+            Some(name) => texts::keyframe_named(index.get(), &**name),
+            None => texts::keyframe_unnamed(index.get()),
         };
-        self.record("renaming of a keyframe", None, |document| {
+        self.record(texts::ACT_RENAMING_OF_A_KEYFRAME, None, |document| {
             document.keyframes.replace(index, Keyframe { name, ..renamed });
         });
-        Ok(text)
+        Ok(Some(said))
     }
 
     fn set_duration(&mut self, index: KeyframeIndex, duration: f64, ripple_free: bool) -> Outcome {
         if !duration.is_finite() {
-            return Err(CommandError::NotAValue { what: "duration" });
+            return Err(CommandError::NotAValue { what: texts::VALUE_DURATION });
         }
         let (shortest, longest) = (*DURATION_RANGE.start(), *DURATION_RANGE.end());
         let keyframe = self.known(index)?.clone();
@@ -162,14 +164,14 @@ impl Editor {
         if let Some(neighbour) = &neighbour {
             duration = duration.min(keyframe.duration + neighbour.duration - shortest);
         }
-        self.record("retiming of an interval", None, |document| {
+        self.record(texts::ACT_RETIMING_OF_AN_INTERVAL, None, |document| {
             if let Some(neighbour) = neighbour {
                 let given = (neighbour.duration + keyframe.duration - duration).clamp(shortest, longest);
                 document.keyframes.replace(next, Keyframe { duration: given, ..neighbour });
             }
             document.keyframes.replace(index, Keyframe { duration, ..keyframe });
         });
-        Ok(format!("The interval after keyframe {} lasts {duration:.3} of a step.", index.get()))
+        Ok(Some(texts::keyframe_retimed(index.get(), format!("{duration:.3}"))))
     }
 
     fn set_easing(&mut self, easing: Easing) -> Outcome {
@@ -177,7 +179,7 @@ impl Editor {
         if places.is_empty() {
             return Err(self.no_keyframe());
         }
-        self.record("change of easing", None, |document| {
+        self.record(texts::ACT_CHANGE_OF_EASING, None, |document| {
             let mut keyframes = document.keyframes.as_slice().to_vec();
             for &place in &places {
                 keyframes[place].easing = easing;
@@ -185,13 +187,13 @@ impl Editor {
             let current = document.keyframes.current().map(KeyframeIndex::get);
             document.keyframes = KeyframeList::with_current(keyframes, current);
         });
-        Ok(format!("Easing: {}.", easing.name()))
+        Ok(Some(texts::easing_is(easing.name())))
     }
 
     /// Puts another order of keyframes in place as one step, with `current` copied to the scene and `selected` selected.
     fn rearrange(
         &mut self,
-        label: &'static str,
+        label: Phrase,
         keyframes: Vec<Keyframe>,
         current: Option<usize>,
         selected: std::ops::Range<usize>,
@@ -216,8 +218,8 @@ impl Editor {
         let at = to - places.iter().filter(|&&place| place < to).count();
         let selected = at..at + moved.len();
         keyframes.splice(at..at, moved);
-        self.rearrange("moving of keyframes", keyframes, Some(at), selected.clone());
-        Ok(format!("Moved {} to place {at}.", keyframes_counted(selected.len())))
+        self.rearrange(texts::ACT_MOVING_OF_KEYFRAMES, keyframes, Some(at), selected.clone());
+        Ok(Some(texts::keyframes_moved(texts::count_keyframes(selected.len()), at)))
     }
 
     fn without(&self, places: &[usize]) -> Vec<Keyframe> {
@@ -228,23 +230,23 @@ impl Editor {
             .collect()
     }
 
-    fn delete_keyframes(&mut self, label: &'static str) -> Outcome {
+    fn delete_keyframes(&mut self, label: Phrase) -> Outcome {
         let places = self.keyframes_at_hand();
         let Some(&first) = places.first() else { return Err(CommandError::NothingToDelete) };
         let keyframes = self.without(&places);
         let current = (!keyframes.is_empty()).then(|| first.saturating_sub(1));
         self.rearrange(label, keyframes, current, 0..0);
-        Ok(format!("Deleted {}. {}.", keyframes_counted(places.len()), self.where_we_are()))
+        Ok(Some(texts::keyframes_deleted(texts::count_keyframes(places.len()), self.where_we_are())))
     }
 
     /// Inserts keyframes after those at hand; says how many, and where the first of them is now.
-    fn insert_after_hand(&mut self, label: &'static str, inserted: Vec<Keyframe>) -> (String, usize) {
+    fn insert_after_hand(&mut self, label: Phrase, inserted: Vec<Keyframe>) -> (Message, usize) {
         let at = self.keyframes_at_hand().last().map_or(0, |last| last + 1);
         let mut keyframes = self.document.keyframes.as_slice().to_vec();
         let selected = at..at + inserted.len();
         keyframes.splice(at..at, inserted);
         self.rearrange(label, keyframes, Some(at), selected.clone());
-        (keyframes_counted(selected.len()), at)
+        (texts::count_keyframes(selected.len()), at)
     }
 
     fn reverse_keyframes(&mut self) -> Outcome {
@@ -260,9 +262,9 @@ impl Editor {
         }
         let selected = self.session.selected.clone();
         let current = self.document.keyframes.current().map(KeyframeIndex::get);
-        self.rearrange("reversing of keyframes", keyframes, current, 0..0);
+        self.rearrange(texts::ACT_REVERSING_OF_KEYFRAMES, keyframes, current, 0..0);
         self.session.selected = selected;
-        Ok(format!("Reversed {}.", keyframes_counted(places.len())))
+        Ok(Some(texts::keyframes_reversed(texts::count_keyframes(places.len()))))
     }
 
     /// Pairs of the copied node and the chosen one, each with all below it, matched by their paths.
@@ -285,7 +287,7 @@ impl Editor {
             pairs.push((rbt, target));
         }
         let scrubbed = self.end_scrub();
-        self.record("pasting of a pose", None, |document| {
+        self.record(texts::ACT_PASTING_OF_A_POSE, None, |document| {
             if let Some(pose) = scrubbed {
                 document.live_pose = pose;
             }
@@ -297,19 +299,19 @@ impl Editor {
                 document.live_pose.set(to, placed);
             }
         });
-        Ok(format!("Pasted the pose of {source_path} to {chosen_path}."))
+        Ok(Some(texts::pose_pasted(source_path, chosen_path)))
     }
 
     fn place_in_keyframe(&mut self, index: KeyframeIndex, rbt: RbtIndex, change: impl FnOnce(Rbt) -> Rbt) -> Outcome {
         let keyframe = self.known(index)?.clone();
         if rbt.get() >= self.document.scene.rbt_count() {
-            return Err(CommandError::NotInScene { what: "node" });
+            return Err(CommandError::NotInScene { what: texts::VALUE_NODE });
         }
         let placed = change(keyframe.pose.get(rbt));
         if !placed.is_finite() {
-            return Err(CommandError::NotAValue { what: "position" });
+            return Err(CommandError::NotAValue { what: texts::VALUE_POSITION });
         }
-        self.record("change of a node in a keyframe", None, |document| {
+        self.record(texts::ACT_CHANGE_OF_A_NODE_IN_A_KEYFRAME, None, |document| {
             let shows_it = document.keyframes.current() == Some(index) && document.live_pose.same_as(&keyframe.pose);
             let mut pose = keyframe.pose.clone();
             pose.set(rbt, placed);
@@ -318,6 +320,6 @@ impl Editor {
             }
             document.keyframes.replace(index, keyframe.with_pose(pose));
         });
-        Ok(String::new())
+        Ok(None)
     }
 }

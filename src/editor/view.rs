@@ -1,10 +1,11 @@
 //! How the scene is looked at and handled: session state, which is not undone.
 
 use super::apply::Outcome;
-use super::{Command, CommandError, Editor, SkyMode, ViewCommand};
+use super::{Command, CommandError, Editor, Message, SkyMode, ViewCommand};
 use crate::frame::MOST_GHOSTS;
 use crate::keyframe::Blend;
 use crate::pose::RbtIndex;
+use crate::words::texts;
 
 /// Ghosts on each side after which [`ViewCommand::NextGhosts`] goes back to none. It is no limit: [`ViewCommand::SetGhosts`] shows up to
 /// [`MOST_GHOSTS`].
@@ -20,16 +21,16 @@ impl Editor {
                     return Err(CommandError::NoSkyMode);
                 }
                 self.commit_gesture();
-                let (mode, text) = match self.session.sky_mode {
-                    SkyMode::WorldCentre => (SkyMode::Eye, "The sky camera moves about itself."),
-                    SkyMode::Eye => (SkyMode::WorldCentre, "The sky camera moves about the world's centre."),
+                let (mode, said) = match self.session.sky_mode {
+                    SkyMode::WorldCentre => (SkyMode::Eye, texts::VIEW_SKY_ABOUT_ITSELF),
+                    SkyMode::Eye => (SkyMode::WorldCentre, texts::VIEW_SKY_ABOUT_WORLD),
                 };
                 self.session.sky_mode = mode;
-                Ok(text.to_owned())
+                Ok(Some(said.into()))
             }
             ViewCommand::StartPicking => {
                 self.session.is_picking = true;
-                Ok("Click a node to choose it, or the ground to choose none.".to_owned())
+                Ok(Some(texts::VIEW_PICKING.into()))
             }
             ViewCommand::Choose(rbt) => self.choose(rbt),
             ViewCommand::SelectKeyframes(selected) => self.select(selected),
@@ -38,11 +39,8 @@ impl Editor {
             ViewCommand::ToggleAutoKeys => self.view(ViewCommand::SetAutoKeys(!self.session.auto_keys)),
             ViewCommand::SetAutoKeys(is_on) => {
                 self.session.auto_keys = is_on;
-                Ok(if self.session.auto_keys {
-                    "Auto-key is on: the end of each drag updates the current keyframe.".to_owned()
-                } else {
-                    "Auto-key is off.".to_owned()
-                })
+                let said = if is_on { texts::VIEW_AUTO_KEY_ON } else { texts::VIEW_AUTO_KEY_OFF };
+                Ok(Some(said.into()))
             }
             ViewCommand::NextGhosts => {
                 let ghosts = if self.session.ghosts < GHOST_STEPS { self.session.ghosts + 1 } else { 0 };
@@ -50,79 +48,78 @@ impl Editor {
             }
             ViewCommand::SetGhosts(ghosts) => {
                 self.session.ghosts = ghosts.min(MOST_GHOSTS);
-                Ok(match self.session.ghosts {
-                    0 => "No ghosts.".to_owned(),
-                    1 => "Ghosts of 1 keyframe on each side.".to_owned(),
-                    ghosts => format!("Ghosts of {ghosts} keyframes on each side."),
-                })
+                Ok(Some(match self.session.ghosts {
+                    0 => texts::VIEW_NO_GHOSTS.into(),
+                    ghosts => texts::view_ghosts(usize::from(ghosts)),
+                }))
             }
             ViewCommand::SelectKeys(keys) => self.select_keys(keys),
-            ViewCommand::RestartSeconds => Ok(self.restart_seconds()),
-            ViewCommand::HoldSeconds => Ok(self.hold_seconds()),
+            ViewCommand::RestartSeconds => Ok(Some(self.restart_seconds())),
+            ViewCommand::HoldSeconds => Ok(Some(self.hold_seconds())),
             ViewCommand::ScrubSeconds(seconds) => self.scrub_seconds(seconds),
             ViewCommand::TogglePath => {
                 self.session.shows_path = !self.session.shows_path;
-                let state = if self.session.shows_path { "shown" } else { "hidden" };
-                Ok(format!("The path of the chosen node is {state}."))
+                let said = if self.session.shows_path { texts::VIEW_PATH_SHOWN } else { texts::VIEW_PATH_HIDDEN };
+                Ok(Some(said.into()))
             }
             ViewCommand::ToggleComparison => {
                 self.session.compares = !self.session.compares;
                 if !self.session.compares {
-                    return Ok("The comparison is off.".to_owned());
+                    return Ok(Some(texts::VIEW_COMPARISON_OFF.into()));
                 }
-                let [other, nlerp, matrices] = Blend::others(self.document.interpolation).map(Blend::label);
-                Ok(format!("Comparing the chosen robot while playing: {other} is blue, {nlerp} green, {matrices} red."))
+                let [other, nlerp, matrices] = Blend::others(self.document.interpolation).map(Blend::title);
+                Ok(Some(texts::view_comparing(other, nlerp, matrices)))
             }
             ViewCommand::ToggleArcball => {
                 self.session.shows_arcball = !self.session.shows_arcball;
-                Ok(String::new())
+                Ok(None)
             }
             ViewCommand::ToggleHelp => {
                 self.session.shows_help = !self.session.shows_help;
-                Ok(String::new())
+                Ok(None)
             }
             ViewCommand::TogglePanels => {
                 self.session.shows_panels = !self.session.shows_panels;
                 let hidden = !self.session.shows_panels;
                 let key = self.key_of(&Command::View(ViewCommand::TogglePanels));
-                Ok(if hidden { format!("Panels hidden: {key} shows them again.") } else { String::new() })
+                Ok(hidden.then(|| texts::view_panels_hidden(key)))
             }
         }
     }
 
     fn set_eye(&mut self, eye: usize) -> Outcome {
         let Some(&rbt) = self.document.scene.eyes().get(eye) else {
-            return Err(CommandError::NotInScene { what: "eye" });
+            return Err(CommandError::NotInScene { what: texts::VALUE_EYE });
         };
         self.commit_gesture();
         self.session.eye = eye;
-        Ok(format!("Looking from {}.", self.document.scene.rbt_path(rbt)))
+        Ok(Some(texts::view_looks_from(self.document.scene.rbt_path(rbt))))
     }
 
     fn choose(&mut self, rbt: Option<RbtIndex>) -> Outcome {
         if rbt.is_some_and(|rbt| rbt.get() >= self.document.scene.rbt_count()) {
-            return Err(CommandError::NotInScene { what: "node" });
+            return Err(CommandError::NotInScene { what: texts::VALUE_NODE });
         }
         self.commit_gesture();
         self.session.chosen = rbt;
         self.session.is_picking = false;
-        Ok(match rbt {
-            Some(rbt) => format!("Chosen: {}.", self.document.scene.rbt_path(rbt)),
-            None => "Nothing chosen: a drag moves the eye.".to_owned(),
-        })
+        Ok(Some(match rbt {
+            Some(rbt) => texts::view_chosen(self.document.scene.rbt_path(rbt)),
+            None => texts::VIEW_NOTHING_CHOSEN.into(),
+        }))
     }
 
     /// What the eye is and how a drag moves, in a few words: `sky view · world-sky`.
     #[must_use]
-    pub fn view_sentence(&self) -> String {
+    pub fn view_sentence(&self) -> Message {
         let eye = self.document.scene.node(self.document.scene.rbt_node(self.eye())).name.as_str();
-        let handled = match (self.session.chosen, self.session.eye, self.session.sky_mode) {
-            (Some(chosen), ..) => format!("moves {}", self.document.scene.rbt_path(chosen)),
-            (None, 0, SkyMode::WorldCentre) => "world-sky".to_owned(),
-            (None, 0, SkyMode::Eye) => "sky-sky".to_owned(),
-            (None, ..) => "moves itself".to_owned(),
+        let moves: Message = match (self.session.chosen, self.session.eye, self.session.sky_mode) {
+            (Some(chosen), ..) => texts::moves_node(self.document.scene.rbt_path(chosen)),
+            (None, 0, SkyMode::WorldCentre) => texts::WORLD_SKY.into(),
+            (None, 0, SkyMode::Eye) => texts::SKY_SKY.into(),
+            (None, ..) => texts::MOVES_ITSELF.into(),
         };
-        format!("{eye} view · {handled}")
+        texts::view_of(eye, moves)
     }
 }
 
@@ -137,10 +134,10 @@ mod tests {
     fn the_view_is_named() {
         let scene = crate::scene::built_in_scene(crate::scene::DEFAULT_SCENE).unwrap();
         let mut editor = Editor::new(Arc::new(scene), PathBuf::from("animation.json"));
-        assert_eq!(editor.view_sentence(), "sky view · world-sky");
+        assert_eq!(editor.view_sentence().to_string(), "sky view · world-sky");
         editor.apply(Command::View(ViewCommand::ToggleSkyMode)).unwrap();
-        assert_eq!(editor.view_sentence(), "sky view · sky-sky");
+        assert_eq!(editor.view_sentence().to_string(), "sky view · sky-sky");
         editor.apply(Command::View(ViewCommand::NextEye)).unwrap();
-        assert_eq!(editor.view_sentence(), "robot1 view · moves itself");
+        assert_eq!(editor.view_sentence().to_string(), "robot1 view · moves itself");
     }
 }

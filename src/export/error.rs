@@ -9,15 +9,14 @@ use crate::film::{EncodingError, FilmError, FormatProblem};
 use crate::keyframe::SampleError;
 use crate::render::GpuError;
 use crate::storage::StorageError;
+use crate::words::{Message, display_by_message, texts};
 
 /// Why there is no film or picture.
 #[derive(Debug, Error)]
 pub enum ExportError {
     /// The format cannot hold what is asked for.
-    #[error(transparent)]
     Format(#[from] FormatProblem),
     /// The span ends before it begins.
-    #[error("it would end (key time {to}) before it begins (key time {from})")]
     Backwards {
         /// Key time of the beginning.
         from: f64,
@@ -25,10 +24,8 @@ pub enum ExportError {
         to: f64,
     },
     /// More pictures than a film can count.
-    #[error("a film has fewer than 2^32 frames")]
     TooManyFrames,
     /// The scene has no such camera.
-    #[error("camera \"{name}\": the scene's eyes are {}; or: turntable", eyes.join(", "))]
     NoCamera {
         /// What was asked for.
         name: String,
@@ -36,7 +33,6 @@ pub enum ExportError {
         eyes: Vec<String>,
     },
     /// The keyframes cannot be played, or not there.
-    #[error("{source_name}: {cause}")]
     Unplayable {
         /// The keyframe file, or the scene.
         source_name: String,
@@ -45,10 +41,6 @@ pub enum ExportError {
         cause: SampleError,
     },
     /// The list has no such keyframe.
-    #[error("{source_name}: there is no keyframe {index}: {}", match last {
-        Some(last) => format!("they are 0 to {last}"),
-        None => "the list is empty".to_owned(),
-    })]
     NoKeyframe {
         /// The keyframe file, or the scene.
         source_name: String,
@@ -58,13 +50,11 @@ pub enum ExportError {
         last: Option<usize>,
     },
     /// There is nothing to make a film of.
-    #[error("{source_name}: nothing moves: name a keyframe file, or --camera turntable")]
     NothingMoves {
         /// The scene.
         source_name: String,
     },
     /// ffmpeg is missing, or did not do its work.
-    #[error("{}: {cause}", path.display())]
     Ffmpeg {
         /// The film's file.
         path: PathBuf,
@@ -73,13 +63,10 @@ pub enum ExportError {
         cause: FfmpegError,
     },
     /// There is no GPU adapter, or it cannot draw the picture.
-    #[error(transparent)]
     Gpu(#[from] GpuError),
     /// A picture cannot be encoded.
-    #[error(transparent)]
     Picture(#[from] EncodingError),
     /// A file cannot be written.
-    #[error("{}: {cause}", path.display())]
     Unwritten {
         /// Which file.
         path: PathBuf,
@@ -88,7 +75,6 @@ pub enum ExportError {
         cause: StorageError,
     },
     /// A film cannot be encoded.
-    #[error("{}: {cause}", path.display())]
     Film {
         /// Which file.
         path: PathBuf,
@@ -97,8 +83,37 @@ pub enum ExportError {
         cause: FilmError,
     },
     /// The watcher ended it.
-    #[error("interrupted: what was not finished is not kept")]
     Cancelled,
+}
+
+display_by_message!(ExportError);
+
+impl ExportError {
+    /// Why, as a message.
+    #[must_use]
+    pub fn message(&self) -> Message {
+        match self {
+            Self::Format(problem) => problem.message(),
+            Self::Backwards { from, to } => texts::export_ends_before_it_begins(*to, *from),
+            Self::TooManyFrames => texts::EXPORT_TOO_MANY_FRAMES.into(),
+            Self::NoCamera { name, eyes } => texts::export_camera_missing(name, eyes.join(", ")),
+            Self::Unplayable { source_name, cause } => texts::export_at(source_name.clone(), cause.message()),
+            Self::NoKeyframe { source_name, index, last } => {
+                let problem = match last {
+                    Some(last) => texts::export_no_keyframe(*index, *last),
+                    None => texts::export_no_keyframe_in_empty_list(*index),
+                };
+                texts::export_at(source_name.clone(), problem)
+            }
+            Self::NothingMoves { source_name } => texts::export_at(source_name.clone(), texts::EXPORT_NOTHING_MOVES),
+            Self::Ffmpeg { path, cause } => texts::export_at(path.display(), cause.message()),
+            Self::Gpu(error) => error.message(),
+            Self::Picture(error) => error.message(),
+            Self::Unwritten { path, cause } => texts::export_at(path.display(), cause.message()),
+            Self::Film { path, cause } => texts::export_at(path.display(), cause.message()),
+            Self::Cancelled => texts::EXPORT_INTERRUPTED.into(),
+        }
+    }
 }
 
 impl From<png::EncodingError> for ExportError {

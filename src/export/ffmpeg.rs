@@ -6,24 +6,34 @@ use std::process::{Child, ChildStdin, Command, ExitStatus, Stdio};
 
 use thiserror::Error;
 
+use crate::words::{Message, display_by_message, texts};
+
 /// Why ffmpeg made no film.
 #[derive(Debug, Error)]
 pub enum FfmpegError {
     /// It is not installed.
-    #[error(
-        "an MP4 is encoded by ffmpeg, and there is none on the PATH: install it (Debian: apt-get install ffmpeg), or write .gif, .apng \
-         or .y4m"
-    )]
     Missing,
     /// It does not start.
-    #[error("ffmpeg cannot be started: {0}")]
     Start(#[source] io::Error),
     /// It ended before its time; it has said why on standard error.
-    #[error("ffmpeg ended with {0}")]
     Ended(ExitStatus),
     /// The system does not tell how it ended.
-    #[error("ffmpeg cannot be waited for: {0}")]
     Wait(#[source] io::Error),
+}
+
+display_by_message!(FfmpegError);
+
+impl FfmpegError {
+    /// Why, as a message.
+    #[must_use]
+    pub fn message(&self) -> Message {
+        match self {
+            Self::Missing => texts::EXPORT_NO_FFMPEG.into(),
+            Self::Start(error) => texts::export_ffmpeg_not_started(error.to_string()),
+            Self::Ended(status) => texts::export_ffmpeg_ended(status.to_string()),
+            Self::Wait(error) => texts::export_ffmpeg_lost(error.to_string()),
+        }
+    }
 }
 
 /// Whether there is an ffmpeg.

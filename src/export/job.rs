@@ -45,7 +45,7 @@ impl Job {
         match self.write(watch, &mut frames) {
             Ok(count) => ExportEnd::Written(count),
             Err(ExportError::Cancelled) => ExportEnd::Cancelled(frames),
-            Err(error) => ExportEnd::Failed(error.to_string()),
+            Err(error) => ExportEnd::Failed(error.message()),
         }
     }
 

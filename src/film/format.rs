@@ -8,6 +8,7 @@ use thiserror::Error;
 
 use super::{FilmError, films, formats};
 use crate::picture::{Image, Rows};
+use crate::words::{Message, Phrase, all_of, display_by_message, one_of, texts};
 
 /// A format: a row of [`FORMATS`](super::FORMATS). Two are equal where their names are.
 pub struct Format {
@@ -22,7 +23,7 @@ pub struct Format {
     /// The most frames a second.
     pub most_frames_per_second: u32,
     /// The format's own limits: why there is no file of a width and height in pixels and, of what moves, so many frames a second.
-    pub limit: fn([u32; 2], Option<u32>) -> Option<&'static str>,
+    pub limit: fn([u32; 2], Option<u32>) -> Option<Phrase>,
     /// What writes it.
     pub encoder: Encoder,
 }
@@ -141,7 +142,6 @@ impl<'a> Film<'a> {
 
 /// Why a picture cannot be encoded.
 #[derive(Debug, Error)]
-#[error("the picture cannot be encoded: {0}")]
 pub struct EncodingError(#[source] pub Box<dyn std::error::Error + Send + Sync>);
 
 impl From<png::EncodingError> for EncodingError {
@@ -154,14 +154,35 @@ impl From<png::EncodingError> for EncodingError {
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
 pub enum FormatProblem {
     /// It keeps no opacity.
-    #[error("{} have no opacity: a transparent background is for {}", formats::listed(&formats::opaque(), " and "), formats::listed(&formats::translucent(), " and "))]
     NoOpacity,
     /// It is of films, and one picture is asked for.
-    #[error("one image is written as {}", formats::listed(&formats::still_names(), " or "))]
     NoPicture,
     /// A limit of its own.
-    #[error("{0}")]
-    Limit(&'static str),
+    Limit(Phrase),
+}
+
+display_by_message!(EncodingError);
+
+impl EncodingError {
+    /// Why, as a message.
+    #[must_use]
+    pub fn message(&self) -> Message {
+        texts::export_picture_not_encoded(self.0.to_string())
+    }
+}
+
+display_by_message!(FormatProblem);
+
+impl FormatProblem {
+    /// Why, as a message.
+    #[must_use]
+    pub fn message(&self) -> Message {
+        match self {
+            Self::NoOpacity => texts::export_no_opacity(all_of(&formats::opaque()), all_of(&formats::translucent())),
+            Self::NoPicture => texts::export_one_image(one_of(&formats::still_names())),
+            Self::Limit(limit) => (*limit).into(),
+        }
+    }
 }
 
 impl Format {

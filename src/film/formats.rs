@@ -9,6 +9,7 @@ mod webp;
 mod y4m;
 
 use super::{Encoder, Format};
+use crate::words::Phrase;
 
 pub use apng::APNG;
 pub use gif::GIF;
@@ -85,7 +86,7 @@ pub fn listed(names: &[&str], and: &str) -> String {
 }
 
 /// For formats with no limits of their own.
-const fn no_limit(_: [u32; 2], _: Option<u32>) -> Option<&'static str> {
+const fn no_limit(_: [u32; 2], _: Option<u32>) -> Option<Phrase> {
     None
 }
 

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::{Format, GIF};
+use crate::words::Message;
 
 /// What is behind everything.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -69,5 +70,5 @@ pub enum ExportEnd {
     /// It was cancelled. Of a folder, so many frames were written already, each of them whole; of a file, nothing.
     Cancelled(usize),
     /// It failed, for this reason.
-    Failed(String),
+    Failed(Message),
 }

@@ -14,6 +14,7 @@ use crate::film::ExportOptions;
 use crate::keyframe::keyframes_to_json;
 use crate::scene::SceneGraph;
 use crate::script::{self, Action, Line, NoWindow, Runner, State, Windowless};
+use crate::words::texts;
 
 /// The most lines of a script that is run while grading.
 pub const MOST_LINES: usize = 2_000;
@@ -121,7 +122,7 @@ impl Host for Folder {
 
     fn read(&mut self, path: &Path) -> Result<FileOutcome<Vec<u8>>, String> {
         let bytes = self.files.get(&plain_name(path)?).cloned();
-        Ok(bytes.ok_or_else(|| "there is no such file or folder".to_owned()))
+        Ok(bytes.ok_or_else(|| texts::STORAGE_NOT_FOUND.into()))
     }
 
     fn write(
@@ -204,7 +205,7 @@ mod tests {
             run(&lines, &scene, None)
         };
         let ran = run("key n\nsave-scene here.json\n").expect("it is within the bounds");
-        assert_eq!(ran.editor.message().text, "Wrote the scene to here.json.");
+        assert_eq!(ran.editor.message_text(), "Wrote the scene to here.json.");
         let refused = run("key n\nsave-scene ../out.json\n").err().expect("it leads out");
         assert!(refused.starts_with("line 2: ../out.json: a script that is graded"), "{refused}");
     }

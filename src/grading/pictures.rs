@@ -79,7 +79,7 @@ fn of_playback(
     scene: &SceneGraph,
     painter: &mut Painter,
 ) -> Result<Vec<Picture>, ExportError> {
-    let label = interpolation.label();
+    let label = interpolation.title();
     let of_samples = marks.samples.iter().find(|samples| samples.interpolation == interpolation);
     let (poses, caption) = match of_samples.and_then(|samples| Some((samples.shown.as_ref()?, &samples.file))) {
         Some((shown, file)) => (shown.clone(), format!("{label}, as {file} shows it")),

@@ -6,6 +6,7 @@ use super::sample::PlayRange;
 use crate::interpolation::{Interpolation, lerp, nlerp};
 use crate::pose::RbtIndex;
 use crate::rbt::Rbt;
+use crate::words::{Phrase, texts};
 
 /// A way of blending two keyframes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -35,11 +36,11 @@ impl Blend {
 
     /// Its name for people.
     #[must_use]
-    pub const fn label(self) -> &'static str {
+    pub const fn title(self) -> Phrase {
         match self {
-            Self::Played(interpolation) => interpolation.label(),
-            Self::Nlerp => "normalised lerp",
-            Self::Matrices => "blended matrices",
+            Self::Played(interpolation) => interpolation.title(),
+            Self::Nlerp => texts::BLEND_NLERP,
+            Self::Matrices => texts::BLEND_MATRICES,
         }
     }
 }

@@ -11,19 +11,17 @@ use crate::blend::{self, Curves};
 use crate::interpolation::{ControlPoints, Interpolation, bezier_rbt, linear_rbt};
 use crate::pose::{Pose, RbtIndex};
 use crate::rbt::Rbt;
-use crate::text::counted;
+use crate::words::{Message, display_by_message, texts};
 
 /// Why there is no pose at a key time.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum SampleError {
     /// The list is too short.
-    #[error("{} cannot be played: the first and the last only steer, so at least 4 are needed", keyframes_counted(*.keyframes))]
     TooFewKeyframes {
         /// How many there are.
         keyframes: usize,
     },
     /// The key time is before the first or after the last played keyframe, or no number.
-    #[error("key time {key_time} is outside 0 to {last_key_time}")]
     OutOfRange {
         /// The key time asked for.
         key_time: f64,
@@ -32,10 +30,17 @@ pub enum SampleError {
     },
 }
 
-/// So many keyframes, in words: `1 keyframe`, `3 keyframes`.
-#[must_use]
-pub fn keyframes_counted(keyframes: usize) -> String {
-    counted(keyframes, "keyframe")
+display_by_message!(SampleError);
+
+impl SampleError {
+    /// Why, as a message.
+    #[must_use]
+    pub fn message(&self) -> Message {
+        match self {
+            Self::TooFewKeyframes { keyframes } => texts::keyframes_too_few(texts::count_keyframes(*keyframes)),
+            Self::OutOfRange { key_time, last_key_time } => texts::keyframes_out_of_range(*key_time, *last_key_time),
+        }
+    }
 }
 
 /// A list that is long enough to play: what its samples are taken from.

@@ -7,19 +7,14 @@ use thiserror::Error;
 
 use super::quiet::without_driver_chatter;
 use crate::render::{mesh, shaders};
+use crate::words::{Argument, Message, display_by_message, texts};
 
 /// Why nothing can be drawn: each sentence says what is missing and how to get it.
 #[derive(Debug, Error)]
 pub enum GpuError {
     /// No driver offers an adapter.
-    #[error(
-        "no GPU adapter was found: install a Vulkan driver, or Mesa's software one (Debian: apt-get install mesa-vulkan-drivers libvulkan1)"
-    )]
     NoAdapter,
     /// The adapter refuses to open a device.
-    #[error(
-        "the GPU adapter \"{adapter}\" cannot be opened ({reason}): update its driver, or install Mesa's software one (Debian: apt-get install mesa-vulkan-drivers libvulkan1)"
-    )]
     NoDevice {
         /// The adapter's name.
         adapter: String,
@@ -27,15 +22,11 @@ pub enum GpuError {
         reason: String,
     },
     /// The window system offers no surface to draw on.
-    #[error(
-        "no surface can be made for the window ({reason}): a Vulkan or OpenGL driver that supports this display is needed"
-    )]
     NoSurface {
-        /// What the driver says.
-        reason: String,
+        /// What the driver says, or that the adapter cannot draw on it.
+        reason: Argument,
     },
     /// The picture has no pixels, or more in a row or column than the adapter can draw.
-    #[error("a picture of {width}x{height} pixels cannot be drawn: each side must be from 1 to {limit}")]
     Size {
         /// Width asked for, in pixels.
         width: u32,
@@ -45,13 +36,28 @@ pub enum GpuError {
         limit: u32,
     },
     /// The picture was drawn but did not come back.
-    #[error("the picture cannot be read back from the GPU adapter \"{adapter}\": {reason}")]
     ReadBack {
         /// The adapter's name.
         adapter: String,
         /// What the driver says.
         reason: String,
     },
+}
+
+display_by_message!(GpuError);
+
+impl GpuError {
+    /// What is missing and how to get it, as a message.
+    #[must_use]
+    pub fn message(&self) -> Message {
+        match self {
+            Self::NoAdapter => texts::GPU_NO_ADAPTER.into(),
+            Self::NoDevice { adapter, reason } => texts::gpu_no_device(adapter, reason),
+            Self::NoSurface { reason } => texts::gpu_no_surface(reason.clone()),
+            Self::Size { width, height, limit } => texts::gpu_size(*width, *height, *limit),
+            Self::ReadBack { adapter, reason } => texts::gpu_not_read_back(adapter, reason),
+        }
+    }
 }
 
 /// A block so large that freeing one has glibc keep what is freed from then on, up to twice as much.
@@ -126,7 +132,7 @@ impl Gpu {
             let instance = wgpu::Instance::new(descriptor);
             let surface = instance
                 .create_surface(window.clone())
-                .map_err(|error| GpuError::NoSurface { reason: error.to_string() })?;
+                .map_err(|error| GpuError::NoSurface { reason: error.to_string().into() })?;
             Ok((Self::open(instance, Some(&surface))?, surface))
         };
         without_driver_chatter(|| {

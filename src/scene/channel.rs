@@ -13,6 +13,7 @@ use super::place::Place;
 use super::write::{number, numbers};
 use crate::colour::Colour;
 use crate::timed::{Interpolate, rotation_from_euler_degrees};
+use crate::words::{Phrase, texts};
 
 /// A value of a node that timed keys can drive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -53,6 +54,8 @@ pub(super) enum Holder {
 struct Row {
     channel: Channel,
     name: &'static str,
+    /// Its name within a sentence.
+    title: Phrase,
     /// The field of a scene file that holds its keys.
     field: &'static str,
     holder: Holder,
@@ -76,6 +79,7 @@ static ROWS: [Row; Channel::ALL.len()] = [
     Row {
         channel: Channel::Translation,
         name: "translation",
+        title: texts::CHANNEL_TRANSLATION,
         field: "control.translation",
         holder: Holder::Control,
         expected: "x,y,z",
@@ -95,6 +99,7 @@ static ROWS: [Row; Channel::ALL.len()] = [
     Row {
         channel: Channel::Rotation,
         name: "rotation",
+        title: texts::CHANNEL_ROTATION,
         field: "control.rotation",
         holder: Holder::Control,
         expected: "yaw,pitch,roll in degrees, or a unit quaternion x,y,z,w",
@@ -115,6 +120,7 @@ static ROWS: [Row; Channel::ALL.len()] = [
     Row {
         channel: Channel::Scale,
         name: "scale",
+        title: texts::CHANNEL_SCALE,
         field: "control.scale",
         holder: Holder::Control,
         expected: "one number, or x,y,z",
@@ -135,6 +141,7 @@ static ROWS: [Row; Channel::ALL.len()] = [
     Row {
         channel: Channel::Colour,
         name: "colour",
+        title: texts::CHANNEL_COLOUR,
         field: "colour_keys",
         holder: Holder::Shape,
         expected: "rrggbb",
@@ -177,12 +184,10 @@ impl Channel {
         self.row().name
     }
 
-    /// The names of all of them in a sentence: `translation, rotation, scale or colour`.
+    /// Its name within a sentence.
     #[must_use]
-    pub fn names() -> String {
-        let names = Self::ALL.map(Self::name);
-        let [all @ .., last] = &names;
-        format!("{} or {last}", all.join(", "))
+    pub fn title(self) -> Phrase {
+        self.row().title
     }
 
     /// The channel of that name.
@@ -285,7 +290,6 @@ mod tests {
                 "{channel} stands apart from those of its holder"
             );
         }
-        assert_eq!(Channel::names(), "translation, rotation, scale or colour");
     }
 
     #[test]

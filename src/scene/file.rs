@@ -14,6 +14,7 @@ use super::tracks::Tracks;
 use crate::colour::Colour;
 use crate::rbt::Rbt;
 use crate::timed::{KeyError, rotation_from_euler_degrees};
+use crate::words::{Argument, Message, Phrase, display_by_message, quoted, texts};
 
 pub(super) const FORMAT: &str = "inbetween.scene";
 /// What a file says, and what one says that has a control node which paths do not name.
@@ -23,25 +24,21 @@ const VERSIONS: std::ops::RangeInclusive<u32> = 1..=2;
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum SceneError {
     /// The text is not JSON of the right shape; the message ends with line and column.
-    #[error("{message}")]
     Json {
         /// What is wrong, with line and column.
         message: String,
     },
     /// `format` names something else.
-    #[error("format is {found:?}, expected \"inbetween.scene\"")]
     Format {
         /// What the file says.
         found: String,
     },
     /// `version` is not one that this program reads.
-    #[error("version is {found}, and this program reads versions 1 and 2")]
     Version {
         /// What the file says.
         found: u32,
     },
     /// A node's name is empty or contains `/`.
-    #[error("node name {name:?} under {parent}: a name is at least one character and has no \"/\"")]
     NodeName {
         /// The name.
         name: String,
@@ -49,41 +46,36 @@ pub enum SceneError {
         parent: String,
     },
     /// Two nodes have one path.
-    #[error("node {path:?} stands twice: names are unique under one parent")]
     DuplicatePath {
         /// The path.
         path: String,
     },
     /// A value is out of its range.
-    #[error("node {path:?}: {field} is {found}, expected {expected}")]
     Value {
         /// The node's path.
         path: String,
         /// Which field.
         field: &'static str,
         /// What the file says.
-        found: String,
+        found: Argument,
         /// What is allowed.
-        expected: &'static str,
+        expected: Phrase,
     },
     /// A field stands where it has no meaning.
-    #[error("node {path:?}: {field} {reason}")]
     Misplaced {
         /// The node's path.
         path: String,
         /// Which field.
         field: &'static str,
         /// Why it cannot stand there.
-        reason: &'static str,
+        reason: Phrase,
     },
     /// What is asked of a control node is asked of another.
-    #[error("node {path:?} is not a control node")]
     NotControl {
         /// The node's path.
         path: String,
     },
     /// Keys at their own times cannot be made of what stands there.
-    #[error("node {path:?}: {field}: {error}")]
     Keys {
         /// The node's path.
         path: String,
@@ -93,20 +85,42 @@ pub enum SceneError {
         error: KeyError,
     },
     /// An eye is not an RBT node of the scene.
-    #[error("eye {path:?} is not the path of an RBT node")]
     Eye {
         /// The path.
         path: String,
     },
     /// There is nothing to look from.
-    #[error("eyes is empty: a scene needs at least one RBT node to look from")]
     NoEyes,
     /// The field of view cannot be drawn.
-    #[error("vertical_fov_degrees is {degrees}, expected more than 0 and less than 180")]
     FieldOfView {
         /// What the file says, in degrees.
         degrees: f32,
     },
+}
+
+display_by_message!(SceneError);
+
+impl SceneError {
+    /// What is wrong, as a message.
+    #[must_use]
+    pub fn message(&self) -> Message {
+        match self {
+            Self::Json { message } => texts::foreign(message),
+            Self::Format { found } => texts::scene_format(quoted(found)),
+            Self::Version { found } => texts::scene_version(*found),
+            Self::NodeName { name, parent } => texts::scene_node_name(quoted(name), parent),
+            Self::DuplicatePath { path } => texts::scene_duplicate_path(quoted(path)),
+            Self::Value { path, field, found, expected } => {
+                texts::scene_value(quoted(path), *field, found.clone(), *expected)
+            }
+            Self::Misplaced { path, field, reason } => texts::scene_misplaced(quoted(path), *field, *reason),
+            Self::NotControl { path } => texts::scene_not_control(quoted(path)),
+            Self::Keys { path, field, error } => texts::scene_keys(quoted(path), *field, error.message()),
+            Self::Eye { path } => texts::scene_eye(quoted(path)),
+            Self::NoEyes => texts::SCENE_NO_EYES.into(),
+            Self::FieldOfView { degrees } => texts::scene_field_of_view(*degrees),
+        }
+    }
 }
 
 #[derive(Deserialize)]
@@ -239,17 +253,17 @@ fn add(builder: &mut SceneBuilder, node: &NodeText, parent_path: &str, version: 
     let rotation = rotation(place, node.rotation)?;
     let misplaced = |field, reason| Err(SceneError::Misplaced { path: path.clone(), field, reason });
     if node.in_paths.is_some() && version < 2 {
-        return misplaced("in_paths", "needs version 2, and the file says version 1");
+        return misplaced("in_paths", texts::SCENE_IN_PATHS_NEEDS_VERSION_2);
     }
     if node.in_paths == Some(false) && node.control.is_none() {
-        return misplaced("in_paths", "is false, which is for control nodes only");
+        return misplaced("in_paths", texts::SCENE_IN_PATHS_OF_CONTROL);
     }
     if let Some(shape) = &node.shape {
         if !node.children.is_empty() {
-            return misplaced("children", "cannot stand under a shape");
+            return misplaced("children", texts::SCENE_CHILDREN_OF_SHAPE);
         }
         if node.control.is_some() {
-            return misplaced("control", "cannot stand beside a shape: put the shape under the control node");
+            return misplaced("control", texts::SCENE_CONTROL_BESIDE_SHAPE);
         }
         let placement = Placement { translation, rotation, scale: scale(place, node.scale)? };
         let colour = node.colour.map_or(Colour::DEFAULT, |colour| colour.0);
@@ -262,14 +276,14 @@ fn add(builder: &mut SceneBuilder, node: &NodeText, parent_path: &str, version: 
         return Ok(());
     }
     if node.scale.is_some() {
-        return misplaced("scale", "has no place in a rigid body transform: put it on the shapes");
+        return misplaced("scale", texts::SCENE_SCALE_OF_RBT);
     }
     if node.colour.is_some() || node.colour_keys.is_some() {
-        return misplaced("colour", "belongs to a shape");
+        return misplaced("colour", texts::SCENE_COLOUR_OF_RBT);
     }
     if let Some(control) = &node.control {
         if node.translation != [0.0; 3] || node.rotation.is_some() {
-            return misplaced("control", "has keys for the translation and the rotation: give them there");
+            return misplaced("control", texts::SCENE_CONTROL_HAS_KEYS);
         }
         builder.open_control(&node.name, self::control(place, control)?, node.in_paths.unwrap_or(true))?;
     } else {
@@ -337,7 +351,7 @@ fn shape(place: Place<'_>, shape: &ShapeText) -> Result<Shape, SceneError> {
                 place.length("size", size[2])?,
             );
             if !(bevel >= 0.0 && bevel <= size.min_element() * 0.5) {
-                return Err(place.error("bevel", bevel.to_string(), "0 to half the smallest extent"));
+                return Err(place.error("bevel", bevel.to_string(), texts::SCENE_EXPECTED_BEVEL));
             }
             Shape::Box { size, bevel }
         }
@@ -351,7 +365,7 @@ fn shape(place: Place<'_>, shape: &ShapeText) -> Result<Shape, SceneError> {
         ShapeText::Capsule { radius, height } => {
             let radius = place.length("radius", radius)?;
             if height < 2.0 * radius {
-                return Err(place.error("height", height.to_string(), "at least twice the radius, caps included"));
+                return Err(place.error("height", height.to_string(), texts::SCENE_EXPECTED_HEIGHT));
             }
             Shape::Capsule { radius, height: place.length("height", height)? }
         }

@@ -8,6 +8,7 @@ use super::graph::{NodeId, NodeKind, SceneGraph};
 use super::place::Place;
 use super::tracks::Tracks;
 use crate::timed::{KeyError, Track};
+use crate::words::texts;
 
 /// The latest time of a key that is made here, and the earliest below zero, in seconds: about eleven days.
 const LATEST: f64 = 1e6;
@@ -105,8 +106,8 @@ impl SceneGraph {
 
     fn no_channel(&self, id: NodeId, channel: Channel) -> SceneError {
         let reason = match channel.holder() {
-            Holder::Shape => "are for shapes only",
-            Holder::Control => "are for control nodes only: put one above it",
+            Holder::Shape => texts::SCENE_KEYS_OF_SHAPES,
+            Holder::Control => texts::SCENE_KEYS_OF_CONTROLS,
         };
         SceneError::Misplaced { path: self.node(id).path.clone(), field: channel.field(), reason }
     }
@@ -127,6 +128,6 @@ fn check_seconds(place: Place<'_>, channel: Channel, seconds: f64) -> Result<(),
     if seconds.abs() <= LATEST {
         Ok(())
     } else {
-        Err(place.error(channel.field(), format!("at {seconds} s"), "a time between -1e6 and 1e6 seconds"))
+        Err(place.error(channel.field(), texts::scene_found_time(seconds), texts::SCENE_EXPECTED_TIME))
     }
 }

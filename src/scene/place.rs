@@ -4,6 +4,7 @@ use glam::{Quat, Vec3};
 
 use super::file::SceneError;
 use crate::rotation_rules::Mending;
+use crate::words::{Argument, Phrase, texts};
 
 const LARGEST_COORDINATE: f32 = 1e6;
 
@@ -16,8 +17,8 @@ pub struct Place<'a> {
 
 impl Place<'_> {
     /// A value that is out of its range.
-    pub fn error(self, field: &'static str, found: String, expected: &'static str) -> SceneError {
-        SceneError::Value { path: self.path.to_owned(), field, found, expected }
+    pub fn error(self, field: &'static str, found: impl Into<Argument>, expected: Phrase) -> SceneError {
+        SceneError::Value { path: self.path.to_owned(), field, found: found.into(), expected }
     }
 
     /// A position that can be drawn.
@@ -25,7 +26,7 @@ impl Place<'_> {
         if value.abs().max_element() <= LARGEST_COORDINATE {
             Ok(value)
         } else {
-            Err(self.error(field, format!("{value}"), "coordinates between -1e6 and 1e6"))
+            Err(self.error(field, format!("{value}"), texts::SCENE_EXPECTED_COORDINATES))
         }
     }
 
@@ -35,8 +36,8 @@ impl Place<'_> {
             Mending::Keep => Ok(rotation),
             Mending::Normalise => Ok(rotation.normalize()),
             Mending::Refuse => {
-                let found = format!("of length {}", rotation.length());
-                Err(self.error("rotation", found, "a unit quaternion [x, y, z, w]"))
+                let found = texts::scene_found_length(rotation.length());
+                Err(self.error("rotation", found, texts::SCENE_EXPECTED_ROTATION))
             }
         }
     }
@@ -46,7 +47,7 @@ impl Place<'_> {
         if scale.min_element() > 0.0 && scale.max_element() <= LARGEST_COORDINATE {
             Ok(scale)
         } else {
-            Err(self.error("scale", format!("{scale}"), "numbers above 0, at most 1e6"))
+            Err(self.error("scale", format!("{scale}"), texts::SCENE_EXPECTED_SCALE))
         }
     }
 
@@ -55,7 +56,7 @@ impl Place<'_> {
         if value > 0.0 && value <= LARGEST_COORDINATE {
             Ok(value)
         } else {
-            Err(self.error(field, value.to_string(), "a number above 0, at most 1e6"))
+            Err(self.error(field, value.to_string(), texts::SCENE_EXPECTED_LENGTH))
         }
     }
 }

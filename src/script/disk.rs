@@ -59,7 +59,7 @@ impl Host for Disk {
     }
 
     fn read(&mut self, path: &Path) -> Result<FileOutcome<Vec<u8>>, DiskStop> {
-        Ok(storage::read(path, LARGEST_FILE_BYTES).map_err(|error| error.to_string()))
+        Ok(storage::read(path, LARGEST_FILE_BYTES).map_err(|error| error.message()))
     }
 
     fn write(
@@ -69,14 +69,14 @@ impl Host for Disk {
         _is_known: bool,
     ) -> Result<FileOutcome<Option<PathBuf>>, DiskStop> {
         let written = storage::write_with(path, |file| write!(file, "{text}"));
-        Ok(written.map(|()| None).map_err(|error| error.to_string()))
+        Ok(written.map(|()| None).map_err(|error| error.message()))
     }
 
     fn take_screenshot(&mut self, path: Option<PathBuf>) -> Result<(PathBuf, FileOutcome<()>), DiskStop> {
         let path = path.unwrap_or_else(|| storage::next_screenshot_path(self.editor.path()));
         let painter = self.painter.as_mut().expect("a script that takes screenshots has a painter");
         let png = painter.png(&frame_of_editor(&self.editor, painter.size_px()))?;
-        let written = storage::write(&path, &png).map_err(|error| error.to_string());
+        let written = storage::write(&path, &png).map_err(|error| error.message());
         Ok((path, written))
     }
 

@@ -172,7 +172,7 @@ fn hotkey(word: &str) -> Result<Command, LineProblem> {
 fn by_name(name: &str) -> Result<Command, LineProblem> {
     let is_meant = |own: &str| own.eq_ignore_ascii_case(name);
     let mut bindings = commands::rows().iter().flat_map(|row| &row.bindings);
-    let binding = bindings.find(|binding| is_meant(binding.id) || is_meant(binding.name));
+    let binding = bindings.find(|binding| is_meant(binding.id) || is_meant(binding.title().english()));
     binding.map(|binding| binding.command.clone()).ok_or_else(|| LineProblem::Name { name: name.to_owned() })
 }
 

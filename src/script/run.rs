@@ -106,7 +106,7 @@ impl<H: Windowless> Runner<H> {
                 let editor = self.host.editor();
                 editor.tick(ticks);
                 let has_ended = was_playing && !editor.is_playing();
-                let message = if has_ended { editor.message().text.clone() } else { String::new() };
+                let message = if has_ended { editor.message_text() } else { String::new() };
                 Ok(Step { message, is_last: false })
             }
             Action::Apply(command) => {
@@ -117,7 +117,7 @@ impl<H: Windowless> Runner<H> {
                 }
                 performed?;
                 let NoWindow { said, has_quit } = std::mem::take(self.host.no_window());
-                let message = said.map_or_else(|| self.host.editor().message().text.clone(), str::to_owned);
+                let message = said.map_or_else(|| self.host.editor().message_text(), str::to_owned);
                 Ok(Step { message, is_last: has_quit })
             }
         }

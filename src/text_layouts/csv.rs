@@ -7,6 +7,7 @@ use super::lexer::{Lexer, Token, not_a_number};
 use super::plan::{Plan, in_words, node_counts};
 use super::report::Certainty;
 use crate::scene::SceneGraph;
+use crate::words::{Argument, texts};
 
 /// The header, as it is written.
 pub(super) const HEADER: &str = "frame_num,rbt_ind,tx,ty,tz,rw,rx,ry,rz";
@@ -40,7 +41,7 @@ pub(super) fn plan(
             Token::Number(value) if value.is_finite() => row.push(bytes, piece.at, value),
             Token::Separator(_) if row.columns > 0 => Ok(()),
             Token::LineEnd => row.finish(bytes, piece.at, &mut counter),
-            _ => Err(not_a_number(bytes, piece, "a number")),
+            _ => Err(not_a_number(bytes, piece, texts::TEXT_EXPECTED_NUMBER)),
         };
         if outcome.is_err() {
             end = piece.at;
@@ -72,8 +73,8 @@ fn header(bytes: &[u8], at: usize, line: &[u8]) -> Result<FieldOrder, TextError>
         QUATERNION_FIRST_HEADER => Ok(FieldOrder::QuaternionFirst),
         _ => {
             let problem = TextProblem::Unexpected {
-                found: quoted(line.trim_ascii_end()),
-                expected: format!("the header {HEADER}"),
+                found: quoted(line.trim_ascii_end()).into(),
+                expected: texts::text_expected_header(HEADER).into(),
             };
             Err(TextError::new(bytes, at, problem))
         }
@@ -95,8 +96,8 @@ impl Row {
             self.at = at;
         }
         if self.columns == COLUMNS {
-            let expected = format!("the end of the line after {COLUMNS} numbers");
-            return Err(TextError::new(bytes, at, TextProblem::Unexpected { found: value.to_string(), expected }));
+            let (found, expected) = (value.into(), texts::text_found_end_of_line(COLUMNS).into());
+            return Err(TextError::new(bytes, at, TextProblem::Unexpected { found, expected }));
         }
         if let Some(index) = self.index.get_mut(self.columns) {
             (*index, self.index_at[self.columns]) = (value, at);
@@ -111,8 +112,9 @@ impl Row {
             0 => Ok(()),
             COLUMNS => counter.row(bytes, &row),
             found => {
-                let found = format!("the end of the line after {found} numbers");
-                let problem = TextProblem::Unexpected { found, expected: format!("{COLUMNS} numbers") };
+                let found = texts::text_found_end_of_line(found).into();
+                let expected = texts::text_expected_numbers(COLUMNS).into();
+                let problem = TextProblem::Unexpected { found, expected };
                 Err(TextError::new(bytes, at, problem))
             }
         }
@@ -133,9 +135,9 @@ struct Counter {
 impl Counter {
     fn row(&mut self, bytes: &[u8], row: &Row) -> Result<(), TextError> {
         let [frame_number, node] = row.index;
-        let unexpected = |column: usize, expected: String| {
+        let unexpected = |column: usize, expected: Argument| {
             let name = ["frame_num", "rbt_ind"][column];
-            let problem = TextProblem::Unexpected { found: format!("{name} {}", row.index[column]), expected };
+            let problem = TextProblem::Unexpected { found: format!("{name} {}", row.index[column]).into(), expected };
             TextError::new(bytes, row.index_at[column], problem)
         };
         let is_first = self.keyframes == 0 && self.in_keyframe == 0;
@@ -143,18 +145,17 @@ impl Counter {
         let next_node = self.in_keyframe as f32;
         if is_first {
             if frame_number.fract() != 0.0 {
-                return Err(unexpected(0, "a whole number".to_owned()));
+                return Err(unexpected(0, texts::TEXT_EXPECTED_WHOLE_NUMBER.into()));
             }
             self.frame_number = frame_number;
         } else if frame_number != self.frame_number {
             let nodes = self.in_keyframe;
             if nodes != self.nodes.unwrap_or(nodes) {
-                let expected = format!("rbt_ind {nodes} of frame_num {} before it", self.frame_number);
-                return Err(unexpected(0, expected));
+                return Err(unexpected(0, texts::text_expected_row(nodes, self.frame_number).into()));
             }
             self.whole(bytes)?;
             if frame_number != self.frame_number + 1.0 {
-                return Err(unexpected(0, format!("{}", self.frame_number + 1.0)));
+                return Err(unexpected(0, (self.frame_number + 1.0).into()));
             }
             (self.frame_number, self.in_keyframe) = (frame_number, 0);
             return self.node(node, 0.0, row, &unexpected);
@@ -167,10 +168,10 @@ impl Counter {
         node: f32,
         next: f32,
         row: &Row,
-        unexpected: &dyn Fn(usize, String) -> TextError,
+        unexpected: &dyn Fn(usize, Argument) -> TextError,
     ) -> Result<(), TextError> {
         if node != next || self.nodes == Some(self.in_keyframe) {
-            return Err(unexpected(1, format!("{next}")).or_next_frame(self.nodes == Some(self.in_keyframe)));
+            return Err(unexpected(1, next.into()).or_next_frame(self.nodes == Some(self.in_keyframe)));
         }
         self.in_keyframe += 1;
         self.row_at = row.at;
@@ -196,7 +197,7 @@ impl Counter {
         match self.nodes {
             Some(nodes) if nodes != self.in_keyframe => {
                 let found = (self.keyframes * nodes + self.in_keyframe) * 7;
-                let problem = TextProblem::Incomplete { found, nodes, width: 7, hint: String::new() };
+                let problem = TextProblem::Incomplete { found, nodes, width: 7, hint: None };
                 Err(TextError::new(bytes, bytes.len(), problem))
             }
             _ => self.whole(bytes).inspect(|()| self.in_keyframe = 0),
@@ -213,7 +214,7 @@ impl TextError {
     /// Where a frame is full, what is expected is the next.
     fn or_next_frame(mut self, is_full: bool) -> Self {
         if let (TextProblem::Unexpected { expected, .. }, true) = (&mut self.problem, is_full) {
-            "the next frame_num".clone_into(expected);
+            *expected = texts::TEXT_EXPECTED_NEXT_FRAME.into();
         }
         self
     }

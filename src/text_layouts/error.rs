@@ -2,11 +2,11 @@
 
 use thiserror::Error;
 
-use crate::text::{counted, line_and_column};
+use crate::text::line_and_column;
+use crate::words::{self, Argument, Message, display_by_message, texts};
 
 /// A text that cannot be read, and where.
 #[derive(Clone, Debug, Error, PartialEq)]
-#[error("line {line} column {column}: {problem}")]
 pub struct TextError {
     /// The line, from 1.
     pub line: usize,
@@ -28,30 +28,22 @@ impl TextError {
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum TextProblem {
     /// There is nothing to read.
-    #[error("the file is empty, expected keyframes")]
     Empty,
     /// The bytes are no text that this program reads.
-    #[error("the file is UTF-16, expected UTF-8: save it so")]
     Utf16,
     /// Something stands where something else belongs.
-    #[error("found {found}, expected {expected}")]
     Unexpected {
         /// What stands there, quoted, or `the end of the file`.
-        found: String,
+        found: Argument,
         /// What belongs there.
-        expected: String,
+        expected: Argument,
     },
     /// A number that is none, such as `nan`, or is beyond single precision.
-    #[error("{found:?} is not finite, expected a number")]
     NotFinite {
         /// What stands there.
         found: String,
     },
     /// The header and the rows do not agree.
-    #[error(
-        "the header says {keyframes} keyframes of {nodes} nodes, expected {} after it, found {}{hint}; --salvage takes the whole keyframes",
-        in_rows(*expected), in_rows(*found)
-    )]
     Header {
         /// How many keyframes it says.
         keyframes: usize,
@@ -61,14 +53,10 @@ pub enum TextProblem {
         expected: usize,
         /// How many there are.
         found: usize,
-        /// Where it may have gone wrong, as a part of the sentence; may be empty.
-        hint: String,
+        /// Where it may have gone wrong, as a part of the sentence; if it is known.
+        hint: Option<Message>,
     },
     /// The rows end within a keyframe.
-    #[error(
-        "found {found} numbers, {}, expected whole keyframes of {nodes} nodes with {width} numbers each{hint}; --salvage takes the whole keyframes",
-        in_keyframes(*found, nodes * width)
-    )]
     Incomplete {
         /// How many numbers there are.
         found: usize,
@@ -76,13 +64,10 @@ pub enum TextProblem {
         nodes: usize,
         /// How many numbers a node has.
         width: usize,
-        /// Where it may have gone wrong, as a part of the sentence; may be empty.
-        hint: String,
+        /// Where it may have gone wrong, as a part of the sentence; if it is known.
+        hint: Option<Message>,
     },
     /// A keyframe between marks is not as long as the others.
-    #[error(
-        "keyframe {keyframe} has {found} numbers, expected {expected}; --salvage takes the whole keyframes before it"
-    )]
     KeyframeLength {
         /// The keyframe, from 0.
         keyframe: usize,
@@ -92,33 +77,26 @@ pub enum TextProblem {
         expected: usize,
     },
     /// The keyframes are of another scene.
-    #[error("a keyframe has {found} nodes, expected {expected}")]
     NodeCount {
         /// How many it has.
         found: usize,
         /// How many this program can use, in words.
-        expected: String,
+        expected: Argument,
     },
     /// A rotation is not a unit quaternion.
-    #[error(
-        "keyframe {keyframe}, row {row}: the {four} four numbers have length {length}, expected a quaternion of length 1{hint}"
-    )]
     NotUnit {
         /// The keyframe, from 0.
         keyframe: usize,
         /// The row within it, from 0.
         row: usize,
-        /// `first` or `last`.
-        four: &'static str,
+        /// Whether they are the last four of the row, or the first.
+        is_last: bool,
         /// Their length.
         length: f32,
-        /// What is known of the other order, as a part of the sentence; may be empty.
-        hint: &'static str,
+        /// What is known of the other order, as a part of the sentence, if it is known.
+        hint: Option<Message>,
     },
     /// A matrix scales, shears or mirrors.
-    #[error(
-        "keyframe {keyframe}, node {row}: the matrix is not rigid, expected a rotation and a translation in column order"
-    )]
     NotRigid {
         /// The keyframe, from 0.
         keyframe: usize,
@@ -126,34 +104,82 @@ pub enum TextProblem {
         row: usize,
     },
     /// A dictionary is longer than what is read.
-    #[error("there are more than {limit} keys in one dictionary")]
     TooManyKeys {
         /// The most there can be.
         limit: usize,
     },
     /// Two keys of a dictionary are at one time.
-    #[error("a second key at {seconds} s, expected one at each time")]
     TwoAtOneTime {
         /// The time.
         seconds: f64,
     },
     /// There is not one whole keyframe to be saved.
-    #[error("there is not one whole keyframe to be salvaged")]
     NothingToSalvage,
 }
 
+display_by_message!(TextError, TextProblem);
+
+impl TextError {
+    /// What is wrong and where, as a message.
+    #[must_use]
+    pub fn message(&self) -> Message {
+        texts::text_at(self.line, self.column, self.problem.message())
+    }
+}
+
+impl TextProblem {
+    /// What is wrong, as a message without its place.
+    #[must_use]
+    pub fn message(&self) -> Message {
+        match self {
+            Self::Empty => texts::TEXT_EMPTY.into(),
+            Self::Utf16 => texts::TEXT_UTF_16.into(),
+            Self::Unexpected { found, expected } => texts::text_unexpected(found.clone(), expected.clone()),
+            Self::NotFinite { found } => texts::text_not_finite(words::quoted(found)),
+            Self::Header { keyframes, nodes, expected, found, hint } => {
+                texts::text_header(*keyframes, *nodes, in_rows(*expected), in_rows(*found), optional(hint.as_ref()))
+            }
+            Self::Incomplete { found, nodes, width, hint } => {
+                let keyframes = in_keyframes(*found, nodes * width);
+                texts::text_incomplete(*found, keyframes, *nodes, *width, optional(hint.as_ref()))
+            }
+            Self::KeyframeLength { keyframe, found, expected } => {
+                texts::text_keyframe_length(*keyframe, *found, *expected)
+            }
+            Self::NodeCount { found, expected } => texts::text_node_count(*found, expected.clone()),
+            Self::NotUnit { keyframe, row, is_last: true, length, hint } => {
+                texts::text_not_unit_last(*keyframe, *row, *length, optional(hint.as_ref()))
+            }
+            Self::NotUnit { keyframe, row, is_last: false, length, hint } => {
+                texts::text_not_unit_first(*keyframe, *row, *length, optional(hint.as_ref()))
+            }
+            Self::NotRigid { keyframe, row } => texts::text_not_rigid(*keyframe, *row),
+            Self::TooManyKeys { limit } => texts::text_too_many_keys(*limit),
+            Self::TwoAtOneTime { seconds } => texts::text_two_at_one_time(*seconds),
+            Self::NothingToSalvage => texts::TEXT_NOTHING_TO_SALVAGE.into(),
+        }
+    }
+}
+
+fn optional(hint: Option<&Message>) -> Argument {
+    hint.cloned().map_or_else(|| "".into(), Argument::from)
+}
+
 /// A count of numbers as rows of seven.
-pub(super) fn in_rows(numbers: usize) -> String {
-    let rows = counted(numbers / 7, "row");
+pub(super) fn in_rows(numbers: usize) -> Message {
+    let rows = texts::count_rows(numbers / 7);
     match numbers % 7 {
-        0 => format!("{rows} ({})", counted(numbers, "number")),
-        rest => format!("{rows} and {} ({numbers} in all)", counted(rest, "number")),
+        0 => texts::text_whole_rows(rows, texts::count_numbers(numbers)),
+        rest => texts::text_rows_and_more(rows, texts::count_numbers(rest), numbers),
     }
 }
 
 /// A count of numbers as keyframes.
-fn in_keyframes(numbers: usize, in_one: usize) -> String {
-    format!("{} and {}", counted(numbers / in_one, "whole keyframe"), counted(numbers % in_one, "number"))
+fn in_keyframes(numbers: usize, in_one: usize) -> Message {
+    texts::text_keyframes_and_more(
+        texts::count_whole_keyframes(numbers / in_one),
+        texts::count_numbers(numbers % in_one),
+    )
 }
 
 /// A piece of a text, quoted and short enough for a message.

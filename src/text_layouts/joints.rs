@@ -11,7 +11,8 @@ use super::plan::Plan;
 use super::report::Certainty;
 use crate::pose::RbtIndex;
 use crate::scene::SceneGraph;
-use crate::text::{counted, without_byte_order_mark};
+use crate::text::without_byte_order_mark;
+use crate::words::{self, Argument, texts};
 
 /// What is this much smaller than an offset's largest coordinate counts as 0.
 const ZERO_FRACTION: f32 = 0.1;
@@ -33,7 +34,7 @@ impl JointList {
     /// # Errors
     /// A path that is not the scene's or stands twice, and nodes of the scene that are missing.
     pub fn from_text(bytes: &[u8], scene: &SceneGraph) -> Result<Self, TextError> {
-        let error = |at, found: String, expected: String| {
+        let error = |at, found: Argument, expected: Argument| {
             TextError::new(bytes, at, TextProblem::Unexpected { found, expected })
         };
         let mut nodes = Vec::new();
@@ -45,13 +46,13 @@ impl JointList {
             match node {
                 _ if path.is_empty() => {}
                 None if path == b"-" => nodes.push(None),
-                None => return Err(error(at, quoted(path), "a path that `inbetween nodes` prints, or -".to_owned())),
+                None => return Err(error(at, quoted(path).into(), texts::TEXT_EXPECTED_PATH.into())),
                 Some(node) => {
                     if std::mem::replace(&mut is_named[node.get()], true) {
                         return Err(error(
                             at,
-                            format!("{} for the second time", quoted(path)),
-                            "each path once".to_owned(),
+                            texts::text_found_again(quoted(path)).into(),
+                            texts::TEXT_EXPECTED_PATH_ONCE.into(),
                         ));
                     }
                     nodes.push(Some(node));
@@ -61,7 +62,8 @@ impl JointList {
         }
         if let Some(missing) = is_named.iter().position(|is_named| !is_named) {
             let path = scene.rbt_path(RbtIndex::new(missing));
-            return Err(error(bytes.len(), "the end of the list".to_owned(), format!("{path:?} in it")));
+            let expected = texts::text_expected_in_list(words::quoted(path)).into();
+            return Err(error(bytes.len(), texts::TEXT_FOUND_END_OF_LIST.into(), expected));
         }
         Ok(Self { nodes })
     }
@@ -171,7 +173,7 @@ fn rest_named(own: usize, nodes: usize) -> String {
         2 => format!("{used} (two lights)"),
         3 => format!("{used} (two lights) and {} (a mesh or a bunny)", own + 2),
         4 => format!("{used} (two lights), {} and {} (a mesh and a bunny)", own + 2, own + 3),
-        more => format!("the first {own} are used, not {first} and the {} after it", counted(more - 1, "node")),
+        more => format!("the first {own} are used, not {first} and the {} after it", texts::count_nodes(more - 1)),
     }
 }
 

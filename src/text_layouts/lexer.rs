@@ -2,6 +2,7 @@
 
 use super::error::{TextError, TextProblem, quoted};
 use crate::text::without_byte_order_mark;
+use crate::words::{Phrase, texts};
 
 /// A part of a text.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -84,7 +85,7 @@ pub(super) fn numbers(bytes: &[u8], from: usize) -> impl Iterator<Item = (usize,
 }
 
 /// Why a number is not one that can be used, or a word stands where a number belongs.
-pub(super) fn not_a_number(bytes: &[u8], piece: Piece<'_>, expected: &str) -> TextError {
+pub(super) fn not_a_number(bytes: &[u8], piece: Piece<'_>, expected: Phrase) -> TextError {
     let rest = &bytes[piece.at..];
     let is_end = |&byte: &u8| is_blank(byte) || matches!(byte, b'\n' | b',' | b';');
     let length = rest.iter().position(is_end).unwrap_or(rest.len()).max(1).min(rest.len());
@@ -92,9 +93,12 @@ pub(super) fn not_a_number(bytes: &[u8], piece: Piece<'_>, expected: &str) -> Te
     let problem = if matches!(piece.token, Token::Number(_)) || is_not_finite(run) {
         TextProblem::NotFinite { found: String::from_utf8_lossy(&run[..length.min(40)]).into_owned() }
     } else if let Some(byte) = run.iter().find(|byte| byte.is_ascii_control()) {
-        TextProblem::Unexpected { found: format!("the byte {byte:#04x}"), expected: expected.to_owned() }
+        TextProblem::Unexpected {
+            found: texts::text_found_byte(format!("{byte:#04x}")).into(),
+            expected: expected.into(),
+        }
     } else {
-        TextProblem::Unexpected { found: quoted(run), expected: expected.to_owned() }
+        TextProblem::Unexpected { found: quoted(run).into(), expected: expected.into() }
     };
     TextError::new(bytes, piece.at, problem)
 }

@@ -7,7 +7,7 @@ use super::report::{Certainty, Finding};
 use super::structure::{Irregular, Structure, structure};
 use crate::rotation_rules::RECOGNISED;
 use crate::scene::SceneGraph;
-use crate::text::{counted, listed};
+use crate::words::{self, Argument, texts};
 
 /// The numbers of a row: a translation and a quaternion.
 const ROW: usize = 7;
@@ -55,8 +55,8 @@ pub(super) fn node_counts(scene: &SceneGraph, options: &Options) -> Vec<usize> {
 }
 
 /// The numbers of nodes in words: `22, 24, 25 or 26`.
-pub(super) fn in_words(counts: &[usize]) -> String {
-    listed(&counts.iter().map(ToString::to_string).collect::<Vec<_>>())
+pub(super) fn in_words(counts: &[usize]) -> Argument {
+    words::one_of(&counts.iter().map(ToString::to_string).collect::<Vec<_>>())
 }
 
 struct Planner<'a> {
@@ -157,8 +157,8 @@ impl Planner<'_> {
             (skip, first) = (2, first - 2);
         }
         if skip != 0 && skip != 2 {
-            let found = counted(skip, "number");
-            let expected = "a line \"frame [0]\", or a header of two numbers before it".to_owned();
+            let found = texts::count_numbers(skip).into();
+            let expected = texts::TEXT_EXPECTED_FRAME_OR_HEADER.into();
             return Err(self.error(structure.first_at, TextProblem::Unexpected { found, expected }));
         }
         let has_second = marks.blocks > 1;
@@ -251,7 +251,7 @@ impl Planner<'_> {
         let mut plan = self.new_plan(self.header_layout(), 2, nodes, keyframes);
         plan.find(
             Certainty::Sure,
-            format!("header: {} of {nodes} nodes, as many numbers as follow", counted(keyframes, "keyframe")),
+            format!("header: {} of {nodes} nodes, as many numbers as follow", texts::count_keyframes(keyframes)),
         );
         Ok(plan)
     }
@@ -293,7 +293,7 @@ impl Planner<'_> {
             }
             plan.find(Certainty::Warning, "salvaged: the last keyframe is not whole and is left out");
         }
-        let keyframes = counted(plan.keyframes, "keyframe");
+        let keyframes = texts::count_keyframes(plan.keyframes);
         if nodes == self.counts[0] {
             plan.find(
                 Certainty::Likely,

@@ -6,7 +6,7 @@ mod parser;
 use super::error::{TextError, TextProblem};
 use super::report::{Certainty, Report};
 use crate::json::{push_f32, push_f32s};
-use crate::text::counted;
+use crate::words::texts;
 use parser::{Keys, Parser, Value};
 
 /// Whether a text that begins with no blank is Python: a dictionary of keys, a name that one is given, an import or a comment before them.
@@ -37,15 +37,14 @@ pub(super) fn scene_from_keys(bytes: &[u8], at: usize) -> Result<(String, Report
     let mut parser = Parser::new(bytes, at);
     let keys = parser.keys()?;
     if keys.translations.is_empty() && keys.rotations.is_empty() && keys.scales.is_empty() {
-        let expected = "translate_keys, rotate_keys or scale_keys with at least one key".to_owned();
-        let problem = TextProblem::Unexpected { found: "the end of the file".to_owned(), expected };
+        let (found, expected) = (texts::TEXT_FOUND_END_OF_FILE.into(), texts::TEXT_EXPECTED_SOME_KEYS.into());
+        let problem = TextProblem::Unexpected { found, expected };
         return Err(TextError::new(bytes, bytes.len(), problem));
     }
-    let mut report = Report::new(format!(
-        "a control node with {}, {} and {}, layout python, as a scene",
-        counted(keys.translations.len(), "translation"),
-        counted(keys.rotations.len(), "rotation"),
-        counted(keys.scales.len(), "scale"),
+    let mut report = Report::new(texts::file_keys_summary(
+        texts::count_translations(keys.translations.len()),
+        texts::count_rotations(keys.rotations.len()),
+        texts::count_scales(keys.scales.len()),
     ));
     report.add(Certainty::Sure, "layout: Python dictionaries of keys; times in seconds");
     if keys.has_quaternions {

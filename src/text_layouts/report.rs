@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use crate::words::Message;
+
 /// How sure a finding is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Certainty {
@@ -41,13 +43,13 @@ pub struct Finding {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Report {
     /// What was read, as in `6 keyframes of 22 nodes, layout header, translation first`.
-    pub summary: String,
+    pub summary: Message,
     /// What was inferred, in the order in which it was.
     pub findings: Vec<Finding>,
 }
 
 impl Report {
-    pub(super) fn new(summary: String) -> Self {
+    pub(super) fn new(summary: Message) -> Self {
         Self { summary, findings: Vec::new() }
     }
 

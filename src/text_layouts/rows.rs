@@ -14,7 +14,7 @@ use crate::pose::RbtIndex;
 use crate::rbt::Rbt;
 use crate::rotation_rules::{Mending, NORMALISED, RECOGNISED};
 use crate::scene::SceneGraph;
-use crate::text::counted;
+use crate::words::texts;
 
 /// A row of the text and the byte at which it begins.
 type Row<const WIDTH: usize> = (usize, [f32; WIDTH]);
@@ -139,7 +139,7 @@ fn field_order(
     let tolerance = if options.order.is_some() { NORMALISED } else { RECOGNISED };
     let not_unit = first_not_unit(bytes, plan, tolerance);
     let is_possible = not_unit.map(|row| row.is_none());
-    let rows = counted(plan.keyframes * plan.nodes, "row");
+    let rows = texts::count_rows(plan.keyframes * plan.nodes);
     let order = match (options.order, is_possible) {
         (Some(order), _) => order,
         (None, [true, true]) => named.unwrap_or(FieldOrder::TranslationFirst),
@@ -153,11 +153,11 @@ fn field_order(
     };
     if let Some(NotUnit { row, at, length }) = not_unit[order as usize] {
         let (keyframe, row) = (row / plan.nodes, row % plan.nodes);
-        let four = if order == FieldOrder::TranslationFirst { "last" } else { "first" };
-        let hint = if options.order.is_some() { "" } else { "; nor are the other four unit in all rows" };
+        let is_last = order == FieldOrder::TranslationFirst;
+        let hint = options.order.is_none().then(|| texts::TEXT_HINT_NEITHER_ORDER.into());
         #[expect(clippy::cast_possible_truncation, reason = "it is for a message")]
         let length = length as f32;
-        let error = TextError::new(bytes, at, TextProblem::NotUnit { keyframe, row, four, length, hint });
+        let error = TextError::new(bytes, at, TextProblem::NotUnit { keyframe, row, is_last, length, hint });
         salvage(plan, keyframe, error, options)?;
     }
     let words = order.words();

@@ -2,6 +2,7 @@
 
 use super::error::{TextError, TextProblem, quoted};
 use super::lexer::{Lexer, Piece, Token, not_a_number};
+use crate::words::{Message, Phrase, texts};
 
 /// How many of the first numbers are kept: as many as a matrix has.
 const FIRST: usize = 16;
@@ -125,7 +126,7 @@ impl Marks {
     }
 }
 
-const NUMBER: &str = "a number";
+const NUMBER: Phrase = texts::TEXT_EXPECTED_NUMBER;
 
 /// Goes through a text of numbers, separators and marks.
 pub(super) fn structure(bytes: &[u8]) -> Structure {
@@ -199,18 +200,15 @@ impl Structure {
             Token::Word(word) if word.len() >= 5 && word[..5].eq_ignore_ascii_case(b"frame") => {
                 lexer.rest_of_line();
                 let number = frame_number(bytes, piece.at).ok_or_else(|| {
-                    let found = quoted(line_from(bytes, piece.at));
-                    let expected = "a line \"frame [0]\", with the keyframe's number in brackets".to_owned();
+                    let found = quoted(line_from(bytes, piece.at)).into();
+                    let expected = texts::TEXT_EXPECTED_FRAME_NUMBER.into();
                     TextError::new(bytes, piece.at, TextProblem::Unexpected { found, expected })
                 })?;
                 self.marks.frame(piece.at, number);
             }
             Token::Number(_) | Token::Word(_) => {
-                let expected = if self.numbers == 0 && self.marks.frames == 0 {
-                    "keyframes: numbers, a line \"frame [0]\", the header \"frame_num,rbt_ind,…\", keys as a Python dictionary, or JSON"
-                } else {
-                    NUMBER
-                };
+                let expected =
+                    if self.numbers == 0 && self.marks.frames == 0 { texts::TEXT_EXPECTED_KEYFRAMES } else { NUMBER };
                 return Err(not_a_number(bytes, piece, expected));
             }
         }
@@ -236,10 +234,10 @@ impl Structure {
     }
 
     /// Where the rows may have gone wrong, as a part of a sentence.
-    pub(super) fn hint(&self, bytes: &[u8]) -> String {
-        self.irregular_line.map_or_else(String::new, |Irregular { at, found, expected, .. }| {
+    pub(super) fn hint(&self, bytes: &[u8]) -> Option<Message> {
+        self.irregular_line.map(|Irregular { at, found, expected, .. }| {
             let line = TextError::new(bytes, at, TextProblem::Empty).line;
-            format!(" (line {line} has {found} numbers, those before it {expected})")
+            texts::text_hint_line(line, found, expected)
         })
     }
 }

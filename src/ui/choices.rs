@@ -3,7 +3,8 @@
 use super::words::Words;
 use crate::editor::{Command, Edit, Editor, FileCommand, ViewCommand, WindowCommand};
 use crate::interpolation::Interpolation;
-use crate::settings::{Language, SCALES, Settings, ThemeChoice};
+use crate::settings::{SCALES, Settings, ThemeChoice};
+use crate::words::{Language, texts};
 
 /// What a choice is of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,12 +27,12 @@ impl Topic {
     /// Its name.
     pub fn name(self, words: Words) -> &'static str {
         match self {
-            Self::Recent => words.say("Open recent"),
-            Self::Eye => words.say("Look from"),
-            Self::Interpolation => words.say("Interpolation"),
-            Self::Theme => words.say("Theme"),
-            Self::Language => words.say("Language"),
-            Self::Scale => words.say("Scale"),
+            Self::Recent => words.say(texts::OPEN_RECENT),
+            Self::Eye => words.say(texts::LOOK_FROM),
+            Self::Interpolation => words.say(texts::INTERPOLATION),
+            Self::Theme => words.say(texts::THEME),
+            Self::Language => words.say(texts::LANGUAGE),
+            Self::Scale => words.say(texts::SCALE),
         }
     }
 }
@@ -64,18 +65,18 @@ pub fn choices(editor: &Editor, settings: &Settings, words: Words) -> Vec<Choice
     for interpolation in Interpolation::ALL {
         let is_on = editor.document().interpolation == interpolation;
         let command = Command::Edit(Edit::SetInterpolation(interpolation));
-        add(Topic::Interpolation, words.say(interpolation.label()).to_owned(), command, is_on);
+        add(Topic::Interpolation, words.say(interpolation.title()).to_owned(), command, is_on);
     }
     for theme in ThemeChoice::ALL {
         let label = match theme {
-            ThemeChoice::System => words.say("As the system"),
-            ThemeChoice::Light => words.say("Light"),
-            ThemeChoice::Dark => words.say("Dark"),
+            ThemeChoice::System => words.say(texts::AS_THE_SYSTEM),
+            ThemeChoice::Light => words.say(texts::LIGHT),
+            ThemeChoice::Dark => words.say(texts::DARK),
         };
         let command = Command::Window(WindowCommand::SetTheme(theme));
         add(Topic::Theme, label.to_owned(), command, settings.theme == theme);
     }
-    for language in Language::ALL {
+    for language in Language::all() {
         let command = Command::Window(WindowCommand::SetLanguage(language));
         add(Topic::Language, language.name().to_owned(), command, settings.language == language);
     }

@@ -11,6 +11,7 @@ use super::theme::{CORNER, Tokens};
 use super::words::Words;
 use super::{PathPurpose, QuitAnswer, Shown, UiOutput};
 use crate::editor::{Command, FileCommand};
+use crate::words::texts;
 
 /// The question at hand.
 #[derive(Clone, Debug, PartialEq)]
@@ -88,13 +89,13 @@ fn at_width(ui: &mut Ui, contents: impl FnOnce(&mut Ui) -> bool) -> Outcome {
 fn path(ui: &mut Ui, purpose: PathPurpose, typed: &mut String, is_new: &mut bool, output: &mut UiOutput) -> bool {
     let words = Words::of(ui);
     let (heading, verb) = match purpose {
-        PathPurpose::Open => (words.say("Open a keyframe file"), words.say("Open")),
-        PathPurpose::SaveAs => (words.say("Save the keyframes as"), words.say("Save")),
-        PathPurpose::SaveSceneAs => (words.say("Save the scene as"), words.say("Save")),
+        PathPurpose::Open => (words.say(texts::OPEN_A_KEYFRAME_FILE), words.say(texts::OPEN)),
+        PathPurpose::SaveAs => (words.say(texts::SAVE_THE_KEYFRAMES_AS), words.say(texts::SAVE)),
+        PathPurpose::SaveSceneAs => (words.say(texts::SAVE_THE_SCENE_AS), words.say(texts::SAVE)),
     };
     ui.heading(heading);
     ui.add_space(8.0);
-    ui.label(RichText::new(words.say("Path of the file")).small().color(Tokens::of(ui).dim));
+    ui.label(RichText::new(words.say(texts::PATH_OF_THE_FILE)).small().color(Tokens::of(ui).dim));
     let hint = if purpose == PathPurpose::SaveSceneAs { "scene.json" } else { "animation.json" };
     let field = ui.add(TextEdit::singleline(typed).desired_width(f32::INFINITY).hint_text(hint));
     if std::mem::take(is_new) {
@@ -107,7 +108,7 @@ fn path(ui: &mut Ui, purpose: PathPurpose, typed: &mut String, is_new: &mut bool
     let mut is_cancelled = false;
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
         is_confirmed = ui.add_enabled(is_typed, primary(ui, verb)).clicked();
-        is_cancelled = ui.button(words.say("Cancel")).clicked();
+        is_cancelled = ui.button(words.say(texts::CANCEL)).clicked();
     });
     if entered || is_confirmed {
         let path = PathBuf::from(typed.trim());
@@ -125,30 +126,28 @@ fn quit(ui: &mut Ui, shown: Shown<'_>, output: &mut UiOutput) -> bool {
     let (changes, posing) = (editor.has_unsaved_changes(), editor.has_unsaved_posing());
     let words = Words::of(ui);
     ui.heading(if changes {
-        words.say("Save the changes before quitting?")
+        words.say(texts::SAVE_THE_CHANGES_BEFORE_QUITTING)
     } else if posing {
-        words.say("Quit without keeping the pose?")
+        words.say(texts::QUIT_WITHOUT_KEEPING_THE_POSE)
     } else {
-        words.say("Quit before the export is done?")
+        words.say(texts::QUIT_BEFORE_THE_EXPORT_IS_DONE)
     });
     ui.add_space(8.0);
     if editor.has_unsaved_keyframes() {
         let path = editor.path().display().to_string();
-        ui.label(words.fill("{} does not hold all of your keyframes and settings.", &[&path]));
+        ui.label(words.message(texts::keyframes_not_saved(&path)));
     }
     if editor.has_unsaved_scene() {
         ui.label(match editor.scene_path() {
-            Some(path) => {
-                words.fill("{} does not hold all of your control nodes and keys.", &[&path.display().to_string()])
-            }
-            None => words.say("The scene's control nodes and keys are in no file yet.").to_owned(),
+            Some(path) => words.message(texts::scene_not_saved(path.display().to_string())),
+            None => words.say(texts::THE_SCENES_CONTROL_NODES_AND_KEYS_ARE).to_owned(),
         });
     }
     if posing {
-        ui.label(words.say("The robots stand in a pose that no keyframe holds."));
+        ui.label(words.say(texts::THE_ROBOTS_STAND_IN_A_POSE_THAT));
     }
     if shown.is_exporting {
-        ui.label(words.say("An export is under way: nothing of it is kept."));
+        ui.label(words.say(texts::AN_EXPORT_IS_UNDER_WAY_NOTHING_OF));
     }
     ui.add_space(16.0);
     let mut is_cancelled = false;
@@ -166,13 +165,13 @@ fn quit(ui: &mut Ui, shown: Shown<'_>, output: &mut UiOutput) -> bool {
         };
         let can_keep = posing && !editor.is_playing();
         if can_keep {
-            answer(ui, words.say("Keep pose and save"), true, QuitAnswer::KeepPoseAndSave);
+            answer(ui, words.say(texts::KEEP_POSE_AND_SAVE), true, QuitAnswer::KeepPoseAndSave);
         }
         if changes {
-            answer(ui, words.say("Save"), !can_keep, QuitAnswer::Save);
+            answer(ui, words.say(texts::SAVE), !can_keep, QuitAnswer::Save);
         }
-        answer(ui, words.say("Discard"), false, QuitAnswer::Discard);
-        is_cancelled = ui.button(words.say("Cancel")).clicked();
+        answer(ui, words.say(texts::DISCARD), false, QuitAnswer::Discard);
+        is_cancelled = ui.button(words.say(texts::CANCEL)).clicked();
     });
     output.quit_answer.is_some() || is_cancelled
 }

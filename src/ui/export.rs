@@ -13,11 +13,10 @@ use super::icons::was_pressed;
 use super::theme::{CORNER, GRID, ROW, Tokens};
 use super::words::Words;
 use crate::editor::{Command, Editor, FileCommand};
-use crate::film::{
-    Encoder, ExportBackground, ExportOptions, FORMATS, Format, FormatProblem, listed, opaque, translucent,
-};
+use crate::film::{Encoder, ExportBackground, ExportOptions, FORMATS, Format};
 use crate::frame::MOST_GHOSTS;
 use crate::keyframe::{PlayRange, to_f64};
+use crate::words::texts;
 
 /// Width of the dialog, in points.
 const WIDTH: f32 = 460.0;
@@ -75,38 +74,39 @@ impl ExportDialog {
             *typed = options.path.to_string_lossy().into_owned();
         }
         ui.set_width(WIDTH);
-        ui.heading(words.say("Export a film"));
+        ui.heading(words.say(texts::EXPORT_A_FILM));
         ui.add_space(2.0 * GRID);
         Grid::new("export").num_columns(2).min_col_width(LABELS).spacing(vec2(2.0 * GRID, 1.5 * GRID)).show(ui, |ui| {
-            row(ui, words.say("Format"), |ui| format(ui, options, typed, words));
+            row(ui, words.say(texts::FORMAT), |ui| format(ui, options, typed, words));
             let is_folder = options.format.is_still();
-            let label = if is_folder { words.say("Folder") } else { words.say("File") };
+            let label = if is_folder { words.say(texts::FOLDER) } else { words.say(texts::FILE) };
             row(ui, label, |ui| {
-                let browse = Button::new(words.say("Browse…"));
+                let browse = Button::new(words.say(texts::BROWSE));
                 ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                     if was_pressed(&ui.add(browse)) {
                         let proposed = PathBuf::from(typed.trim());
                         commands.push(Command::File(FileCommand::ChooseExport { proposed, is_folder }));
                     }
                     let field = ui.add(TextEdit::singleline(typed).desired_width(f32::INFINITY));
-                    named(&field, Role::TextInput, words.say("Path"));
+                    named(&field, Role::TextInput, words.say(texts::PATH));
                     if !std::mem::replace(has_begun, true) {
                         field.request_focus();
                     }
                 });
             });
-            row(ui, words.say("Size"), |ui| size(ui, options, words));
-            row(ui, words.say("Frames a second"), |ui| {
-                number(ui, &mut options.fps, 1..=options.format.most_frames_per_second, words.say("Frames a second"));
+            row(ui, words.say(texts::SIZE), |ui| size(ui, options, words));
+            row(ui, words.say(texts::FRAMES_A_SECOND), |ui| {
+                let most = options.format.most_frames_per_second;
+                number(ui, &mut options.fps, 1..=most, words.say(texts::FRAMES_A_SECOND));
             });
-            row(ui, words.say("Key times"), |ui| range(ui, options, shown.editor, words));
-            row(ui, words.say("Camera"), |ui| camera(ui, options, shown.editor, words));
-            row(ui, words.say("Ghosts"), |ui| {
-                let hint = words.say("Neighbouring keyframes on each side, translucent");
-                number(ui, &mut options.ghosts, 0..=MOST_GHOSTS, words.say("Ghosts")).on_hover_text(hint);
+            row(ui, words.say(texts::KEY_TIMES), |ui| range(ui, options, shown.editor, words));
+            row(ui, words.say(texts::CAMERA), |ui| camera(ui, options, shown.editor, words));
+            row(ui, words.say(texts::GHOSTS), |ui| {
+                let hint = words.say(texts::NEIGHBOURING_KEYFRAMES_ON_EACH_SIDE_TRANSLUCENT);
+                number(ui, &mut options.ghosts, 0..=MOST_GHOSTS, words.say(texts::GHOSTS)).on_hover_text(hint);
             });
-            row(ui, words.say("Background"), |ui| background(ui, options, words));
-            row(ui, words.say("Samples a pixel"), |ui| samples(ui, options, words));
+            row(ui, words.say(texts::BACKGROUND), |ui| background(ui, options, words));
+            row(ui, words.say(texts::SAMPLES_A_PIXEL), |ui| samples(ui, options, words));
         });
         ui.add_space(2.0 * GRID);
         let problem = problem(options, shown.editor, is_busy, words);
@@ -120,8 +120,8 @@ impl ExportDialog {
         let (mut is_confirmed, mut is_cancelled) = (false, false);
         let can = problem.is_none() && !typed.trim().is_empty();
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            is_confirmed = ui.add_enabled(can, primary(ui, words.say("Export"))).clicked();
-            is_cancelled = ui.button(words.say("Cancel")).clicked();
+            is_confirmed = ui.add_enabled(can, primary(ui, words.say(texts::EXPORT))).clicked();
+            is_cancelled = ui.button(words.say(texts::CANCEL)).clicked();
         });
         if is_confirmed {
             options.path = options.format.film_path(Path::new(typed.trim()));
@@ -184,14 +184,14 @@ fn choose<T: PartialEq + Copy>(ui: &mut Ui, name: &str, value: &mut T, all: &[(T
 
 fn format(ui: &mut Ui, options: &mut ExportOptions, typed: &mut String, words: Words) {
     let label = |format: &Format| match format.encoder {
-        Encoder::Still(_) => words.fill("{} frames in a folder", &[format.name]),
+        Encoder::Still(_) => words.message(texts::frames_in_a_folder(format.name)),
         Encoder::Film(_) => format.name.to_owned(),
-        Encoder::Ffmpeg(_) => words.fill("{} (through ffmpeg)", &[format.name]),
+        Encoder::Ffmpeg(_) => words.message(texts::through_ffmpeg(format.name)),
     };
     let before = options.format;
     let labels = FORMATS.map(|format| (format, label(format)));
     let all: Vec<(&'static Format, &str)> = labels.iter().map(|(format, label)| (*format, label.as_str())).collect();
-    if choose(ui, words.say("Format"), &mut options.format, &all) {
+    if choose(ui, words.say(texts::FORMAT), &mut options.format, &all) {
         *typed = options.format.film_path(Path::new(typed.trim())).to_string_lossy().into_owned();
         if options.fps == before.usual_frames_per_second {
             options.fps = options.format.usual_frames_per_second;
@@ -201,16 +201,17 @@ fn format(ui: &mut Ui, options: &mut ExportOptions, typed: &mut String, words: W
 
 fn size(ui: &mut Ui, options: &mut ExportOptions, words: Words) {
     let [width, height] = &mut options.size;
-    number(ui, width, 1..=ExportOptions::LONGEST_SIDE, words.say("Width"));
+    number(ui, width, 1..=ExportOptions::LONGEST_SIDE, words.say(texts::WIDTH));
     ui.label("×");
-    number(ui, height, 1..=ExportOptions::LONGEST_SIDE, words.say("Height"));
+    number(ui, height, 1..=ExportOptions::LONGEST_SIDE, words.say(texts::HEIGHT));
     let labels = SIZES.map(|[width, height]| format!("{width}×{height}"));
-    let response = ComboBox::from_id_salt("sizes").selected_text(words.say("Sizes")).width(96.0).show_ui(ui, |ui| {
-        for (size, label) in SIZES.iter().zip(&labels) {
-            ui.selectable_value(&mut options.size, *size, label);
-        }
-    });
-    named(&response.response, Role::ComboBox, words.say("Sizes"));
+    let response =
+        ComboBox::from_id_salt("sizes").selected_text(words.say(texts::SIZES)).width(96.0).show_ui(ui, |ui| {
+            for (size, label) in SIZES.iter().zip(&labels) {
+                ui.selectable_value(&mut options.size, *size, label);
+            }
+        });
+    named(&response.response, Role::ComboBox, words.say(texts::SIZES));
 }
 
 fn range(ui: &mut Ui, options: &mut ExportOptions, editor: &Editor, words: Words) {
@@ -221,27 +222,27 @@ fn range(ui: &mut Ui, options: &mut ExportOptions, editor: &Editor, words: Words
         return;
     };
     let mut is_whole = options.range.is_none();
-    if ui.checkbox(&mut is_whole, words.say("All that plays")).changed() {
+    if ui.checkbox(&mut is_whole, words.say(texts::ALL_THAT_PLAYS)).changed() {
         options.range = (!is_whole).then_some([0.0, last]);
     }
     if let Some([from, to]) = &mut options.range {
         *to = to.clamp(0.0, last);
         *from = from.clamp(0.0, *to);
-        ui.label(words.say("from"));
-        number(ui, from, 0.0..=*to, words.say("from"));
-        ui.label(words.say("to"));
-        number(ui, to, *from..=last, words.say("to"));
+        ui.label(words.say(texts::FROM));
+        number(ui, from, 0.0..=*to, words.say(texts::FROM));
+        ui.label(words.say(texts::TO));
+        number(ui, to, *from..=last, words.say(texts::TO));
     }
 }
 
 fn camera(ui: &mut Ui, options: &mut ExportOptions, editor: &Editor, words: Words) {
     let scene = editor.scene();
     let eyes = scene.eyes().iter().map(|&eye| (Some(scene.rbt_path(eye)), scene.rbt_path(eye)));
-    let all: Vec<(Option<&str>, &str)> = eyes.chain([(Some("turntable"), words.say("Turntable"))]).collect();
+    let all: Vec<(Option<&str>, &str)> = eyes.chain([(Some("turntable"), words.say(texts::TURNTABLE))]).collect();
     let known = all.iter().map(|(path, _)| *path).find(|path| *path == options.camera.as_deref());
     // At first as one looks now.
     let mut chosen = known.unwrap_or(all[editor.session().eye].0);
-    if choose(ui, words.say("Camera"), &mut chosen, &all) || known.is_none() {
+    if choose(ui, words.say(texts::CAMERA), &mut chosen, &all) || known.is_none() {
         options.camera = chosen.map(str::to_owned);
     }
 }
@@ -252,45 +253,38 @@ fn background(ui: &mut Ui, options: &mut ExportOptions, words: Words) {
         _ => COLOUR,
     };
     let all = [
-        (ExportBackground::Sky, words.say("Sky")),
-        (ExportBackground::Colour(colour), words.say("Colour")),
-        (ExportBackground::Transparent, words.say("Transparent")),
+        (ExportBackground::Sky, words.say(texts::SKY)),
+        (ExportBackground::Colour(colour), words.say(texts::COLOUR)),
+        (ExportBackground::Transparent, words.say(texts::TRANSPARENT)),
     ];
-    choose(ui, words.say("Background"), &mut options.background, &all);
+    choose(ui, words.say(texts::BACKGROUND), &mut options.background, &all);
     if matches!(options.background, ExportBackground::Colour(_)) && ui.color_edit_button_srgb(&mut colour).changed() {
         options.background = ExportBackground::Colour(colour);
     }
 }
 
 fn samples(ui: &mut Ui, options: &mut ExportOptions, words: Words) {
-    let all = [(None, words.say("As suits the graphics adapter")), (Some(1), "1"), (Some(4), "4")];
-    choose(ui, words.say("Samples a pixel"), &mut options.samples, &all);
+    let all = [(None, words.say(texts::AS_SUITS_THE_GRAPHICS_ADAPTER)), (Some(1), "1"), (Some(4), "4")];
+    choose(ui, words.say(texts::SAMPLES_A_PIXEL), &mut options.samples, &all);
 }
 
 /// Why there can be no such film; a sentence.
 fn problem(options: &ExportOptions, editor: &Editor, is_busy: bool, words: Words) -> Option<String> {
     if is_busy {
-        return Some(words.say("An export is under way: this one can begin when it is done.").to_owned());
+        return Some(words.say(texts::FILE_EXPORT_BEGUN_ALREADY).to_owned());
     }
     let keyframes = &editor.document().keyframes;
     if keyframes.is_empty() {
         let is_moving = editor.scene().last_second().is_some() || options.camera.as_deref() == Some("turntable");
-        let sentence = words.say("Nothing moves: make 4 keyframes, or let the turntable go around.");
+        let sentence = words.say(texts::NOTHING_MOVES_MAKE_4_KEYFRAMES_OR_LET);
         return (!is_moving).then(|| sentence.to_owned());
     }
     if PlayRange::new(keyframes).is_err() {
-        return Some(words.say("Fewer than 4 keyframes: there is nothing to make a film of yet.").to_owned());
+        return Some(words.say(texts::FEWER_THAN_4_KEYFRAMES_THERE_IS_NOTHING).to_owned());
     }
     let is_seen_through = options.background == ExportBackground::Transparent;
     let problem = options.format.problem(options.size, Some(options.fps), is_seen_through)?;
-    let said = match problem {
-        FormatProblem::NoOpacity => {
-            let [opaque, translucent] = [opaque(), translucent()].map(|names| listed(&names, words.say(" and ")));
-            words.fill("{} have no opacity: a transparent background is for {}", &[&opaque, &translucent])
-        }
-        FormatProblem::Limit(limit) => words.say(limit).to_owned(),
-        FormatProblem::NoPicture => problem.to_string(),
-    };
+    let said = words.message(problem.message());
     let mut letters = said.chars();
     letters.next().map(|first| format!("{}{}.", first.to_uppercase(), letters.as_str().trim_end_matches('.')))
 }
@@ -303,7 +297,7 @@ fn summary(options: &ExportOptions, editor: &Editor, words: Words) -> String {
     let [from, to] = options.range.unwrap_or(whole).map(|key_time| to_f64(&played.timing().elapsed_at(key_time)));
     let seconds = (to - from).max(0.0) * f64::from(document.ms_between_keyframes) / 1000.0;
     let frames = (seconds * f64::from(options.fps) - 1e-6).ceil().max(0.0) + 1.0;
-    words.fill("{} frames, {} seconds", &[&frames.to_string(), &format!("{seconds:.2}")])
+    words.message(texts::export_length(frames.to_string(), format!("{seconds:.2}")))
 }
 
 /// Shows how far an export is, at the top right of the 3D view, with a button that ends it.
@@ -324,7 +318,7 @@ pub fn show_progress(ui: &Ui, viewport: egui::Rect, exporting: &Exporting, comma
             frame.show(ui, |ui| {
                 ui.set_width(PROGRESS);
                 let name = exporting.path.file_name().unwrap_or(exporting.path.as_os_str()).to_string_lossy();
-                let text = RichText::new(words.fill("Exporting {}", &[&name]));
+                let text = RichText::new(words.message(texts::exporting(&*name)));
                 ui.add(Label::new(text).truncate()).on_hover_text(exporting.path.display().to_string());
                 let share = exporting.done as f32 / exporting.count.max(1) as f32;
                 let bar = ProgressBar::new(share).desired_height(6.0).corner_radius(3).fill(tokens.accent);
@@ -332,13 +326,13 @@ pub fn show_progress(ui: &Ui, viewport: egui::Rect, exporting: &Exporting, comma
                 ui.horizontal(|ui| {
                     let (done, count) = (exporting.done.to_string(), exporting.count.to_string());
                     let text = match (exporting.is_ending, exporting.count) {
-                        (true, _) => words.say("Ending…").to_owned(),
-                        (false, 0) => words.say("Beginning…").to_owned(),
-                        (false, _) => words.fill("frame {} of {}", &[&done, &count]),
+                        (true, _) => words.say(texts::ENDING).to_owned(),
+                        (false, 0) => words.say(texts::BEGINNING).to_owned(),
+                        (false, _) => words.message(texts::export_frame(&done, &count)),
                     };
                     ui.label(RichText::new(text).small().color(tokens.dim));
                     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                        let cancel = ui.add_enabled(!exporting.is_ending, Button::new(words.say("Cancel export")));
+                        let cancel = ui.add_enabled(!exporting.is_ending, Button::new(words.say(texts::CANCEL_EXPORT)));
                         if was_pressed(&cancel) {
                             commands.push(Command::File(FileCommand::CancelExport));
                         }

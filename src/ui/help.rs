@@ -8,17 +8,18 @@ use super::theme::{CORNER, Tokens, number_font};
 use super::words::Words;
 use crate::editor::keymap::{Binding, Chord, Group};
 use crate::editor::{Command, ViewCommand};
+use crate::words::{Argument, texts};
 
 /// What the mouse does over the scene, as (gesture, meaning).
 fn mouse(words: Words) -> [(&'static str, &'static str); 7] {
     [
-        (words.say("Left drag"), words.say("Turn, by the arcball")),
-        (words.say("Right drag"), words.say("Move in the view's plane")),
-        (words.say("Middle drag"), words.say("Move along the view")),
-        (words.say("Left+right drag"), words.say("Move along the view")),
-        (words.say("Space+left drag"), words.say("Move along the view")),
-        (words.say("Wheel"), words.say("Move along the view")),
-        (words.say("Ctrl+click"), words.say("Choose the node to move; the ground chooses none")),
+        (words.say(texts::LEFT_DRAG), words.say(texts::TURN_BY_THE_ARCBALL)),
+        (words.say(texts::RIGHT_DRAG), words.say(texts::MOVE_IN_THE_VIEWS_PLANE)),
+        (words.say(texts::MIDDLE_DRAG), words.say(texts::MOVE_ALONG_THE_VIEW)),
+        (words.say(texts::LEFT_RIGHT_DRAG), words.say(texts::MOVE_ALONG_THE_VIEW)),
+        (words.say(texts::SPACE_LEFT_DRAG), words.say(texts::MOVE_ALONG_THE_VIEW)),
+        (words.say(texts::WHEEL), words.say(texts::MOVE_ALONG_THE_VIEW)),
+        (words.say(texts::CTRL_CLICK), words.say(texts::CHOOSE_THE_NODE_TO_MOVE_THE_GROUND)),
     ]
 }
 
@@ -107,7 +108,7 @@ const fn points(letters: usize) -> f32 {
 
 fn mouse_group(ui: &mut Ui, width: f32) {
     let words = Words::of(ui);
-    heading(ui, words.say("Mouse over the scene"));
+    heading(ui, words.say(texts::MOUSE_OVER_THE_SCENE));
     for (gesture, meaning) in mouse(words) {
         row(ui, &[gesture.to_owned()], meaning, width);
     }
@@ -115,10 +116,10 @@ fn mouse_group(ui: &mut Ui, width: f32) {
 
 fn close(ui: &mut Ui, bindings: &[Binding], commands: &mut Vec<Command>) {
     let help = binding_of(bindings, &Command::View(ViewCommand::ToggleHelp)).map(Binding::menu_key);
-    let keys = Words::of(ui).fill("{} or Esc", &[&help.unwrap_or_default()]);
+    let keys = Words::of(ui).message(texts::key_or_escape(help.unwrap_or_default()));
     ui.add_space(16.0);
     ui.allocate_ui_with_layout(vec2(COLUMN, 24.0), egui::Layout::right_to_left(egui::Align::Center), |ui| {
-        if was_pressed(&ui.button(Words::of(ui).say("Close"))) {
+        if was_pressed(&ui.button(Words::of(ui).say(texts::CLOSE))) {
             commands.push(Command::View(ViewCommand::ToggleHelp));
         }
         ui.label(RichText::new(keys).small().color(Tokens::of(ui).dim));
@@ -131,7 +132,7 @@ fn group(ui: &mut Ui, bindings: &[Binding], group: Group, width: f32) {
     // What has no key stands in the menus and in the list of commands.
     for binding in bindings.iter().filter(|binding| binding.group == group && !binding.chords.is_empty()) {
         let keys: Vec<String> = binding.chords.iter().map(Chord::label).collect();
-        row(ui, &keys, words.say(binding.help), width);
+        row(ui, &keys, words.say(binding.explanation()), width);
     }
     ui.add_space(12.0);
 }
@@ -159,7 +160,8 @@ fn row(ui: &mut Ui, keys: &[String], meaning: &str, width: f32) {
         let galley = ui.painter().layout(meaning.to_owned(), egui::FontId::proportional(12.0), tokens.text, sentences);
         let height = galley.size().y.max(LINE);
         let (rect, response) = ui.allocate_exact_size(vec2(sentences, height), Sense::hover());
-        let label = format!("{}: {meaning}", keys.join(Words::of(ui).say(" or ")));
+        let either = keys.iter().map(Argument::from).reduce(|one, other| texts::key_or_key(one, other).into());
+        let label = Words::of(ui).message(texts::key_does(either.unwrap_or_else(|| "".into()), meaning));
         response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Label, true, &label));
         ui.painter().galley(rect.left_top() + vec2(0.0, (height - galley.size().y) / 2.0), galley, tokens.text);
     });

@@ -9,6 +9,7 @@ use super::theme::{GRID, ROW, Tokens};
 use super::words::Words;
 use crate::editor::keymap::Keymap;
 use crate::editor::{Command, Edit, Editor, GestureCommand, PlaybackCommand};
+use crate::words::texts;
 
 /// Scene units for each point that a number is dragged.
 const UNITS_PER_POINT: f32 = 0.01;
@@ -25,7 +26,7 @@ pub fn show(ui: &mut Ui, editor: &Editor, angles: &mut ShownAngles, keymap: &Key
     ui.horizontal(|ui| {
         ui.label(RichText::new(&node.name).strong().size(14.0));
         let what = match (editor.session().chosen, node.path.rsplit_once('/')) {
-            (None, _) => words.say("the eye; nothing is chosen"),
+            (None, _) => words.say(texts::THE_EYE_NOTHING_IS_CHOSEN),
             (Some(_), Some((above, _))) => above,
             (Some(_), None) => "",
         };
@@ -35,30 +36,33 @@ pub fn show(ui: &mut Ui, editor: &Editor, angles: &mut ShownAngles, keymap: &Key
     ui.add_enabled_ui(!editor.is_playing(), |ui| {
         let parent_from_node = editor.displayed_pose().get(rbt);
 
-        label(ui, words.say("Translation"));
+        label(ui, words.say(texts::TRANSLATION));
         let mut translation = parent_from_node.translation.to_array();
         let names = ["x", "y", "z"];
         if let Some(changed) =
-            numbers(ui, words.say("Translation"), &names, &mut translation, UNITS_PER_POINT, 3, commands)
+            numbers(ui, words.say(texts::TRANSLATION), &names, &mut translation, UNITS_PER_POINT, 3, commands)
         {
             finish(&changed, Command::Edit(Edit::SetTranslation(rbt, Vec3::from(translation))), commands);
         }
 
-        label(ui, words.say("Rotation, degrees"));
+        label(ui, words.say(texts::ROTATION_DEGREES));
         let mut degrees = angles.of(rbt, parent_from_node.rotation);
-        let names = [words.say("yaw"), words.say("pitch"), words.say("roll")];
-        if let Some(changed) = numbers(ui, words.say("Rotation"), &names, &mut degrees, DEGREES_PER_POINT, 1, commands)
+        let names = [words.say(texts::YAW), words.say(texts::PITCH), words.say(texts::ROLL)];
+        if let Some(changed) =
+            numbers(ui, words.say(texts::ROTATION), &names, &mut degrees, DEGREES_PER_POINT, 1, commands)
         {
             angles.set(rbt, degrees);
             let rotation = rotation_from_degrees(degrees);
             finish(&changed, Command::Edit(Edit::SetRotation(rbt, rotation)), commands);
         }
 
-        label(ui, words.say("Quaternion"));
+        label(ui, words.say(texts::QUATERNION));
         let before = parent_from_node.rotation.to_array();
         let mut parts = before;
         let names = ["x", "y", "z", "w"];
-        if let Some(changed) = numbers(ui, words.say("Quaternion"), &names, &mut parts, UNITS_PER_POINT, 3, commands) {
+        if let Some(changed) =
+            numbers(ui, words.say(texts::QUATERNION), &names, &mut parts, UNITS_PER_POINT, 3, commands)
+        {
             let component = (0..4).find(|&place| parts[place].to_bits() != before[place].to_bits());
             let rotation = component.map_or(parent_from_node.rotation, |place| {
                 with_component(parent_from_node.rotation, place, parts[place])
@@ -69,11 +73,11 @@ pub fn show(ui: &mut Ui, editor: &Editor, angles: &mut ShownAngles, keymap: &Key
     let hint = if editor.is_playing() {
         let key = |command| key_of(keymap, &Command::Playback(command));
         let (stop, pause) = (key(PlaybackCommand::PlayOrStop), key(PlaybackCommand::PauseOrResume));
-        words.fill("Stop ({}) or pause ({}) to change these.", &[&stop, &pause])
+        words.message(texts::stop_or_pause_to_change(&stop, &pause))
     } else if editor.session().chosen.is_none() {
-        words.say("Ctrl+click a part to choose it.").to_owned()
+        words.say(texts::CTRL_CLICK_A_PART_TO_CHOOSE_IT).to_owned()
     } else {
-        words.say("Drag the numbers, or click and type.").to_owned()
+        words.say(texts::DRAG_THE_NUMBERS_OR_CLICK_AND_TYPE).to_owned()
     };
     ui.add_space(GRID);
     ui.label(RichText::new(hint).small().color(tokens.dim));
@@ -138,7 +142,7 @@ fn number(ui: &mut Ui, name: &str, value: &mut f32, per_point: f32, decimals: us
         .update_while_editing(false);
     let response = ui.add_sized(vec2(width, ROW), number);
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::SpinButton, ui.is_enabled(), name));
-    response.on_hover_text(Words::of(ui).fill("{}: drag, or click and type", &[name]))
+    response.on_hover_text(Words::of(ui).message(texts::drag_or_type(name)))
 }
 
 fn finish(changed: &Changed, command: Command, commands: &mut Vec<Command>) {

@@ -8,6 +8,7 @@ use super::theme::{GRID, ROW, Tokens, text_font};
 use super::words::Words;
 use crate::editor::keymap::{Binding, Chord, Group, Key, Modifiers, NAMED_KEYS, can_change, chords_of_table};
 use crate::editor::{Command, WindowCommand};
+use crate::words::texts;
 
 /// Width of the dialog, in points.
 const WIDTH: f32 = 560.0;
@@ -49,9 +50,9 @@ impl KeysDialog {
                 None => {}
             }
         }
-        ui.heading(words.say("Keys"));
+        ui.heading(words.say(texts::KEYS));
         ui.add_space(2.0);
-        let hint = words.say("Click a key, then press another. Esc keeps it, Backspace removes it.");
+        let hint = words.say(texts::CLICK_A_KEY_THEN_PRESS_ANOTHER_ESC);
         ui.label(RichText::new(hint).small().color(Tokens::of(ui).dim));
         ui.add_space(2.0 * GRID);
         let room = (ui.ctx().content_rect().height() - 260.0).clamp(120.0, 420.0);
@@ -72,11 +73,11 @@ impl KeysDialog {
             egui::Label::new(RichText::new(refused).color(Tokens::of(ui).error)).halign(Align::Min).truncate(),
         );
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            if ui.button(words.say("Close")).clicked() {
+            if ui.button(words.say(texts::CLOSE)).clicked() {
                 outcome = Outcome::IsOver;
             }
             let is_changed = !shown.keymap.changes().is_empty();
-            if ui.add_enabled(is_changed, Button::new(words.say("Reset all"))).clicked() {
+            if ui.add_enabled(is_changed, Button::new(words.say(texts::RESET_ALL))).clicked() {
                 self.begin(None);
                 commands.push(Command::Window(WindowCommand::ResetAllKeys));
             }
@@ -85,14 +86,14 @@ impl KeysDialog {
     }
 
     fn row(&mut self, ui: &mut Ui, binding: &Binding, words: Words, commands: &mut Vec<Command>) {
-        let name = words.say(binding.name);
+        let name = words.say(binding.title());
         ui.horizontal(|ui| {
             ui.set_height(ROW + 2.0);
             let (rect, label) = ui.allocate_exact_size(vec2(220.0, ROW), egui::Sense::hover());
             label.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Label, true, name));
             let at = rect.left_center() + vec2(8.0, 0.0);
             ui.painter().text(at, egui::Align2::LEFT_CENTER, name, text_font(), Tokens::of(ui).text);
-            label.on_hover_text(words.say(binding.help));
+            label.on_hover_text(words.say(binding.explanation()));
             let is_fixed = !can_change(binding);
             for (place, chord) in binding.chords.iter().enumerate() {
                 self.cap(ui, binding, place, &chord.label(), is_fixed, words);
@@ -102,8 +103,8 @@ impl KeysDialog {
                 self.cap(ui, binding, next, "", false, words);
             }
             if !is_fixed && binding.chords != chords_of_table(binding.id) {
-                let reset = ui.button(RichText::new(words.say("Reset")).small());
-                let says = words.fill("Reset the keys of {}", &[name]);
+                let reset = ui.button(RichText::new(words.say(texts::RESET)).small());
+                let says = words.message(texts::reset_keys_of(name));
                 reset.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, &says));
                 if was_pressed(&reset) {
                     self.begin(None);
@@ -118,7 +119,7 @@ impl KeysDialog {
         let tokens = Tokens::of(ui);
         let is_waiting = self.waiting == Some((binding.id, place));
         let text = if is_waiting {
-            RichText::new(words.say("Press a key…")).color(tokens.accent)
+            RichText::new(words.say(texts::PRESS_A_KEY)).color(tokens.accent)
         } else {
             RichText::new(label).monospace()
         };
@@ -131,11 +132,11 @@ impl KeysDialog {
         if is_more && !is_waiting {
             paint(ui.painter(), Icon::More, response.rect.center(), tokens.dim);
         }
-        let name = words.say(binding.name);
+        let name = words.say(binding.title());
         let says = if is_more {
-            words.fill("{}: one more key", &[name])
+            words.message(texts::one_more_key_of(name))
         } else {
-            words.fill("{}: change the key {}", &[name, label])
+            words.message(texts::change_key_of(name, label))
         };
         response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, !is_fixed, &says));
         if response.clicked() {
@@ -168,7 +169,7 @@ impl KeysDialog {
             chords.insert(place.min(chords.len()), chord);
         }
         match shown.keymap.clash(id, &chords) {
-            Some(error) => self.refused = Some(words.message(&error.to_string())),
+            Some(error) => self.refused = Some(words.message(error.message())),
             None => commands.push(Command::Window(WindowCommand::SetKeys(id, chords))),
         }
     }

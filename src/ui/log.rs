@@ -11,6 +11,7 @@ use super::icons::{Icon, paint, was_pressed};
 use super::theme::{CORNER, GRID, Tokens};
 use super::words::Words;
 use crate::editor::{Command, Message, Said, Severity, WindowCommand};
+use crate::words::texts;
 
 /// How many messages are kept.
 const MOST_ENTRIES: usize = 2000;
@@ -94,7 +95,7 @@ impl Log {
     }
 
     fn toast(&mut self, message: &Message, now: f64) {
-        let lasts = match message.severity {
+        let lasts = match message.severity() {
             Severity::Information => return,
             Severity::Outcome => RESULT,
             Severity::Error => ERROR,
@@ -149,7 +150,7 @@ impl Log {
         }
         let words = Words::of_context(context);
         let mut is_open = true;
-        egui::Window::new(words.say("Messages"))
+        egui::Window::new(words.say(texts::MESSAGES))
             .id(Id::unique("messages"))
             .open(&mut is_open)
             .collapsible(false)
@@ -168,15 +169,15 @@ impl Log {
         let tokens = Tokens::of(ui);
         ui.horizontal(|ui| {
             let can_copy = !self.entries.is_empty();
-            if was_pressed(&ui.add_enabled(can_copy, egui::Button::new(words.say("Copy all")))) {
+            if was_pressed(&ui.add_enabled(can_copy, egui::Button::new(words.say(texts::COPY_ALL)))) {
                 ui.ctx().copy_text(self.text(words));
             }
-            let hint = words.say("Minutes and seconds since the start");
+            let hint = words.say(texts::MINUTES_AND_SECONDS_SINCE_THE_START);
             ui.label(RichText::new(hint).small().color(tokens.dim));
         });
         ui.separator();
         if self.entries.is_empty() {
-            ui.label(RichText::new(words.say("Nothing was said yet.")).color(tokens.dim));
+            ui.label(RichText::new(words.say(texts::NOTHING_WAS_SAID_YET)).color(tokens.dim));
         }
         let line = 18.0;
         ScrollArea::both().auto_shrink(false).stick_to_bottom(true).show_rows(
@@ -188,8 +189,8 @@ impl Log {
                     ui.horizontal(|ui| {
                         ui.set_height(line);
                         ui.label(RichText::new(time_text(entry.at)).monospace().color(tokens.dim));
-                        let text = RichText::new(words.message(&entry.message.text))
-                            .color(colour(entry.message.severity, tokens));
+                        let text = RichText::new(words.message(&entry.message))
+                            .color(colour(entry.message.severity(), tokens));
                         ui.add(Label::new(text).selectable(true).extend());
                     });
                 }
@@ -198,7 +199,7 @@ impl Log {
     }
 
     fn text(&self, words: Words) -> String {
-        let line = |entry: &Entry| format!("{}  {}\n", time_text(entry.at), words.message(&entry.message.text));
+        let line = |entry: &Entry| format!("{}  {}\n", time_text(entry.at), words.message(&entry.message));
         self.entries.iter().map(line).collect()
     }
 }
@@ -213,13 +214,13 @@ fn wait(toast: &Toast, now: f64) -> Duration {
 fn show_toast(ui: &Ui, toast: &Toast, corner: Pos2, now: f64) -> egui::Response {
     let tokens = Tokens::of(ui);
     let words = Words::of(ui);
-    let mut text = words.message(&toast.message.text);
+    let mut text = words.message(&toast.message);
     if toast.count > 1 {
         text = format!("{text} (×{})", toast.count);
     }
     let appears = ((now - toast.since) / APPEARS + 0.4).clamp(0.0, 1.0);
     let goes = ((toast.until - now) / GOES).clamp(0.0, 1.0);
-    let (icon, colour) = match toast.message.severity {
+    let (icon, colour) = match toast.message.severity() {
         Severity::Error => (Icon::Warning, tokens.error),
         _ => (Icon::Tick, tokens.information),
     };
@@ -280,7 +281,7 @@ mod tests {
 
     #[test]
     fn a_toast_wakes_the_window_only_while_it_changes() {
-        let message = Message { text: "Wrote it.".to_owned(), severity: Severity::Outcome };
+        let message = texts::foreign("Wrote it.").with_severity(Severity::Outcome);
         let toast = Toast { message, number: 1, count: 1, since: 10.0, until: 14.0 };
         assert!(wait(&toast, 10.05).is_zero());
         assert!((wait(&toast, 10.2).as_secs_f64() - 3.55).abs() < 1e-9);

@@ -9,16 +9,17 @@ use super::theme::{ROW, Tokens};
 use super::words::Words;
 use crate::editor::commands::{Binding, Menu, WindowState};
 use crate::editor::{Command, Editor, FileCommand, PlaybackCommand, WindowCommand};
+use crate::words::texts;
 
 /// The name of a menu.
 fn name_of(menu: Menu, words: Words) -> &'static str {
-    match menu {
-        Menu::File => words.say("File"),
-        Menu::Edit => words.say("Edit"),
-        Menu::View => words.say("View"),
-        Menu::Animation => words.say("Animation"),
-        Menu::Help => words.say("Help"),
-    }
+    words.say(match menu {
+        Menu::File => texts::FILE,
+        Menu::Edit => texts::EDIT,
+        Menu::View => texts::VIEW,
+        Menu::Animation => texts::ANIMATION,
+        Menu::Help => texts::HELP,
+    })
 }
 
 /// Room at both sides of an item, in points; at the left a tick stands in it.
@@ -57,19 +58,23 @@ pub fn show(ui: &mut Ui, shown: Shown<'_>, window: WindowState, commands: &mut V
 fn item(ui: &mut Ui, editor: &Editor, binding: &Binding, window: WindowState, commands: &mut Vec<Command>) {
     let words = Words::of(ui);
     let label = match (&binding.command, editor.undo_label(), editor.redo_label()) {
-        (Command::Undo, Some(step), _) => words.fill("Undo {}", &[words.say(step)]),
-        (Command::Redo, _, Some(step)) => words.fill("Redo {}", &[words.say(step)]),
-        (Command::Playback(PlaybackCommand::PlayOrStop), ..) if editor.is_playing() => words.say("Stop").to_owned(),
-        (Command::Playback(PlaybackCommand::PlayOrStop), ..) => words.say("Play").to_owned(),
-        (Command::Playback(PlaybackCommand::PauseOrResume), ..) if editor.is_paused() => words.say("Go on").to_owned(),
-        (Command::Playback(PlaybackCommand::PauseOrResume), ..) => words.say("Pause").to_owned(),
-        _ => words.say(binding.name).to_owned(),
+        (Command::Undo, Some(step), _) => words.message(texts::undo_step(words.say(step))),
+        (Command::Redo, _, Some(step)) => words.message(texts::redo_step(words.say(step))),
+        (Command::Playback(PlaybackCommand::PlayOrStop), ..) if editor.is_playing() => {
+            words.say(texts::STOP).to_owned()
+        }
+        (Command::Playback(PlaybackCommand::PlayOrStop), ..) => words.say(texts::PLAY).to_owned(),
+        (Command::Playback(PlaybackCommand::PauseOrResume), ..) if editor.is_paused() => {
+            words.say(texts::GO_ON).to_owned()
+        }
+        (Command::Playback(PlaybackCommand::PauseOrResume), ..) => words.say(texts::PAUSE).to_owned(),
+        _ => words.say(binding.title()).to_owned(),
     };
     let button =
         Button::new(label).shortcut_text(RichText::new(binding.menu_key()).monospace()).min_size(vec2(0.0, ROW));
     let response = ui.add_enabled(editor.can(&binding.command), button);
     tick(ui, &response, (binding.is_on)(editor, window));
-    let response = response.on_hover_text(words.say(binding.help));
+    let response = response.on_hover_text(words.say(binding.explanation()));
     if was_pressed(&response) {
         commands.push(binding.command.clone());
         ui.close();
@@ -119,7 +124,7 @@ fn recent(ui: &mut Ui, shown: Shown<'_>, commands: &mut Vec<Command>) {
                 choice(ui, shown.editor, one, &short(&one.label), commands);
             }
             ui.separator();
-            if was_pressed(&ui.add(Button::new(words.say("Forget them")).min_size(vec2(0.0, ROW)))) {
+            if was_pressed(&ui.add(Button::new(words.say(texts::FORGET_THEM)).min_size(vec2(0.0, ROW)))) {
                 commands.push(Command::Window(WindowCommand::ForgetRecent));
                 ui.close();
             }
@@ -147,7 +152,7 @@ fn more_items(ui: &mut Ui, menu: Menu, shown: Shown<'_>, commands: &mut Vec<Comm
             }
             ui.separator();
             for one in all.iter().filter(|one| one.topic == Topic::Eye) {
-                choice(ui, shown.editor, one, &words.fill("Look from {}", &[&one.label]), commands);
+                choice(ui, shown.editor, one, &words.message(texts::look_from_eye(&one.label)), commands);
             }
         }
         Menu::Animation => {
@@ -170,14 +175,14 @@ fn file_name(ui: &mut Ui, shown: Shown<'_>) {
         if is_unsaved {
             let (rect, response) = ui.allocate_exact_size(vec2(8.0, 8.0), Sense::hover());
             ui.painter().circle_filled(rect.center(), 3.0, tokens.accent);
-            response.on_hover_text(words.say("Unsaved changes"));
+            response.on_hover_text(words.say(texts::UNSAVED_CHANGES));
         }
         let name =
             editor.path().file_name().map_or_else(|| editor.path().to_string_lossy(), |name| name.to_string_lossy());
         let path = editor.path().display().to_string();
         let tip = if is_unsaved {
             let key = super::key_of(shown.keymap, &Command::File(FileCommand::Write));
-            words.fill("{}: not all is saved. {} writes it.", &[&path, &key])
+            words.message(texts::not_all_saved(&path, &key))
         } else {
             path
         };

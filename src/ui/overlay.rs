@@ -8,7 +8,8 @@ use super::statistics::Statistics;
 use super::theme::{CORNER, GRID, Tokens, small_font};
 use super::words::Words;
 use crate::editor::keymap::Keymap;
-use crate::editor::{Command, Editor, PlaybackCommand, Severity, SkyMode, ViewCommand};
+use crate::editor::{Command, Editor, PlaybackCommand, Severity, ViewCommand};
+use crate::words::texts;
 
 /// Draws the texts into the corners of the 3D view.
 pub fn show(ui: &Ui, viewport: Rect, editor: &Editor, keymap: &Keymap, log: &Log, statistics: Option<&Statistics>) {
@@ -17,23 +18,24 @@ pub fn show(ui: &Ui, viewport: Rect, editor: &Editor, keymap: &Keymap, log: &Log
     let painter = ui.painter();
     let margin = vec2(2.0 * GRID, -2.0 * GRID);
     let left = viewport.left_bottom() + margin;
-    let mut after = tag(painter, left, Align2::LEFT_BOTTOM, &view_sentence(editor, words), tokens.text, tokens);
+    let mut after =
+        tag(painter, left, Align2::LEFT_BOTTOM, &words.message(editor.view_sentence()), tokens.text, tokens);
     let mut add = |text: &str, colour| after = tag(painter, next_to(after), Align2::LEFT_BOTTOM, text, colour, tokens);
     if editor.session().is_picking {
-        add(words.say("click what to move · Esc leaves"), tokens.accent);
+        add(words.say(texts::CLICK_WHAT_TO_MOVE_ESC_LEAVES), tokens.accent);
     }
     if editor.is_playing() {
         let key = key_of(keymap, &Command::Playback(PlaybackCommand::PlayOrStop));
-        add(&words.fill("playing · {} stops", &[&key]), tokens.accent);
+        add(&words.message(texts::playing_stops(&key)), tokens.accent);
     } else if editor.is_paused() {
         let key = key_of(keymap, &Command::Playback(PlaybackCommand::PauseOrResume));
-        add(&words.fill("paused · {} goes on", &[&key]), tokens.accent);
+        add(&words.message(texts::paused_goes_on(&key)), tokens.accent);
     }
-    let message = editor.message();
-    if !editor.session().shows_panels && !message.text.is_empty() && !log.shows(message) {
+    let status = editor.status().filter(|message| !editor.session().shows_panels && !log.shows(message));
+    if let Some(message) = status {
         // There is no status line to say it.
-        let colour = if message.severity == Severity::Error { tokens.error } else { tokens.text };
-        add(&words.message(&message.text), colour);
+        let colour = if message.severity() == Severity::Error { tokens.error } else { tokens.text };
+        add(&words.message(message), colour);
     }
     if let Some(statistics) = statistics.filter(|_| !editor.session().shows_panels) {
         let at = viewport.left_top() + vec2(margin.x, -margin.y);
@@ -42,22 +44,8 @@ pub fn show(ui: &Ui, viewport: Rect, editor: &Editor, keymap: &Keymap, log: &Log
     let key = key_of(keymap, &Command::View(ViewCommand::ToggleHelp));
     if !key.is_empty() {
         let right = viewport.right_bottom() + vec2(-margin.x, margin.y);
-        tag(painter, right, Align2::RIGHT_BOTTOM, &words.fill("[{}] help", &[&key]), tokens.text, tokens);
+        tag(painter, right, Align2::RIGHT_BOTTOM, &words.message(texts::key_for_help(&key)), tokens.text, tokens);
     }
-}
-
-/// What the eye is and how a drag moves, as [`Editor::view_sentence`] says it in English.
-fn view_sentence(editor: &Editor, words: Words) -> String {
-    let scene = editor.scene();
-    let eye = scene.node(scene.rbt_node(editor.eye())).name.as_str();
-    let session = editor.session();
-    let handled = match (session.chosen, session.eye, session.sky_mode) {
-        (Some(chosen), ..) => words.fill("moves {}", &[scene.rbt_path(chosen)]),
-        (None, 0, SkyMode::WorldCentre) => words.say("world-sky").to_owned(),
-        (None, 0, SkyMode::Eye) => words.say("sky-sky").to_owned(),
-        (None, ..) => words.say("moves itself").to_owned(),
-    };
-    words.fill("{} view · {}", &[eye, &handled])
 }
 
 fn next_to(rect: Rect) -> Pos2 {

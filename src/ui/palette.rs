@@ -7,6 +7,7 @@ use super::choices::choices;
 use super::theme::{CORNER, GRID, Tokens, number_font, small_font, text_font};
 use super::words::Words;
 use crate::editor::Command;
+use crate::words::texts;
 
 /// Width of the list, in points.
 const WIDTH: f32 = 520.0;
@@ -45,9 +46,9 @@ impl Palette {
             let mut pressed = |key| input.consume_key(Modifiers::NONE, key);
             (pressed(Key::ArrowUp), pressed(Key::ArrowDown), pressed(Key::Enter))
         });
-        let hint = words.say("Type a part of a command's name");
+        let hint = words.say(texts::TYPE_A_PART_OF_A_COMMANDS_NAME);
         let field = ui.add(TextEdit::singleline(&mut self.typed).desired_width(f32::INFINITY).hint_text(hint));
-        field.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, words.say("Commands")));
+        field.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, words.say(texts::COMMANDS)));
         if !std::mem::replace(&mut self.has_begun, true) {
             field.request_focus();
         }
@@ -66,7 +67,7 @@ impl Palette {
         ui.add_space(GRID);
         let mut chosen = if enter { found.get(self.at).copied() } else { None };
         if found.is_empty() {
-            let text = words.fill("No command has \"{}\" in its name.", &[&self.typed]);
+            let text = words.message(texts::no_command_named(&self.typed));
             ui.label(egui::RichText::new(text).color(Tokens::of(ui).dim));
         }
         ScrollArea::vertical().max_height(ROWS * LINE).auto_shrink([false, true]).show(ui, |ui| {
@@ -121,8 +122,8 @@ fn row(ui: &mut Ui, entry: &Entry, is_at: bool) -> Response {
 fn entries(shown: Shown<'_>, words: Words) -> Vec<Entry> {
     let Shown { editor, keymap, settings, .. } = shown;
     let rows = keymap.bindings().iter().map(|binding| Entry {
-        name: words.say(binding.name).to_owned(),
-        english: binding.name.to_owned(),
+        name: words.say(binding.title()).to_owned(),
+        english: binding.title().english().to_owned(),
         keys: binding.menu_key(),
         group: words.say(binding.group.heading()).to_owned(),
         command: binding.command.clone(),

@@ -11,6 +11,7 @@ use super::{PanelSize, Ui};
 use crate::editor::WindowCommand;
 use crate::editor::keymap::{Chord, Keymap, KeymapError, chords_of_table};
 use crate::settings::{Settings, ThemeChoice};
+use crate::words::{Argument, Message, texts};
 
 /// After so many frames without a button held, a panel has the size that its drag gave it.
 const SETTLED: u8 = 2;
@@ -33,12 +34,16 @@ impl Ui {
     }
 
     /// Does what is asked of the window: shows what is wanted, and changes the settings, which are put in force.
-    /// Says in a sentence what was done, where that cannot be seen.
+    /// Says what was done, where that cannot be seen.
     ///
     /// # Errors
     /// Why keys were not changed.
-    pub fn perform(&mut self, command: &WindowCommand, settings: &mut Settings) -> Result<String, KeymapError> {
-        let mut said = String::new();
+    pub fn perform(
+        &mut self,
+        command: &WindowCommand,
+        settings: &mut Settings,
+    ) -> Result<Option<Message>, KeymapError> {
+        let mut said = None;
         match command {
             WindowCommand::ShowCommands => self.dialog = Some(Dialog::Commands(Palette::default())),
             WindowCommand::ShowKeys => self.dialog = Some(Dialog::Keys(KeysDialog::default())),
@@ -54,11 +59,11 @@ impl Ui {
             WindowCommand::SetScale(percent) => settings.scale_percent = *percent,
             WindowCommand::SetTheme(theme) => settings.theme = *theme,
             WindowCommand::SetLanguage(language) => settings.language = *language,
-            WindowCommand::SetKeys(id, chords) => said = self.set_keys(id, chords.clone(), settings)?,
-            WindowCommand::ResetKeys(id) => said = self.set_keys(id, chords_of_table(id), settings)?,
+            WindowCommand::SetKeys(id, chords) => said = Some(self.set_keys(id, chords.clone(), settings)?),
+            WindowCommand::ResetKeys(id) => said = Some(self.set_keys(id, chords_of_table(id), settings)?),
             WindowCommand::ResetAllKeys => {
                 settings.keys.clear();
-                "All keys are as they were at first.".clone_into(&mut said);
+                said = Some(texts::HOTKEYS_RESET.into());
             }
             WindowCommand::RenameCurrent => self.timeline.ask(Ask::Rename),
             WindowCommand::FitTimeline => self.timeline.ask(Ask::FitAll),
@@ -69,15 +74,19 @@ impl Ui {
         Ok(said)
     }
 
-    fn set_keys(&self, id: &str, chords: Vec<Chord>, settings: &mut Settings) -> Result<String, KeymapError> {
+    fn set_keys(&self, id: &str, chords: Vec<Chord>, settings: &mut Settings) -> Result<Message, KeymapError> {
         let mut keymap = self.keymap.clone();
         keymap.set(id, chords)?;
         match keymap.changes().remove(id) {
             Some(chords) => settings.keys.insert(id.to_owned(), chords),
             None => settings.keys.remove(id),
         };
-        let (name, keys) = keymap.get(id).map(|binding| (binding.name, binding.keys())).unwrap_or_default();
-        Ok(if keys.is_empty() { format!("{name} has no key now.") } else { format!("{name}: {keys}.") })
+        let Some(binding) = keymap.get(id) else { return Err(KeymapError::NoSuchBinding { name: id.to_owned() }) };
+        let keys = binding.chords.iter().map(|chord| Argument::from(chord.label()));
+        Ok(match keys.reduce(|first, second| texts::key_or_key(first, second).into()) {
+            Some(keys) => texts::hotkeys_changed(binding.title(), keys),
+            None => texts::hotkeys_removed(binding.title()),
+        })
     }
 
     /// Puts the settings in force that the panels' memory has to know of.

@@ -2,6 +2,8 @@
 
 use super::words::Words;
 
+use crate::words::texts;
+
 /// What a picture of the window costs, as means over a short time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Statistics {
@@ -27,17 +29,14 @@ impl Statistics {
     pub fn sentence(&self, words: Words) -> String {
         let whole = |number: f64| format!("{number:.0}");
         let tenths = |number: f64| format!("{number:.1}");
-        words.fill(
-            "{} pictures/s · {} ticks/s · ms: input {}, evaluation {}, frame {}, UI {}, drawing {}",
-            &[
-                &whole(self.pictures),
-                &whole(self.ticks),
-                &tenths(self.input_ms),
-                &tenths(self.evaluation_ms),
-                &tenths(self.frame_ms),
-                &tenths(self.ui_ms),
-                &tenths(self.drawing_ms),
-            ],
-        )
+        words.message(texts::statistics_line(
+            whole(self.pictures),
+            whole(self.ticks),
+            tenths(self.input_ms),
+            tenths(self.evaluation_ms),
+            tenths(self.frame_ms),
+            tenths(self.ui_ms),
+            tenths(self.drawing_ms),
+        ))
     }
 }

@@ -6,13 +6,14 @@ use super::statistics::Statistics;
 use super::theme::Tokens;
 use super::words::Words;
 use crate::editor::{Editor, Severity};
+use crate::words::{Argument, texts};
 
 /// Shows the line.
 pub fn show(ui: &mut Ui, editor: &Editor, statistics: Option<&Statistics>) {
     let tokens = Tokens::of(ui);
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
         let words = Words::of(ui);
-        let nodes = words.fill("{} nodes", &[&editor.scene().rbt_count().to_string()]);
+        let nodes = words.message(texts::count_nodes(editor.scene().rbt_count()));
         ui.label(RichText::new(nodes).small().color(tokens.dim));
         ui.add_space(8.0);
         if let Some(statistics) = statistics {
@@ -20,18 +21,20 @@ pub fn show(ui: &mut Ui, editor: &Editor, statistics: Option<&Statistics>) {
             ui.add_space(8.0);
         }
         ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-            let place = words.message(&editor.where_we_are());
-            let message = editor.message();
-            let text = words.message(&message.text);
-            let said = text.strip_prefix(&place).map_or(text.as_str(), |rest| rest.trim_start_matches([':', '.', ' ']));
-            ui.label(RichText::new(&place).small().color(tokens.dim));
-            if !said.is_empty() {
-                let colour = match message.severity {
+            let position = editor.where_we_are();
+            ui.label(RichText::new(words.message(&position)).small().color(tokens.dim));
+            if let Some(message) = editor.status() {
+                // A message that begins with the position need not say it again.
+                let said = match (message.argument("position"), message.argument("rest")) {
+                    (Some(Argument::Message(at)), Some(Argument::Message(rest))) if *at == position => rest,
+                    _ => message,
+                };
+                let colour = match message.severity() {
                     Severity::Information | Severity::Outcome => tokens.text,
                     Severity::Error => tokens.error,
                 };
                 ui.label(RichText::new("·").small().color(tokens.dim));
-                ui.add(Label::new(RichText::new(said).size(12.0).color(colour)).truncate());
+                ui.add(Label::new(RichText::new(words.message(said)).size(12.0).color(colour)).truncate());
             }
         });
     });

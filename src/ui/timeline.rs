@@ -30,6 +30,7 @@ use super::words::Words;
 use crate::editor::keymap::Binding;
 use crate::editor::{Command, Edit, Editor, GestureCommand, PlaybackCommand};
 use crate::keyframe::{KeyframeIndex, PlayRange};
+use crate::words::texts;
 use columns::Columns;
 use drag::Drag;
 use hit::{Hit, Layout, RADIUS, Target};
@@ -123,7 +124,7 @@ impl Timeline {
         let layout = Layout::of(whole, self.tab == Tab::Keyframes);
         let response = ui.interact(layout.scaled(), ui.scope_id().with("tracks"), Sense::click_and_drag());
         let words = Words::of(ui);
-        response.widget_info(|| WidgetInfo::labeled(Role::Group, true, words.say("Timeline")));
+        response.widget_info(|| WidgetInfo::labeled(Role::Group, true, words.say(texts::TIMELINE)));
         self.choose_view(editor, &layout, &columns);
         self.wheel(ui, &response, &layout, &columns);
         self.answer(editor, &layout, &columns);
@@ -337,10 +338,7 @@ fn empty(ui: &mut Ui, bindings: &[Binding]) {
     ui.painter().rect_filled(ui.available_rect_before_wrap(), 0.0, tokens.window);
     let create = key_of(bindings, &Command::Edit(Edit::CreateKeyframe));
     let play = key_of(bindings, &Command::Playback(PlaybackCommand::PlayOrStop));
-    let text = Words::of(ui).fill(
-        "No keyframes yet: pose the robots, press {} to keep a pose. Four make an animation; {} plays it.",
-        &[&create, &play],
-    );
+    let text = Words::of(ui).message(texts::no_keyframes_yet_long(&create, &play));
     ui.centered_and_justified(|ui| ui.label(RichText::new(text).color(tokens.dim)));
 }
 
@@ -349,12 +347,8 @@ fn missing(ui: &Ui, look: &Look<'_>, bindings: &[Binding]) {
     let count = look.target.columns.len();
     let key = key_of(bindings, &Command::Edit(Edit::CreateKeyframe));
     let text = match count {
-        0 => look.words.fill("No keyframes yet: pose, then press {}.", &[&key]),
-        1 | 2 => {
-            let more = (4 - count).to_string();
-            look.words.fill("{} more keyframes make an animation: pose, then press {}.", &[&more, &key])
-        }
-        3 => look.words.fill("1 more keyframe makes an animation: pose, then press {}.", &[&key]),
+        0 => look.words.message(texts::no_keyframes_yet(&key)),
+        1..=3 => look.words.message(texts::more_keyframes_needed(4 - count, &key)),
         _ => return,
     };
     let (_, last) = look.target.columns.ends();
@@ -382,7 +376,7 @@ fn diamonds(timeline: &mut Timeline, ui: &Ui, look: &Look<'_>, commands: &mut Ve
                 Role::ListBoxOption,
                 true,
                 is_current,
-                look.words.fill("Keyframe {}", &[&place.to_string()]),
+                look.words.message(texts::keyframe_number(place.to_string())),
             )
         });
         let is_asked = ui.input(|input| input.has_accesskit_action_request(id, egui::accesskit::Action::Click));
@@ -405,7 +399,9 @@ fn diamonds(timeline: &mut Timeline, ui: &Ui, look: &Look<'_>, commands: &mut Ve
 /// The key of a command, or its name where it has none.
 fn key_of(bindings: &[Binding], command: &Command) -> String {
     let binding = binding_of(bindings, command);
-    binding.map(|it| if it.chords.is_empty() { it.name.to_owned() } else { it.menu_key() }).unwrap_or_default()
+    binding
+        .map(|it| if it.chords.is_empty() { it.title().english().to_owned() } else { it.menu_key() })
+        .unwrap_or_default()
 }
 
 /// A drag of a number in a menu, as one step of undo.

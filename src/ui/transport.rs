@@ -10,6 +10,7 @@ use crate::editor::keymap::Binding;
 use crate::editor::{Command, Edit, Editor, PlayMode, PlaybackCommand, SPEED_PERCENT_RANGE, ViewCommand};
 use crate::interpolation::Interpolation;
 use crate::keyframe::{KeyframeIndex, MS_BETWEEN_KEYFRAMES_RANGE, PlayRange};
+use crate::words::texts;
 
 /// Narrower than this, in points, and the row leaves out what the keyboard and the menus have too.
 const ALL_FITS: f32 = 964.0;
@@ -61,7 +62,7 @@ fn press(
     commands: &mut Vec<Command>,
 ) {
     let binding = binding_of(bindings, &command);
-    let name = name.or_else(|| binding.map(|binding| Words::of(ui).say(binding.name))).unwrap_or_default();
+    let name = name.or_else(|| binding.map(|binding| Words::of(ui).say(binding.title()))).unwrap_or_default();
     let key = binding.map(Binding::keys).unwrap_or_default();
     if button(ui, icon, name, &key, editor.can(&command), is_lit) {
         commands.push(command);
@@ -76,21 +77,22 @@ fn playing(ui: &mut Ui, editor: &Editor, bindings: &[Binding], commands: &mut Ve
     let playback = Command::Playback;
     let words = Words::of(ui);
     press(ui, Icon::Previous, Command::Edit(Edit::GoToPrevious), None, false);
-    let (icon, name) = if is_playing { (Icon::Stop, words.say("Stop")) } else { (Icon::Play, words.say("Play")) };
+    let (icon, name) =
+        if is_playing { (Icon::Stop, words.say(texts::STOP)) } else { (Icon::Play, words.say(texts::PLAY)) };
     press(ui, icon, playback(PlaybackCommand::PlayOrStop), Some(name), is_playing);
-    let name = if editor.is_paused() { words.say("Go on") } else { words.say("Pause") };
+    let name = if editor.is_paused() { words.say(texts::GO_ON) } else { words.say(texts::PAUSE) };
     press(ui, Icon::Pause, playback(PlaybackCommand::PauseOrResume), Some(name), editor.is_paused());
     press(ui, Icon::Next, Command::Edit(Edit::GoToNext), None, false);
     press(ui, Icon::PlayFromPlayhead, playback(PlaybackCommand::PlayFromPlayhead), None, false);
     let mode = editor.session().play_mode;
     let (icon, name) = match mode {
-        PlayMode::Once => (Icon::Once, words.say("Plays once")),
-        PlayMode::Loop => (Icon::Loop, words.say("Plays in a loop")),
-        PlayMode::PingPong => (Icon::PingPong, words.say("Plays forwards and backwards")),
+        PlayMode::Once => (Icon::Once, words.say(texts::PLAYS_ONCE)),
+        PlayMode::Loop => (Icon::Loop, words.say(texts::PLAYS_IN_A_LOOP)),
+        PlayMode::PingPong => (Icon::PingPong, words.say(texts::PLAYS_FORWARDS_AND_BACKWARDS)),
     };
     press(ui, icon, playback(PlaybackCommand::NextMode), Some(name), mode != PlayMode::Once);
     let is_on = editor.session().auto_keys;
-    let name = if is_on { words.say("Auto-key is on") } else { words.say("Auto-key is off") };
+    let name = if is_on { words.say(texts::AUTO_KEY_IS_ON) } else { words.say(texts::AUTO_KEY_IS_OFF) };
     press(ui, Icon::AutoKey, Command::View(ViewCommand::ToggleAutoKeys), Some(name), is_on);
 }
 
@@ -104,9 +106,9 @@ fn divider(ui: &mut Ui) {
 #[must_use]
 pub fn key_time_text(editor: &Editor, words: Words) -> String {
     let keyframes = &editor.document().keyframes;
-    let Ok(range) = PlayRange::new(keyframes) else { return words.fill("key {} / {}", &["–", "–"]) };
+    let Ok(range) = PlayRange::new(keyframes) else { return words.message(texts::current_of_last("–", "–")) };
     let last = range.last_key_time().to_string();
-    let shown = |key_time: &str| words.fill("key {} / {}", &[key_time, &last]);
+    let shown = |key_time: &str| words.message(texts::current_of_last(key_time, &last));
     if let Some(key_time) = editor.key_time() {
         return shown(&format!("{key_time:.2}"));
     }
@@ -130,10 +132,7 @@ fn readout(ui: &mut Ui, editor: &Editor) {
     let (rect, response) = ui.allocate_exact_size(vec2(112.0, ROW), Sense::hover());
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &text));
     ui.painter().text(rect.left_center(), egui::Align2::LEFT_CENTER, text, super::theme::number_font(), colour);
-    response.on_hover_text(
-        Words::of(ui)
-            .say("Key time and the last one. Key time 0 is keyframe 1: the first and the last keyframe only steer."),
-    );
+    response.on_hover_text(Words::of(ui).say(texts::KEY_TIME_AND_THE_LAST_ONE_KEY));
 }
 
 fn pace(ui: &mut Ui, editor: &Editor, bindings: &[Binding], commands: &mut Vec<Command>) {
@@ -142,11 +141,12 @@ fn pace(ui: &mut Ui, editor: &Editor, bindings: &[Binding], commands: &mut Vec<C
         DragValue::new(&mut ms).range(MS_BETWEEN_KEYFRAMES_RANGE).speed(10.0).suffix(" ms").update_while_editing(false);
     let response = ui.add_sized(vec2(80.0, ROW), number);
     let words = Words::of(ui);
-    response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, words.say("Milliseconds between keyframes")));
+    response
+        .widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, words.say(texts::MILLISECONDS_BETWEEN_KEYFRAMES)));
     let keys =
         [Edit::Faster, Edit::Slower].map(|edit| binding_of(bindings, &Command::Edit(edit)).map(Binding::menu_key));
     let keys: Vec<String> = keys.into_iter().flatten().filter(|key| !key.is_empty()).collect();
-    let tip = super::tip(words.say("Milliseconds between keyframes"), &keys.join("  "));
+    let tip = super::tip(words.say(texts::MILLISECONDS_BETWEEN_KEYFRAMES), &keys.join("  "));
     if response.on_hover_text(tip).changed() {
         commands.push(Command::Edit(Edit::SetMsBetweenKeyframes(ms)));
     }
@@ -159,8 +159,8 @@ fn speed(ui: &mut Ui, editor: &Editor, commands: &mut Vec<Command>) {
         DragValue::new(&mut percent).range(SPEED_PERCENT_RANGE).speed(1.0).suffix(" %").update_while_editing(false);
     let response = ui.add_sized(vec2(60.0, ROW), number);
     let words = Words::of(ui);
-    response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, words.say("Speed in percent")));
-    if response.on_hover_text(words.say("Speed of playing; the file keeps its milliseconds")).changed() {
+    response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, words.say(texts::SPEED_IN_PERCENT)));
+    if response.on_hover_text(words.say(texts::SPEED_OF_PLAYING_THE_FILE_KEEPS_ITS)).changed() {
         commands.push(Command::Playback(PlaybackCommand::SetSpeedPercent(percent)));
     }
 }
@@ -169,19 +169,19 @@ fn interpolation(ui: &mut Ui, editor: &Editor, bindings: &[Binding], commands: &
     let current = editor.document().interpolation;
     let words = Words::of(ui);
     let response = ComboBox::from_id_salt("interpolation")
-        .selected_text(RichText::new(words.say(current.label())))
+        .selected_text(RichText::new(words.say(current.title())))
         .width(112.0)
         .show_ui(ui, |ui| {
             for interpolation in Interpolation::ALL {
-                if ui.selectable_label(current == interpolation, words.say(interpolation.label())).clicked() {
+                if ui.selectable_label(current == interpolation, words.say(interpolation.title())).clicked() {
                     commands.push(Command::Edit(Edit::SetInterpolation(interpolation)));
                 }
             }
         })
         .response;
-    response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, words.say("Interpolation")));
+    response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, words.say(texts::INTERPOLATION)));
     let key = binding_of(bindings, &Command::Edit(Edit::NextInterpolation)).map(Binding::menu_key).unwrap_or_default();
-    let response = response.on_hover_text(super::tip(words.say("Interpolation"), &key));
+    let response = response.on_hover_text(super::tip(words.say(texts::INTERPOLATION), &key));
     let _ = super::icons::was_pressed(&response);
 }
 
@@ -189,11 +189,8 @@ fn ghosts(ui: &mut Ui, editor: &Editor, bindings: &[Binding], commands: &mut Vec
     let count = editor.session().ghosts;
     let words = Words::of(ui);
     let tip = match count {
-        0 => words.say("Ghosts: none. A click shows one more of the neighbouring keyframes, up to 3").to_owned(),
-        count => words.fill(
-            "Ghosts: {} on each side. A click shows one more of the neighbouring keyframes, up to 3",
-            &[&count.to_string()],
-        ),
+        0 => words.say(texts::GHOSTS_NONE_A_CLICK_SHOWS_ONE_MORE).to_owned(),
+        count => words.message(texts::ghosts_each_side(count.to_string())),
     };
     let command = Command::View(ViewCommand::NextGhosts);
     let key = binding_of(bindings, &command).map(Binding::menu_key).unwrap_or_default();

@@ -12,6 +12,7 @@ use crate::editor::keymap::Keymap;
 use crate::editor::{Command, Editor, ViewCommand};
 use crate::pose::RbtIndex;
 use crate::scene::{NodeId, NodeKind, SceneGraph};
+use crate::words::texts;
 
 /// Which nodes are folded.
 #[derive(Clone, Debug, Default)]
@@ -34,7 +35,7 @@ impl Tree {
         let tokens = Tokens::of(ui);
         ui.horizontal(|ui| {
             ui.add_space(8.0);
-            ui.label(RichText::new(Words::of(ui).say("Scene")).small().color(tokens.dim));
+            ui.label(RichText::new(Words::of(ui).say(texts::SCENE)).small().color(tokens.dim));
         });
         ui.spacing_mut().item_spacing.y = 0.0;
         let scene = editor.scene();
@@ -92,9 +93,9 @@ impl Tree {
             self.eye(ui, editor, (eye, row.name, eye_key), rect, commands);
         }
         let response = response.on_hover_text(if is_chosen {
-            words.say("A click chooses nothing")
+            words.say(texts::A_CLICK_CHOOSES_NOTHING)
         } else {
-            words.say("Choose it: drags move it")
+            words.say(texts::CHOOSE_IT_DRAGS_MOVE_IT)
         });
         super::timeline::node_menu(&response, editor, row.rbt, commands);
         if was_pressed(&response) {
@@ -108,7 +109,7 @@ impl Tree {
         let area = Rect::from_center_size(centre, vec2(16.0, ROW));
         let response = ui.interact(area, ui.scope_id().with(("fold", rbt)), Sense::click());
         let words = Words::of(ui);
-        let says = if is_folded { words.say("Unfold") } else { words.say("Fold") };
+        let says = if is_folded { words.say(texts::UNFOLD) } else { words.say(texts::FOLD) };
         response.widget_info(|| WidgetInfo::labeled(Role::Button, true, says));
         ring(ui, area, &response);
         let at = |x: f32, y: f32| centre + vec2(x, y);
@@ -138,7 +139,7 @@ impl Tree {
         let area = Rect::from_center_size(centre, vec2(24.0, ROW));
         let response = ui.interact(area, ui.scope_id().with(("eye", eye)), Sense::click());
         let words = Words::of(ui);
-        let says = words.fill("Look from {}", &[name]);
+        let says = words.message(texts::look_from_eye(name));
         response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &says));
         let is_eye = editor.session().eye == eye;
         let colour = match (is_eye, response.hovered()) {
@@ -148,7 +149,7 @@ impl Tree {
         };
         paint(ui.painter(), Icon::Eye, centre, colour);
         ring(ui, area, &response);
-        let text = if is_eye { words.fill("{} is the eye", &[name]) } else { says };
+        let text = if is_eye { words.message(texts::is_the_eye(name)) } else { says };
         if was_pressed(&response.on_hover_text(tip(&text, key))) {
             commands.push(Command::View(ViewCommand::SetEye(eye)));
         }

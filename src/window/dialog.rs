@@ -11,6 +11,7 @@ use super::{Happening, now};
 use crate::storage;
 use crate::ui::PathPurpose;
 use crate::ui::words::Words;
+use crate::words::texts;
 
 /// An answer of "nothing" within this time is no user's: the system has no dialog.
 pub const TOO_FAST_FOR_A_USER: Duration = Duration::from_millis(150);
@@ -33,8 +34,8 @@ pub fn ask(question: Question, current: &Path, words: Words, proxy: EventLoopPro
     thread::spawn(move || {
         let start = now();
         let kind = match question {
-            Question::Keyframes(PathPurpose::Open | PathPurpose::SaveAs) => Some("Keyframe files"),
-            Question::Keyframes(PathPurpose::SaveSceneAs) => Some("Scene files"),
+            Question::Keyframes(PathPurpose::Open | PathPurpose::SaveAs) => Some(texts::KEYFRAME_FILES),
+            Question::Keyframes(PathPurpose::SaveSceneAs) => Some(texts::SCENE_FILES),
             Question::Film | Question::Folder => None,
         };
         let mut dialog = FileDialog::new();
@@ -42,9 +43,9 @@ pub fn ask(question: Question, current: &Path, words: Words, proxy: EventLoopPro
             dialog = dialog.add_filter(words.say(kind), &["json"]);
         }
         if question == Question::Keyframes(PathPurpose::Open) {
-            dialog = dialog.add_filter(words.say("Keyframes as text"), &["txt", "csv"]);
+            dialog = dialog.add_filter(words.say(texts::KEYFRAMES_AS_TEXT), &["txt", "csv"]);
         }
-        dialog = dialog.add_filter(words.say("All files"), &["*"]);
+        dialog = dialog.add_filter(words.say(texts::ALL_FILES), &["*"]);
         if let Some(folder) = folder {
             dialog = dialog.set_directory(folder);
         }

@@ -15,6 +15,7 @@ use crate::keyframe::LARGEST_FILE_BYTES;
 use crate::storage;
 use crate::ui::words::Words;
 use crate::ui::{PathPurpose, QuitAnswer};
+use crate::words::{Message, texts};
 
 impl Host for Shell {
     /// What fails is the editor's message.
@@ -25,7 +26,7 @@ impl Host for Shell {
     }
 
     fn read(&mut self, path: &Path) -> Result<FileOutcome<Vec<u8>>, Infallible> {
-        Ok(storage::read(path, LARGEST_FILE_BYTES).map_err(|error| error.to_string()))
+        Ok(storage::read(path, LARGEST_FILE_BYTES).map_err(|error| error.message()))
     }
 
     fn write(
@@ -88,9 +89,9 @@ impl Shell {
     fn window_command(&mut self, command: &WindowCommand) {
         let before = self.kept.settings.clone();
         match self.ui.perform(command, &mut self.kept.settings) {
-            Ok(said) if said.is_empty() => {}
-            Ok(said) => self.editor.say_of(Severity::Outcome, said),
-            Err(error) => self.editor.say_of(Severity::Error, error.to_string()),
+            Ok(None) => {}
+            Ok(Some(said)) => self.editor.say(said.with_severity(Severity::Outcome)),
+            Err(error) => self.editor.say(error.message()),
         }
         if self.kept.settings != before {
             self.editor.set_keymap(self.ui.keymap().clone());
@@ -103,8 +104,8 @@ impl Shell {
         self.ui.adopt(&self.kept.settings);
         match self.kept.write() {
             Ok(None) => {}
-            Ok(Some(sentence)) => self.editor.say_of(Severity::Outcome, sentence),
-            Err(sentence) => self.editor.say_of(Severity::Error, sentence),
+            Ok(Some(message)) => self.editor.say(message.with_severity(Severity::Outcome)),
+            Err(message) => self.editor.say(message.with_severity(Severity::Error)),
         }
     }
 
@@ -116,11 +117,11 @@ impl Shell {
         }
     }
 
-    fn screenshot(&self, path: &Path) -> Result<(), String> {
-        let stage = self.stage.as_ref().ok_or("there is no window to take a picture of")?;
-        let picture = stage.picture(&self.editor).map_err(|error| error.to_string())?;
-        let png = picture.to_png().map_err(|error| error.to_string())?;
-        storage::write(path, &png).map_err(|error| error.to_string())
+    fn screenshot(&self, path: &Path) -> Result<(), Message> {
+        let stage = self.stage.as_ref().ok_or_else(|| Message::from(texts::SCREENSHOT_NO_WINDOW))?;
+        let picture = stage.picture(&self.editor).map_err(|error| error.message())?;
+        let png = picture.to_png().map_err(|error| texts::foreign(error.to_string()))?;
+        storage::write(path, &png).map_err(|error| error.message())
     }
 
     fn choose_path(&mut self, question: Question, proposed: &Path) {
@@ -159,8 +160,7 @@ impl Shell {
                 self.ui.ask_for_path(purpose, &proposed);
             }
             (None, Question::Film | Question::Folder) => {
-                let text = "The system has no dialog for files: type the path.".to_owned();
-                self.editor.say_of(Severity::Error, text);
+                self.editor.say(Message::from(texts::FILE_NO_DIALOG).with_severity(Severity::Error));
             }
         }
     }
@@ -186,7 +186,7 @@ impl Shell {
         if self.editor.has_unsaved_keyframes() {
             self.apply(Command::File(FileCommand::Write));
         }
-        let is_written = self.editor.message().severity != Severity::Error;
+        let is_written = self.editor.message().is_none_or(|message| message.severity() != Severity::Error);
         if is_written && self.editor.has_unsaved_scene() {
             self.apply(Command::File(FileCommand::WriteScene));
         }
@@ -195,8 +195,8 @@ impl Shell {
 }
 
 /// Writes a file; what stood there and is not known is kept beside it.
-fn write(path: &Path, text: &dyn Display, is_known: bool) -> Result<Option<PathBuf>, String> {
-    let kept = if is_known { None } else { storage::keep_copy(path).map_err(|error| error.to_string())? };
-    storage::write_with(path, |file| write!(file, "{text}")).map_err(|error| error.to_string())?;
+fn write(path: &Path, text: &dyn Display, is_known: bool) -> Result<Option<PathBuf>, Message> {
+    let kept = if is_known { None } else { storage::keep_copy(path).map_err(|error| error.message())? };
+    storage::write_with(path, |file| write!(file, "{text}")).map_err(|error| error.message())?;
     Ok(kept)
 }

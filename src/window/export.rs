@@ -12,6 +12,7 @@ use crate::editor::Severity;
 use crate::export::Job;
 use crate::film::{ExportEnd, ExportOptions};
 use crate::ui::Exporting;
+use crate::words::{Message, texts};
 
 /// How often the window hears of progress, at most.
 const MOST_NEWS: usize = 200;
@@ -37,8 +38,7 @@ impl Shell {
     /// Begins an export of the document as it is now.
     pub(super) fn export(&mut self, options: ExportOptions) {
         if self.export.is_some() {
-            let text = "An export is under way: this one can begin when it is done.".to_owned();
-            self.editor.say_of(Severity::Error, text);
+            self.editor.say(Message::from(texts::FILE_EXPORT_BEGUN_ALREADY).with_severity(Severity::Error));
             return;
         }
         let editor = &self.editor;
@@ -57,7 +57,7 @@ impl Shell {
                 !asked.load(Ordering::Relaxed)
             };
             let end = catch_unwind(AssertUnwindSafe(|| job.run(&mut watch)))
-                .unwrap_or_else(|_| ExportEnd::Failed("the program failed on it; please report it".to_owned()));
+                .unwrap_or_else(|_| ExportEnd::Failed(texts::EXPORT_PROGRAM_FAILED.into()));
             let _ = proxy.send_event(Happening::ExportEnded(end));
         });
         self.export = Some(Export { thread, is_ending, path });

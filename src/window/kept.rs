@@ -3,8 +3,9 @@
 use std::path::PathBuf;
 
 use crate::editor::keymap::by_id;
-use crate::settings::{LARGEST_SETTINGS_BYTES, Language, Settings};
+use crate::settings::{LARGEST_SETTINGS_BYTES, Settings};
 use crate::storage;
+use crate::words::{Language, Message, texts};
 
 /// The settings and their file.
 #[derive(Debug)]
@@ -18,21 +19,21 @@ pub struct Kept {
 }
 
 impl Kept {
-    /// What was kept, and a sentence where that could not be read; the usual settings are in force then.
-    pub fn read() -> (Self, Option<String>) {
+    /// What was kept, and what to say where that could not be read; the usual settings are in force then.
+    pub fn read() -> (Self, Option<Message>) {
         let usual = Settings { language: system_language(), ..Settings::default() };
         Self::read_from(storage::settings_path(), usual)
     }
 
-    fn read_from(path: Option<PathBuf>, usual: Settings) -> (Self, Option<String>) {
+    fn read_from(path: Option<PathBuf>, usual: Settings) -> (Self, Option<Message>) {
         let kept = |settings, path, is_foreign| Self { settings, path, is_foreign };
         let Some(path) = path else { return (kept(usual, None, false), None) };
         if !storage::exists(&path) {
             return (kept(usual, Some(path), false), None);
         }
         let settings = storage::read(&path, LARGEST_SETTINGS_BYTES)
-            .map_err(|error| error.to_string())
-            .and_then(|bytes| Settings::from_json(&bytes).map_err(|error| error.to_string()));
+            .map_err(|error| error.message())
+            .and_then(|bytes| Settings::from_json(&bytes).map_err(|error| error.message()));
         match settings {
             Ok(settings) => {
                 // Older settings name bindings in English; the next time they are written, it is by ids.
@@ -40,30 +41,29 @@ impl Kept {
                 (kept(Settings { keys, ..settings }, Some(path), false), None)
             }
             Err(reason) => {
-                let sentence = format!(
-                    "The settings in {} were not understood ({reason}): the usual ones are in force. The file is kept.",
-                    path.display()
-                );
-                (kept(usual, Some(path), true), Some(sentence))
+                let said = texts::settings_not_understood(path.display(), reason);
+                (kept(usual, Some(path), true), Some(said))
             }
         }
     }
 
     /// Writes the settings. Says where the file is that stood there, if it was not understood.
-    pub fn write(&mut self) -> Result<Option<String>, String> {
+    pub fn write(&mut self) -> Result<Option<Message>, Message> {
         let Some(path) = &self.path else { return Ok(None) };
-        let failed = |error: storage::StorageError| format!("The settings were not kept: {}: {error}.", path.display());
-        let mut sentence = None;
+        let failed = |error: storage::StorageError| {
+            texts::settings_not_kept(texts::refused_file(path.display(), error.message()))
+        };
+        let mut said = None;
         if self.is_foreign {
             let copy = storage::keep_copy(path).map_err(failed)?;
-            sentence = copy.map(|copy| format!("The settings that were not understood are in {}.", copy.display()));
+            said = copy.map(|copy| texts::settings_copied(copy.display()));
         }
         if let Some(folder) = path.parent() {
             storage::create_folder(folder).map_err(failed)?;
         }
         storage::write(path, self.settings.to_json().as_bytes()).map_err(failed)?;
         self.is_foreign = false;
-        Ok(sentence)
+        Ok(said)
     }
 }
 
@@ -98,8 +98,8 @@ mod tests {
         storage::write(&path, b"{ \"version\": 9").unwrap();
         let (mut kept, problem) = Kept::read_from(Some(path.clone()), Settings::default());
         assert_eq!(kept.settings, Settings::default());
-        assert!(problem.unwrap().contains("line 1 column"));
-        let sentence = kept.write().unwrap().unwrap();
+        assert!(problem.unwrap().to_string().contains("line 1 column"));
+        let sentence = kept.write().unwrap().unwrap().to_string();
         let copy = folder.path().join("settings.json.bak");
         assert!(sentence.contains(&copy.display().to_string()), "{sentence}");
         assert_eq!(storage::read(&copy, 100).unwrap(), b"{ \"version\": 9");

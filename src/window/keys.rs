@@ -225,7 +225,7 @@ mod tests {
     }
 
     fn name(input: &KeyInput) -> Option<&'static str> {
-        binding_for(&bindings(), input.press()?).map(|binding| binding.name)
+        binding_for(&bindings(), input.press()?).map(|binding| binding.title().english())
     }
 
     #[track_caller]

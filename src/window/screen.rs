@@ -6,6 +6,7 @@ use winit::window::Window;
 
 use super::shared::Shared;
 use crate::render::{Gpu, GpuError};
+use crate::words::texts;
 
 /// Where a window's pictures are drawn and shown.
 pub struct Screen {
@@ -42,7 +43,7 @@ impl Screen {
     /// # Errors
     /// [`GpuError::NoSurface`]
     pub fn new(gpu: &Gpu, window: Arc<Window>, surface: wgpu::Surface<'static>) -> Result<Self, GpuError> {
-        let no_surface = || GpuError::NoSurface { reason: "the adapter cannot draw on it".to_owned() };
+        let no_surface = || GpuError::NoSurface { reason: texts::GPU_CANNOT_DRAW_ON_SURFACE.into() };
         let size = window.inner_size();
         let mut configuration =
             surface.get_default_config(&gpu.adapter, size.width.max(1), size.height.max(1)).ok_or_else(no_surface)?;

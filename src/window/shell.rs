@@ -69,10 +69,10 @@ impl Shell {
     pub fn new(mut editor: Editor, at_start: Vec<Command>, proxy: EventLoopProxy<Happening>) -> Self {
         let (kept, problem) = Kept::read();
         let mut ui = Ui::new();
-        let errors = ui.adopt(&kept.settings).into_iter().map(|error| error.to_string());
+        let errors = ui.adopt(&kept.settings).into_iter().map(|error| error.message());
         editor.set_keymap(ui.keymap().clone());
-        for sentence in problem.into_iter().chain(errors) {
-            editor.say_of(Severity::Error, sentence);
+        for message in problem.into_iter().chain(errors) {
+            editor.say(message.with_severity(Severity::Error));
         }
         Self {
             editor,

@@ -28,7 +28,12 @@ fn every_layout_is_read_in_both_orders() {
         for sample in texts(&rows, swap) {
             let (found, report) = read(&sample.text);
             assert_rows(&found, &rows, sample.what);
-            assert_eq!(report.summary, format!("4 keyframes of 22 nodes, layout {}", sample.layout), "{}", sample.what);
+            assert_eq!(
+                report.summary.to_string(),
+                format!("4 keyframes of 22 nodes, layout {}", sample.layout),
+                "{}",
+                sample.what
+            );
             assert!(!report.has_warnings(), "{}: {report}", sample.what);
             let order = if swap { "order: quaternion first" } else { "order: translation first" };
             assert!(report.to_string().contains(order), "{report}");
@@ -72,7 +77,7 @@ fn matrices_are_read() {
     let rows = keyframes(4);
     for text in [matrices(&rows), matrices(&rows).replace('\n', "\r\n"), matrices(&rows).replace(",\n", "\n")] {
         let (found, report) = read(&text);
-        assert_eq!(report.summary, "4 keyframes of 22 nodes, layout matrices");
+        assert_eq!(report.summary.to_string(), "4 keyframes of 22 nodes, layout matrices");
         for (keyframe, expected) in found.iter().zip(&rows) {
             for (rbt, row) in keyframe.pose.iter().zip(expected) {
                 let [tx, ty, tz, w, x, y, z] = row.clone().map(|number| number.parse::<f32>().unwrap());
@@ -108,7 +113,7 @@ fn every_layout_is_written_and_read_back() {
         for is_exact in [false, true] {
             let text = KeyframeText { keyframes: &original, nodes: 22, layout, is_exact }.to_string();
             let (found, report) = read(&text);
-            assert_eq!(report.summary, format!("4 keyframes of 22 nodes, layout {}", layout.name()));
+            assert_eq!(report.summary.to_string(), format!("4 keyframes of 22 nodes, layout {}", layout.name()));
             // The sample was printed with six digits, so they hold all of it.
             assert_eq!(found, original, "{}", layout.name());
             let again = KeyframeText { keyframes: &found, nodes: 22, layout, is_exact }.to_string();

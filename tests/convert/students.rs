@@ -10,7 +10,7 @@ const TWO_LINES: &str = include_str!("../data/student-files/n-m-header-two-lines
 #[test]
 fn a_row_a_line() {
     let (found, report) = read(ONE_LINE);
-    assert_eq!(report.summary, "6 keyframes of 22 nodes, layout header");
+    assert_eq!(report.summary.to_string(), "6 keyframes of 22 nodes, layout header");
     assert!(!report.has_warnings(), "{report}");
     assert_eq!(numbers(&found[1], "sky")[..3], [0.0, 0.25, 7.12]);
     assert_eq!(numbers(&found[2], "robot1")[3..], [0.790_878, 0.036_712_1, 0.609_253, 0.044_439_3]);
@@ -23,7 +23,7 @@ fn a_row_a_line() {
 #[test]
 fn two_lines_a_row_with_two_lights_and_other_joints() {
     let (found, report) = read(TWO_LINES);
-    assert_eq!(report.summary, "12 keyframes of 24 nodes, layout header-two-lines");
+    assert_eq!(report.summary.to_string(), "12 keyframes of 24 nodes, layout header-two-lines");
     assert!(!report.has_warnings(), "{report}");
     for robot in ["robot1", "robot2"] {
         for (joint, x, y) in [

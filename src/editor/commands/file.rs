@@ -4,9 +4,10 @@ use super::line::{Ending, Line};
 use super::row::{Binding, Changes, Group, Menu, Row};
 use super::values::{file, file_text};
 use crate::editor::{Command, FileCommand, WindowCommand};
+use crate::words::texts;
 
-fn binding(id: &'static str, command: Command, name: &'static str, help: &'static str) -> Binding {
-    Binding::new(Group::File, id, command, name, help)
+fn binding(id: &'static str, command: Command) -> Binding {
+    Binding::new(Group::File, id, command)
 }
 
 pub(super) fn rows() -> Vec<Row> {
@@ -14,22 +15,16 @@ pub(super) fn rows() -> Vec<Row> {
 }
 
 fn keyframes() -> Vec<Row> {
-    let import = binding(
-        "import",
-        Command::File(FileCommand::Import),
-        "Import",
-        "Import the keyframe file; its first keyframe is shown",
-    );
-    let save = binding("save", Command::File(FileCommand::Write), "Save", "Write the keyframe file");
-    let open = binding("open", Command::File(FileCommand::ChooseOpen), "Open…", "Open another keyframe file");
-    let save_as =
-        binding("save-as", Command::File(FileCommand::ChooseSaveAs), "Save As…", "Write to another keyframe file");
+    let import = binding("import", Command::File(FileCommand::Import));
+    let save = binding("save", Command::File(FileCommand::Write));
+    let open = binding("open", Command::File(FileCommand::ChooseOpen));
+    let save_as = binding("save-as", Command::File(FileCommand::ChooseSaveAs));
     vec![
-        Row::listed(Changes::Document, import.hotkeys(&["i"])).refused("import"),
+        Row::listed(Changes::Document, import.hotkeys(&["i"])).refused(texts::ACT_IMPORT),
         Row::listed(Changes::Files, save.hotkeys(&["w"])),
-        Row::listed(Changes::Files, open.hotkeys(&["Ctrl+O"]).section(0)).refused("open a file"),
+        Row::listed(Changes::Files, open.hotkeys(&["Ctrl+O"]).section(0)).refused(texts::ACT_OPEN_A_FILE),
         Row::of(Changes::Document, "open-file", |command| matches!(command, Command::File(FileCommand::Open(_))))
-            .refused("open a file")
+            .refused(texts::ACT_OPEN_A_FILE)
             .line(
                 Line::new(
                     "open FILE",
@@ -60,18 +55,8 @@ fn keyframes() -> Vec<Row> {
 }
 
 fn scene() -> Vec<Row> {
-    let save = binding(
-        "scene-save",
-        Command::File(FileCommand::WriteScene),
-        "Save scene",
-        "Write the scene, with its control nodes and keys, to its file",
-    );
-    let save_as = binding(
-        "scene-save-as",
-        Command::File(FileCommand::ChooseSaveSceneAs),
-        "Save scene as…",
-        "Write the scene to another file",
-    );
+    let save = binding("scene-save", Command::File(FileCommand::WriteScene));
+    let save_as = binding("scene-save-as", Command::File(FileCommand::ChooseSaveSceneAs));
     vec![
         Row::listed(Changes::Files, save),
         Row::listed(Changes::Files, save_as),
@@ -92,12 +77,7 @@ fn scene() -> Vec<Row> {
 }
 
 fn pictures() -> Vec<Row> {
-    let beside = binding(
-        "screenshot",
-        Command::File(FileCommand::Screenshot(None)),
-        "Screenshot",
-        "Write a screenshot beside the keyframe file",
-    );
+    let beside = binding("screenshot", Command::File(FileCommand::Screenshot(None)));
     vec![
         Row::of(Changes::Files, "screenshot", |command| matches!(command, Command::File(FileCommand::Screenshot(_))))
             .binding(beside.hotkeys(&["s"]).section(7))
@@ -118,12 +98,7 @@ fn pictures() -> Vec<Row> {
 
 /// Films. What they are to be has no line of its own: scripts make none, and `inbetween render` says it all.
 fn exports() -> Vec<Row> {
-    let show = binding(
-        "export",
-        Command::Window(WindowCommand::ShowExport),
-        "Export…",
-        "Make a film of what plays: GIF, APNG, MP4, Y4M or numbered frames",
-    );
+    let show = binding("export", Command::Window(WindowCommand::ShowExport));
     vec![
         Row::listed(Changes::Window, show.hotkeys(&["Ctrl+E"]).section(7)),
         Row::of(Changes::Files, "export-film", |command| matches!(command, Command::File(FileCommand::Export(_)))),
@@ -135,19 +110,17 @@ fn exports() -> Vec<Row> {
 }
 
 fn program() -> Vec<Row> {
-    let edit = |id, command, name, help, keys: &[&str]| {
-        binding(id, command, name, help).repeating_hotkeys(keys).menu(Menu::Edit).section(0)
-    };
-    let undo = edit("undo", Command::Undo, "Undo", "Undo", &["Ctrl+Z"]);
-    let redo = edit("redo", Command::Redo, "Redo", "Redo", &["Ctrl+Shift+Z", "Ctrl+Y"]);
-    let quit = binding("quit", Command::File(FileCommand::Quit), "Quit", "Quit; asks where something is unsaved");
+    let edit = |id, command, keys: &[&str]| binding(id, command).repeating_hotkeys(keys).menu(Menu::Edit).section(0);
+    let undo = edit("undo", Command::Undo, &["Ctrl+Z"]);
+    let redo = edit("redo", Command::Redo, &["Ctrl+Shift+Z", "Ctrl+Y"]);
+    let quit = binding("quit", Command::File(FileCommand::Quit));
     vec![
         Row::listed(Changes::Document, undo)
-            .refused("undo")
+            .refused(texts::ACT_UNDO)
             .can(|editor, _| editor.gesture.is_none() && editor.undo_label().is_some())
             .word("undo", "takes back the last edit"),
         Row::listed(Changes::Document, redo)
-            .refused("redo")
+            .refused(texts::ACT_REDO)
             .can(|editor, _| editor.gesture.is_none() && editor.redo_label().is_some())
             .word("redo", "brings it again"),
         Row::listed(Changes::Files, quit.hotkeys(&["Ctrl+Q"]).section(9)),

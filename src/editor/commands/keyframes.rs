@@ -4,9 +4,10 @@ use super::line::Line;
 use super::row::{Binding, Changes, Group, Row};
 use super::values::keyframe;
 use crate::editor::{Command, Edit, Editor};
+use crate::words::texts;
 
-fn listed(id: &'static str, edit: Edit, name: &'static str, help: &'static str, keys: &[&str]) -> Row {
-    Row::listed(Changes::Document, Binding::new(Group::Keyframes, id, Command::Edit(edit), name, help).hotkeys(keys))
+fn listed(id: &'static str, edit: Edit, keys: &[&str]) -> Row {
+    Row::listed(Changes::Document, Binding::new(Group::Keyframes, id, Command::Edit(edit)).hotkeys(keys))
 }
 
 fn has_keyframes(editor: &Editor, _: &Command) -> bool {
@@ -22,64 +23,21 @@ fn is_before_last(editor: &Editor, _: &Command) -> bool {
 }
 
 pub(super) fn rows() -> Vec<Row> {
-    let stepping = |id, edit, name, help, keys: &[&str]| {
-        let binding = Binding::new(Group::Keyframes, id, Command::Edit(edit), name, help).repeating_hotkeys(keys);
-        Row::listed(Changes::Document, binding).refused("go to another keyframe")
+    let stepping = |id, edit, keys: &[&str]| {
+        let binding = Binding::new(Group::Keyframes, id, Command::Edit(edit)).repeating_hotkeys(keys);
+        Row::listed(Changes::Document, binding).refused(texts::ACT_GO_TO_ANOTHER_KEYFRAME)
     };
     vec![
-        listed(
-            "keyframe-display",
-            Edit::DisplayCurrent,
-            "Display keyframe",
-            "Copy the current keyframe to the scene",
-            &["Space", "c"],
-        )
-        .refused("display a keyframe")
-        .can(has_keyframes),
-        listed(
-            "keyframe-update",
-            Edit::UpdateCurrent,
-            "Update keyframe",
-            "Update the current keyframe from the scene",
-            &["u"],
-        )
-        .refused("update a keyframe"),
-        stepping(
-            "keyframe-next",
-            Edit::GoToNext,
-            "Next keyframe",
-            "Go to the next keyframe and copy it to the scene",
-            &[">", "."],
-        )
-        .can(is_before_last),
-        stepping(
-            "keyframe-previous",
-            Edit::GoToPrevious,
-            "Previous keyframe",
-            "Go to the previous keyframe and copy it to the scene",
-            &["<", ","],
-        )
-        .can(is_after_first),
-        listed(
-            "keyframe-first",
-            Edit::GoToFirst,
-            "First keyframe",
-            "Go to the first keyframe and copy it to the scene",
-            &[],
-        )
-        .refused("go to another keyframe")
-        .can(is_after_first),
-        listed(
-            "keyframe-last",
-            Edit::GoToLast,
-            "Last keyframe",
-            "Go to the last keyframe and copy it to the scene",
-            &[],
-        )
-        .refused("go to another keyframe")
-        .can(is_before_last),
+        listed("keyframe-display", Edit::DisplayCurrent, &["Space", "c"])
+            .refused(texts::ACT_DISPLAY_A_KEYFRAME)
+            .can(has_keyframes),
+        listed("keyframe-update", Edit::UpdateCurrent, &["u"]).refused(texts::ACT_UPDATE_A_KEYFRAME),
+        stepping("keyframe-next", Edit::GoToNext, &[">", "."]).can(is_before_last),
+        stepping("keyframe-previous", Edit::GoToPrevious, &["<", ","]).can(is_after_first),
+        listed("keyframe-first", Edit::GoToFirst, &[]).refused(texts::ACT_GO_TO_ANOTHER_KEYFRAME).can(is_after_first),
+        listed("keyframe-last", Edit::GoToLast, &[]).refused(texts::ACT_GO_TO_ANOTHER_KEYFRAME).can(is_before_last),
         Row::of(Changes::Document, "go", |command| matches!(command, Command::Edit(Edit::GoTo(_))))
-            .refused("go to another keyframe")
+            .refused(texts::ACT_GO_TO_ANOTHER_KEYFRAME)
             .can(|editor, command| {
                 let Command::Edit(Edit::GoTo(index)) = command else { return false };
                 editor.document.keyframes.get(*index).is_some()
@@ -96,18 +54,8 @@ pub(super) fn rows() -> Vec<Row> {
                     Some(index.get().to_string())
                 },
             )),
-        listed("keyframe-delete", Edit::DeleteCurrent, "Delete keyframe", "Delete the current keyframe", &["d"])
-            .refused("delete a keyframe")
-            .can(has_keyframes),
-        listed(
-            "keyframe-new",
-            Edit::CreateKeyframe,
-            "New keyframe",
-            "New keyframe from the scene, after the current one",
-            &["n"],
-        )
-        .refused("create a keyframe"),
-        listed("pose-rest", Edit::ResetPose, "Rest pose", "Return the scene to its rest pose", &["r"])
-            .refused("return to the rest pose"),
+        listed("keyframe-delete", Edit::DeleteCurrent, &["d"]).refused(texts::ACT_DELETE_A_KEYFRAME).can(has_keyframes),
+        listed("keyframe-new", Edit::CreateKeyframe, &["n"]).refused(texts::ACT_CREATE_A_KEYFRAME),
+        listed("pose-rest", Edit::ResetPose, &["r"]).refused(texts::ACT_RETURN_TO_THE_REST_POSE),
     ]
 }

@@ -9,6 +9,7 @@ use super::values::{
 };
 use crate::editor::{Command, Edit, GestureCommand};
 use crate::rbt::Rbt;
+use crate::words::{Phrase, texts};
 
 const fn edit_of(command: &Command) -> Option<&Edit> {
     match command {
@@ -18,7 +19,7 @@ const fn edit_of(command: &Command) -> Option<&Edit> {
 }
 
 /// An edit of a pose, which a drag makes again and again.
-fn edit_with(id: &'static str, refused: &'static str, owns: fn(&Command) -> bool) -> Row {
+fn edit_with(id: &'static str, refused: Phrase, owns: fn(&Command) -> bool) -> Row {
     Row::of(Changes::Document, id, owns).refused(refused).continuous()
 }
 
@@ -28,60 +29,64 @@ pub(super) fn rows() -> Vec<Row> {
 
 fn chosen() -> Vec<Row> {
     vec![
-        edit_with("rotate", "turn a node", |command| matches!(edit_of(command), Some(Edit::RotateChosen { .. })))
-            .can(|editor, _| editor.session.chosen.is_some())
-            .line(Line::new(
-                "rotate AXIS DEGREES",
-                "turns the chosen node about its own `x`, `y` or `z`",
-                |arguments| {
-                    let &[about, degrees] = arguments.words else { return Ok(None) };
-                    let (axis_in_node, radians) = (axis(about)?, radians(degrees)?);
-                    Ok(Some(Command::Edit(Edit::RotateChosen { axis_in_node, radians })))
-                },
-                |command, _| {
-                    let Some(&Edit::RotateChosen { axis_in_node, radians: by }) = edit_of(command) else { return None };
-                    let is_axis = |axis: Vec3| same_bits(&axis.to_array(), &axis_in_node.to_array());
-                    let axes = [("x", Vec3::X), ("y", Vec3::Y), ("z", Vec3::Z)];
-                    let (about, _) = axes.into_iter().find(|(_, axis)| is_axis(*axis))?;
-                    let degrees = number_text(by.to_degrees());
-                    // Not every angle in radians is one in degrees.
-                    let is_exact = radians(&degrees).is_ok_and(|read| read.to_bits() == by.to_bits());
-                    is_exact.then(|| format!("{about} {degrees}"))
-                },
-            ))
-            .line(Line::new(
-                "rotate-by X Y Z RADIANS",
-                "turns the chosen node about an axis of its own, which is a unit vector",
-                |arguments| {
-                    let Ok(&[x, y, z, by]) = <&[&str; 4]>::try_from(arguments.words) else { return Ok(None) };
-                    let axis_in_node = Vec3::from(numbers(&[x, y, z])?);
-                    Ok(Some(Command::Edit(Edit::RotateChosen { axis_in_node, radians: number(by)? })))
-                },
-                |command, _| {
-                    let Some(&Edit::RotateChosen { axis_in_node, radians }) = edit_of(command) else { return None };
-                    Some(format!("{} {}", vector_text(axis_in_node), number_text(radians)))
-                },
-            )),
-        edit_with("translate", "move a node", |command| matches!(edit_of(command), Some(Edit::TranslateChosen(_))))
-            .can(|editor, _| editor.session.chosen.is_some())
-            .line(Line::new(
-                "translate X Y Z",
-                "moves the chosen node, in its parent's space",
-                |arguments| {
-                    let Ok(words) = arguments.words.try_into() else { return Ok(None) };
-                    Ok(Some(Command::Edit(Edit::TranslateChosen(Vec3::from(numbers::<3>(words)?)))))
-                },
-                |command, _| {
-                    let Some(&Edit::TranslateChosen(by)) = edit_of(command) else { return None };
-                    Some(vector_text(by))
-                },
-            )),
+        edit_with("rotate", texts::ACT_TURN_A_NODE, |command| {
+            matches!(edit_of(command), Some(Edit::RotateChosen { .. }))
+        })
+        .can(|editor, _| editor.session.chosen.is_some())
+        .line(Line::new(
+            "rotate AXIS DEGREES",
+            "turns the chosen node about its own `x`, `y` or `z`",
+            |arguments| {
+                let &[about, degrees] = arguments.words else { return Ok(None) };
+                let (axis_in_node, radians) = (axis(about)?, radians(degrees)?);
+                Ok(Some(Command::Edit(Edit::RotateChosen { axis_in_node, radians })))
+            },
+            |command, _| {
+                let Some(&Edit::RotateChosen { axis_in_node, radians: by }) = edit_of(command) else { return None };
+                let is_axis = |axis: Vec3| same_bits(&axis.to_array(), &axis_in_node.to_array());
+                let axes = [("x", Vec3::X), ("y", Vec3::Y), ("z", Vec3::Z)];
+                let (about, _) = axes.into_iter().find(|(_, axis)| is_axis(*axis))?;
+                let degrees = number_text(by.to_degrees());
+                // Not every angle in radians is one in degrees.
+                let is_exact = radians(&degrees).is_ok_and(|read| read.to_bits() == by.to_bits());
+                is_exact.then(|| format!("{about} {degrees}"))
+            },
+        ))
+        .line(Line::new(
+            "rotate-by X Y Z RADIANS",
+            "turns the chosen node about an axis of its own, which is a unit vector",
+            |arguments| {
+                let Ok(&[x, y, z, by]) = <&[&str; 4]>::try_from(arguments.words) else { return Ok(None) };
+                let axis_in_node = Vec3::from(numbers(&[x, y, z])?);
+                Ok(Some(Command::Edit(Edit::RotateChosen { axis_in_node, radians: number(by)? })))
+            },
+            |command, _| {
+                let Some(&Edit::RotateChosen { axis_in_node, radians }) = edit_of(command) else { return None };
+                Some(format!("{} {}", vector_text(axis_in_node), number_text(radians)))
+            },
+        )),
+        edit_with("translate", texts::ACT_MOVE_A_NODE, |command| {
+            matches!(edit_of(command), Some(Edit::TranslateChosen(_)))
+        })
+        .can(|editor, _| editor.session.chosen.is_some())
+        .line(Line::new(
+            "translate X Y Z",
+            "moves the chosen node, in its parent's space",
+            |arguments| {
+                let Ok(words) = arguments.words.try_into() else { return Ok(None) };
+                Ok(Some(Command::Edit(Edit::TranslateChosen(Vec3::from(numbers::<3>(words)?)))))
+            },
+            |command, _| {
+                let Some(&Edit::TranslateChosen(by)) = edit_of(command) else { return None };
+                Some(vector_text(by))
+            },
+        )),
     ]
 }
 
 fn named() -> Vec<Row> {
     vec![
-        edit_with("set-translation", "move a node", |command| {
+        edit_with("set-translation", texts::ACT_MOVE_A_NODE, |command| {
             matches!(edit_of(command), Some(Edit::SetTranslation(..)))
         })
         .line(
@@ -99,22 +104,24 @@ fn named() -> Vec<Row> {
             )
             .ending(Ending::NodePath),
         ),
-        edit_with("set-rotation", "turn a node", |command| matches!(edit_of(command), Some(Edit::SetRotation(..))))
-            .line(
-                Line::new(
-                    "set-rotation X Y Z W PATH",
-                    "turns a node: a quaternion, which is normalised",
-                    |arguments| {
-                        let Some((words, rbt)) = arguments.then_rbt()? else { return Ok(None) };
-                        Ok(Some(Command::Edit(Edit::SetRotation(rbt, Quat::from_array(numbers::<4>(&words)?)))))
-                    },
-                    |command, scene| {
-                        let Some(&Edit::SetRotation(rbt, to)) = edit_of(command) else { return None };
-                        Some(format!("{} {}", rotation_text(to), rbt_path_text(rbt, scene)?))
-                    },
-                )
-                .ending(Ending::NodePath),
-            ),
+        edit_with("set-rotation", texts::ACT_TURN_A_NODE, |command| {
+            matches!(edit_of(command), Some(Edit::SetRotation(..)))
+        })
+        .line(
+            Line::new(
+                "set-rotation X Y Z W PATH",
+                "turns a node: a quaternion, which is normalised",
+                |arguments| {
+                    let Some((words, rbt)) = arguments.then_rbt()? else { return Ok(None) };
+                    Ok(Some(Command::Edit(Edit::SetRotation(rbt, Quat::from_array(numbers::<4>(&words)?)))))
+                },
+                |command, scene| {
+                    let Some(&Edit::SetRotation(rbt, to)) = edit_of(command) else { return None };
+                    Some(format!("{} {}", rotation_text(to), rbt_path_text(rbt, scene)?))
+                },
+            )
+            .ending(Ending::NodePath),
+        ),
     ]
 }
 
@@ -150,7 +157,7 @@ fn drags() -> Vec<Row> {
     let part = |id, owns| Row::of(Changes::Document, id, owns).can(|editor, _| editor.gesture.is_some());
     vec![
         Row::of(Changes::Document, "drag-begin", |command| matches!(command, Command::Gesture(GestureCommand::Begin)))
-            .refused("move a node")
+            .refused(texts::ACT_MOVE_A_NODE)
             .line(drag.clone()),
         part("drag-end", |command| matches!(command, Command::Gesture(GestureCommand::Commit))).line(drag.clone()),
         part("drag-cancel", |command| matches!(command, Command::Gesture(GestureCommand::Abort))).line(drag.clone()),
@@ -168,7 +175,7 @@ fn drags() -> Vec<Row> {
                 },
             ),
         ),
-        edit_with("wheel", "move a node", |command| matches!(edit_of(command), Some(Edit::Wheel(_))))
+        edit_with("wheel", texts::ACT_MOVE_A_NODE, |command| matches!(edit_of(command), Some(Edit::Wheel(_))))
             .line(Line::new(
                 "wheel UNITS",
                 "moves the chosen node, or the eye, forward along the view, in scene units",

@@ -7,12 +7,13 @@ use crate::editor::{Command, Edit, Editor, PlayMode, PlaybackCommand, SPEED_PERC
 use crate::frame::MOST_GHOSTS;
 use crate::interpolation::Interpolation;
 use crate::keyframe::{MS_BETWEEN_KEYFRAMES_RANGE, PlayRange};
+use crate::words::texts;
 
 /// The longest step, in ticks either way: an hour.
 const LONGEST_STEP: i32 = 216_000;
 
-fn binding(id: &'static str, command: Command, name: &'static str, help: &'static str) -> Binding {
-    Binding::new(Group::Playing, id, command, name, help)
+fn binding(id: &'static str, command: Command) -> Binding {
+    Binding::new(Group::Playing, id, command)
 }
 
 fn can_play(editor: &Editor, _: &Command) -> bool {
@@ -24,18 +25,8 @@ pub(super) fn rows() -> Vec<Row> {
 }
 
 fn transport() -> Vec<Row> {
-    let play = binding(
-        "play-or-stop",
-        Command::Playback(PlaybackCommand::PlayOrStop),
-        "Play or stop",
-        "Play from the first playable keyframe, or stop",
-    );
-    let pause = binding(
-        "pause-or-resume",
-        Command::Playback(PlaybackCommand::PauseOrResume),
-        "Pause or go on",
-        "Pause: freeze the pose on screen into the scene; or go on from there",
-    );
+    let play = binding("play-or-stop", Command::Playback(PlaybackCommand::PlayOrStop));
+    let pause = binding("pause-or-resume", Command::Playback(PlaybackCommand::PauseOrResume));
     vec![
         Row::listed(Changes::Session, play.hotkeys(&["y"]))
             .can(|editor, command| editor.is_playing() || can_play(editor, command)),
@@ -45,14 +36,9 @@ fn transport() -> Vec<Row> {
 }
 
 fn pace() -> Vec<Row> {
-    let faster = binding("faster", Command::Edit(Edit::Faster), "Faster", "100 ms less between keyframes");
-    let slower = binding("slower", Command::Edit(Edit::Slower), "Slower", "100 ms more between keyframes");
-    let next = binding(
-        "interpolation-next",
-        Command::Edit(Edit::NextInterpolation),
-        "Next interpolation",
-        "Next interpolation: linear, Catmull-Rom",
-    );
+    let faster = binding("faster", Command::Edit(Edit::Faster));
+    let slower = binding("slower", Command::Edit(Edit::Slower));
+    let next = binding("interpolation-next", Command::Edit(Edit::NextInterpolation));
     vec![
         Row::listed(Changes::Document, faster.repeating_hotkeys(&["+", "="])),
         Row::listed(Changes::Document, slower.repeating_hotkeys(&["-"])),
@@ -108,15 +94,8 @@ fn pace() -> Vec<Row> {
 }
 
 fn playhead() -> Vec<Row> {
-    let play = binding(
-        "play-from-playhead",
-        Command::Playback(PlaybackCommand::PlayFromPlayhead),
-        "Play from playhead",
-        "Play from the playhead, or stop",
-    );
-    let step = |id, ticks, name, help, key| {
-        binding(id, Command::Playback(PlaybackCommand::Step(ticks)), name, help).repeating_hotkeys(&[key])
-    };
+    let play = binding("play-from-playhead", Command::Playback(PlaybackCommand::PlayFromPlayhead));
+    let step = |id, ticks, key| binding(id, Command::Playback(PlaybackCommand::Step(ticks))).repeating_hotkeys(&[key]);
     vec![
         Row::listed(Changes::Session, play.hotkeys(&["Shift+Y"])).can(can_play),
         Row::of(Changes::Session, "scrub", |command| matches!(command, Command::Playback(PlaybackCommand::Scrub(_))))
@@ -134,10 +113,10 @@ fn playhead() -> Vec<Row> {
                 },
             )),
         Row::of(Changes::Session, "step", |command| matches!(command, Command::Playback(PlaybackCommand::Step(_))))
-            .refused("step by ticks")
+            .refused(texts::ACT_STEP_BY_TICKS)
             .can(can_play)
-            .binding(step("step-forward", 1, "Step forward", "Move the playhead one tick forward", "Right"))
-            .binding(step("step-back", -1, "Step back", "Move the playhead one tick back", "Left"))
+            .binding(step("step-forward", 1, "Right"))
+            .binding(step("step-back", -1, "Left"))
             .line(Line::new(
                 "step TICKS",
                 "moves the playhead by ticks of 1/60 s; below 0: back",
@@ -155,18 +134,8 @@ fn playhead() -> Vec<Row> {
 }
 
 fn modes() -> Vec<Row> {
-    let next = binding(
-        "play-mode-next",
-        Command::Playback(PlaybackCommand::NextMode),
-        "Loop",
-        "Play once, in a loop, or forwards and backwards",
-    );
-    let auto_key = binding(
-        "auto-key",
-        Command::View(ViewCommand::ToggleAutoKeys),
-        "Auto-key",
-        "The end of each drag updates the current keyframe",
-    );
+    let next = binding("play-mode-next", Command::Playback(PlaybackCommand::NextMode));
+    let auto_key = binding("auto-key", Command::View(ViewCommand::ToggleAutoKeys));
     vec![
         Row::listed(Changes::Session, next.hotkeys(&["Shift+L"])),
         Row::of(Changes::Session, "mode", |command| matches!(command, Command::Playback(PlaybackCommand::SetMode(_))))
@@ -243,18 +212,8 @@ fn ghosts() -> Vec<Row> {
 
 /// The clock of timed keys; `timed_keys` has the line that sets it.
 fn clock() -> Vec<Row> {
-    let restart = binding(
-        "timed-keys-restart",
-        Command::View(ViewCommand::RestartSeconds),
-        "Restart timed keys",
-        "Set the clock of keys at their own times to zero (some lessons use the space bar for it)",
-    );
-    let hold = binding(
-        "timed-keys-hold",
-        Command::View(ViewCommand::HoldSeconds),
-        "Hold timed keys",
-        "Hold the clock of keys at their own times, or let it go on",
-    );
+    let restart = binding("timed-keys-restart", Command::View(ViewCommand::RestartSeconds));
+    let hold = binding("timed-keys-hold", Command::View(ViewCommand::HoldSeconds));
     vec![
         Row::listed(Changes::Session, restart.hotkeys(&["Home"])),
         Row::listed(Changes::Session, hold.hotkeys(&["Shift+Home"])),

@@ -3,6 +3,7 @@
 use super::line::Line;
 use crate::editor::keymap::Chord;
 use crate::editor::{Command, Editor};
+use crate::words::{Phrase, texts};
 
 /// What a command changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,14 +41,14 @@ impl Group {
 
     /// Its heading.
     #[must_use]
-    pub const fn heading(self) -> &'static str {
+    pub const fn heading(self) -> Phrase {
         match self {
-            Self::Keyframes => "Keyframes",
-            Self::Timeline => "Timeline",
-            Self::Playing => "Playing",
-            Self::View => "Looking and handling",
-            Self::File => "Files and undo",
-            Self::Window => "Window",
+            Self::Keyframes => texts::GROUP_KEYFRAMES,
+            Self::Timeline => texts::GROUP_TIMELINE,
+            Self::Playing => texts::GROUP_PLAYING,
+            Self::View => texts::GROUP_VIEW,
+            Self::File => texts::GROUP_FILE,
+            Self::Window => texts::GROUP_WINDOW,
         }
     }
 
@@ -101,10 +102,6 @@ pub struct Binding {
     pub id: &'static str,
     /// The command that it stands for.
     pub command: Command,
-    /// Its name in menus and lists, as in "New keyframe".
-    pub name: &'static str,
-    /// What it does, in a sentence for the help.
-    pub help: &'static str,
     /// Where it stands in the help.
     pub group: Group,
     /// Its default hotkeys, the first of them the one that menus show.
@@ -120,18 +117,10 @@ pub struct Binding {
 }
 
 impl Binding {
-    pub(super) fn new(
-        group: Group,
-        id: &'static str,
-        command: Command,
-        name: &'static str,
-        help: &'static str,
-    ) -> Self {
+    pub(super) fn new(group: Group, id: &'static str, command: Command) -> Self {
         Self {
             id,
             command,
-            name,
-            help,
             group,
             chords: Vec::new(),
             repeats: false,
@@ -139,6 +128,19 @@ impl Binding {
             section: USUAL_SECTION,
             is_on: |_, _| false,
         }
+    }
+
+    /// Its name in menus and lists: the text `command.ID`.
+    #[must_use]
+    pub fn title(&self) -> Phrase {
+        Phrase::of_id(&format!("command.{}", self.id)).expect("en.txt has the name of every row, which a test checks")
+    }
+
+    /// What it does, in a sentence for the help: the text `command.ID.help`.
+    #[must_use]
+    pub fn explanation(&self) -> Phrase {
+        Phrase::of_id(&format!("command.{}.help", self.id))
+            .expect("en.txt has the help of every row, which a test checks")
     }
 
     /// Gives it default hotkeys, as [`Chord::parse`] reads them.
@@ -179,7 +181,7 @@ pub struct Row {
     /// Whether it can do what it is for, as far as playing does not refuse it.
     pub can: fn(&Editor, &Command) -> bool,
     /// What it is called where playing refuses it, as in "delete a keyframe"; `None` where playing does not.
-    pub refused_while_playing: Option<&'static str>,
+    pub refused_while_playing: Option<Phrase>,
     /// Whether a drag makes it again and again, so that during one it is a part of it.
     pub is_continuous: bool,
     /// Whether it first leaves a scrubbed key time.
@@ -241,7 +243,7 @@ impl Row {
         Self { can, ..self }
     }
 
-    pub(super) fn refused(self, what: &'static str) -> Self {
+    pub(super) fn refused(self, what: Phrase) -> Self {
         Self { refused_while_playing: Some(what), ..self }
     }
 

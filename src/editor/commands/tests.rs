@@ -26,7 +26,7 @@ fn what_is_refused_is_shown_as_disabled() {
     for editor in [editor(0), editor(1), editor(4), playing] {
         for binding in bindings() {
             let is_refused = editor.clone().apply(binding.command.clone()).is_err();
-            assert!(!(is_refused && editor.can(&binding.command)), "{} is refused but not disabled", binding.name);
+            assert!(!(is_refused && editor.can(&binding.command)), "{} is refused but not disabled", binding.id);
         }
     }
 }

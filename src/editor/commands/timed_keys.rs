@@ -11,6 +11,7 @@ use crate::colour::Colour;
 use crate::editor::{Command, Edit, KeyAt, SceneEdit, ViewCommand};
 use crate::scene::{Channel, KeyValue};
 use crate::timed::rotation_from_euler_degrees;
+use crate::words::texts;
 
 type Parsed<T> = Result<T, ArgumentError>;
 
@@ -26,7 +27,7 @@ const fn edit_of(command: &Command) -> Option<&SceneEdit> {
 }
 
 fn edit_with(id: &'static str, owns: fn(&Command) -> bool) -> Row {
-    Row::of(Changes::Document, id, owns).refused("edit the scene")
+    Row::of(Changes::Document, id, owns).refused(texts::ACT_EDIT_THE_SCENE)
 }
 
 pub(super) fn rows() -> Vec<Row> {

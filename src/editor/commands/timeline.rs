@@ -8,6 +8,7 @@ use super::values::{
 };
 use crate::editor::{Command, Edit, Editor, SceneEdit, TimelineEdit, ViewCommand, WindowCommand};
 use crate::keyframe::{DURATION_RANGE, Easing};
+use crate::words::texts;
 use glam::{Quat, Vec3};
 
 fn edit(edit: TimelineEdit) -> Command {
@@ -21,8 +22,8 @@ const fn edit_of(command: &Command) -> Option<&TimelineEdit> {
     }
 }
 
-fn binding(id: &'static str, command: Command, name: &'static str, help: &'static str, keys: &[&str]) -> Binding {
-    Binding::new(Group::Timeline, id, command, name, help).hotkeys(keys)
+fn binding(id: &'static str, command: Command, keys: &[&str]) -> Binding {
+    Binding::new(Group::Timeline, id, command).hotkeys(keys)
 }
 
 fn has_keyframes(editor: &Editor, _: &Command) -> bool {
@@ -31,12 +32,12 @@ fn has_keyframes(editor: &Editor, _: &Command) -> bool {
 
 /// An edit of the timeline without parameters, and the script line that is its word.
 fn listed_edit(binding: Binding, word: &'static str, does: &'static str) -> Row {
-    Row::listed(Changes::Document, binding).refused("edit the timeline").can(has_keyframes).word(word, does)
+    Row::listed(Changes::Document, binding).refused(texts::ACT_EDIT_THE_TIMELINE).can(has_keyframes).word(word, does)
 }
 
 /// An edit of the timeline with parameters.
 fn edit_with(id: &'static str, owns: fn(&Command) -> bool) -> Row {
-    Row::of(Changes::Document, id, owns).refused("edit the timeline").can(has_keyframes)
+    Row::of(Changes::Document, id, owns).refused(texts::ACT_EDIT_THE_TIMELINE).can(has_keyframes)
 }
 
 pub(super) fn rows() -> Vec<Row> {
@@ -82,48 +83,12 @@ fn selection() -> Vec<Row> {
 }
 
 fn edits() -> Vec<Row> {
-    let copy = binding(
-        "keyframes-copy",
-        Command::View(ViewCommand::CopyKeyframes),
-        "Copy keyframes",
-        "Copy the selected keyframes, or the current one",
-        &["Ctrl+C"],
-    );
-    let cut = binding(
-        "keyframes-cut",
-        edit(TimelineEdit::CutKeyframes),
-        "Cut keyframes",
-        "Cut the selected keyframes, or the current one",
-        &["Ctrl+X"],
-    );
-    let paste = binding(
-        "keyframes-paste",
-        edit(TimelineEdit::PasteKeyframes),
-        "Paste keyframes",
-        "Paste the copied keyframes after the selected ones",
-        &["Ctrl+V"],
-    );
-    let duplicate = binding(
-        "keyframes-duplicate",
-        edit(TimelineEdit::DuplicateKeyframes),
-        "Duplicate keyframes",
-        "Duplicate the selected keyframes, or the current one",
-        &["Ctrl+D"],
-    );
-    let delete = binding(
-        "keyframes-delete",
-        edit(TimelineEdit::DeleteKeyframes),
-        "Delete keyframes",
-        "Delete the selected keyframes, or the current one",
-        &["Delete"],
-    );
-    let reverse = binding(
-        "keyframes-reverse",
-        edit(TimelineEdit::ReverseKeyframes),
-        "Reverse keyframes",
-        "Reverse the order of the selected keyframes, or of all",
-        &[],
-    );
+    let copy = binding("keyframes-copy", Command::View(ViewCommand::CopyKeyframes), &["Ctrl+C"]);
+    let cut = binding("keyframes-cut", edit(TimelineEdit::CutKeyframes), &["Ctrl+X"]);
+    let paste = binding("keyframes-paste", edit(TimelineEdit::PasteKeyframes), &["Ctrl+V"]);
+    let duplicate = binding("keyframes-duplicate", edit(TimelineEdit::DuplicateKeyframes), &["Ctrl+D"]);
+    let delete = binding("keyframes-delete", edit(TimelineEdit::DeleteKeyframes), &["Delete"]);
+    let reverse = binding("keyframes-reverse", edit(TimelineEdit::ReverseKeyframes), &[]);
     vec![
         Row::listed(Changes::Session, copy).can(has_keyframes).word("copy", "copies them"),
         listed_edit(cut, "cut", "copies and deletes them").ends_scrub(),
@@ -253,62 +218,26 @@ fn nodes() -> Vec<Row> {
 
 /// What the timeline's panel does for itself, and control nodes, whose keys it shows.
 fn window() -> Vec<Row> {
-    let control = binding(
-        "control-node-above",
-        Command::Edit(Edit::Scene(SceneEdit::PutControlAboveChosen)),
-        "Put control node above",
-        "Put a control node above the chosen node: its keys stand at their own times",
-        &[],
-    );
-    let rename = binding(
-        "keyframe-rename",
-        Command::Window(WindowCommand::RenameCurrent),
-        "Rename keyframe…",
-        "Give the current keyframe a name",
-        &["F2"],
-    );
-    let fit = |id, command, name, help, keys: &[&str]| {
-        let binding = binding(id, Command::Window(command), name, help, keys);
+    let control = binding("control-node-above", Command::Edit(Edit::Scene(SceneEdit::PutControlAboveChosen)), &[]);
+    let rename = binding("keyframe-rename", Command::Window(WindowCommand::RenameCurrent), &["F2"]);
+    let fit = |id, command, keys: &[&str]| {
+        let binding = binding(id, Command::Window(command), keys);
         Row::listed(Changes::Window, binding.section(8)).can(has_keyframes)
     };
     vec![
         Row::listed(Changes::Document, control)
-            .refused("edit the scene")
+            .refused(texts::ACT_EDIT_THE_SCENE)
             .can(|editor, _| editor.session.chosen.is_some()),
         Row::listed(Changes::Window, rename.section(8))
             .can(|editor, command| !editor.is_playing() && has_keyframes(editor, command)),
-        fit(
-            "timeline-fit-all",
-            WindowCommand::FitTimeline,
-            "Fit all",
-            "Bring all keyframes into sight in the timeline",
-            &["f"],
-        ),
-        fit(
-            "timeline-fit-selection",
-            WindowCommand::FitSelection,
-            "Fit selection",
-            "Bring the selected keyframes into sight in the timeline",
-            &["Shift+F"],
-        ),
+        fit("timeline-fit-all", WindowCommand::FitTimeline, &["f"]),
+        fit("timeline-fit-selection", WindowCommand::FitSelection, &["Shift+F"]),
     ]
 }
 
 fn poses() -> Vec<Row> {
-    let copy = binding(
-        "pose-copy",
-        Command::View(ViewCommand::CopyPose),
-        "Copy pose",
-        "Copy the pose of the chosen node and all below it",
-        &["Ctrl+Shift+C"],
-    );
-    let paste = binding(
-        "pose-paste",
-        edit(TimelineEdit::PastePose),
-        "Paste pose",
-        "Paste the copied pose to the chosen node: the other robot, say",
-        &["Ctrl+Shift+V"],
-    );
+    let copy = binding("pose-copy", Command::View(ViewCommand::CopyPose), &["Ctrl+Shift+C"]);
+    let paste = binding("pose-paste", edit(TimelineEdit::PastePose), &["Ctrl+Shift+V"]);
     vec![
         Row::listed(Changes::Session, copy)
             .can(|editor, _| editor.session.chosen.is_some())

@@ -5,8 +5,8 @@ use super::row::{Binding, Changes, Group, Menu, Row};
 use super::values::{listed, rbt_path_text};
 use crate::editor::{Command, ViewCommand};
 
-fn binding(id: &'static str, command: ViewCommand, name: &'static str, help: &'static str) -> Binding {
-    Binding::new(Group::View, id, Command::View(command), name, help)
+fn binding(id: &'static str, command: ViewCommand) -> Binding {
+    Binding::new(Group::View, id, Command::View(command))
 }
 
 pub(super) fn rows() -> Vec<Row> {
@@ -14,20 +14,9 @@ pub(super) fn rows() -> Vec<Row> {
 }
 
 fn eyes() -> Vec<Row> {
-    let next =
-        binding("eye-next", ViewCommand::NextEye, "Next eye", "Look from the next eye: the sky, robot 1, robot 2");
-    let pick = binding(
-        "pick",
-        ViewCommand::StartPicking,
-        "Pick a node",
-        "Pick: the next click chooses the node to move; the ground chooses none",
-    );
-    let sky = binding(
-        "sky-mode",
-        ViewCommand::ToggleSkyMode,
-        "Sky camera's centre",
-        "Move the sky camera about the world's centre, or about itself",
-    );
+    let next = binding("eye-next", ViewCommand::NextEye);
+    let pick = binding("pick", ViewCommand::StartPicking);
+    let sky = binding("sky-mode", ViewCommand::ToggleSkyMode);
     vec![
         Row::listed(Changes::Session, next.hotkeys(&["v"])),
         Row::of(Changes::Session, "eye", |command| matches!(command, Command::View(ViewCommand::SetEye(_)))).line(
@@ -79,25 +68,10 @@ fn eyes() -> Vec<Row> {
 }
 
 fn shown() -> Vec<Row> {
-    let arcball = binding("arcball", ViewCommand::ToggleArcball, "Arcball", "Show or hide the arcball");
-    let path = binding(
-        "motion-path",
-        ViewCommand::TogglePath,
-        "Motion path",
-        "Show or hide the path that the chosen node takes",
-    );
-    let ghosts = binding(
-        "ghosts-next",
-        ViewCommand::NextGhosts,
-        "Ghosts",
-        "Show one more of the neighbouring keyframes on each side as ghosts, up to 3, then none",
-    );
-    let comparison = binding(
-        "interpolations-compare",
-        ViewCommand::ToggleComparison,
-        "Compare interpolations",
-        "While playing, show the chosen robot under the other interpolations",
-    );
+    let arcball = binding("arcball", ViewCommand::ToggleArcball);
+    let path = binding("motion-path", ViewCommand::TogglePath);
+    let ghosts = binding("ghosts-next", ViewCommand::NextGhosts);
+    let comparison = binding("interpolations-compare", ViewCommand::ToggleComparison);
     vec![
         Row::listed(Changes::Session, arcball.hotkeys(&["a"]).ticked(|editor, _| editor.session.shows_arcball)),
         Row::listed(Changes::Session, path.hotkeys(&["Alt+P"]).ticked(|editor, _| editor.session.shows_path)),
@@ -107,10 +81,9 @@ fn shown() -> Vec<Row> {
 }
 
 fn panels() -> Vec<Row> {
-    let help = binding("help", ViewCommand::ToggleHelp, "Help", "Show or hide this help");
-    let panels = binding("panels", ViewCommand::TogglePanels, "Panels", "Hide or show all panels");
-    let cancel =
-        Binding::new(Group::View, "cancel", Command::Cancel, "Cancel", "Leave the mode, drag or dialog at hand");
+    let help = binding("help", ViewCommand::ToggleHelp);
+    let panels = binding("panels", ViewCommand::TogglePanels);
+    let cancel = Binding::new(Group::View, "cancel", Command::Cancel);
     vec![
         Row::listed(
             Changes::Session,

@@ -3,8 +3,8 @@
 use super::row::{Binding, Changes, Group, Menu, Row};
 use crate::editor::{Command, WindowCommand};
 
-fn binding(id: &'static str, command: WindowCommand, name: &'static str, help: &'static str) -> Binding {
-    Binding::new(Group::Window, id, Command::Window(command), name, help).section(8)
+fn binding(id: &'static str, command: WindowCommand) -> Binding {
+    Binding::new(Group::Window, id, Command::Window(command)).section(8)
 }
 
 pub(super) fn rows() -> Vec<Row> {
@@ -12,25 +12,10 @@ pub(super) fn rows() -> Vec<Row> {
 }
 
 fn lists() -> Vec<Row> {
-    let commands = binding(
-        "commands",
-        WindowCommand::ShowCommands,
-        "Commands…",
-        "List all commands, and run one by typing a part of its name",
-    );
-    let hotkeys = binding("hotkeys", WindowCommand::ShowKeys, "Keys…", "Show the keys, and change them");
-    let messages = binding(
-        "messages",
-        WindowCommand::ToggleMessages,
-        "Messages",
-        "Show or hide all that was said since the start",
-    );
-    let statistics = binding(
-        "statistics",
-        WindowCommand::ToggleStatistics,
-        "Statistics",
-        "Show or hide pictures a second, and where their time goes",
-    );
+    let commands = binding("commands", WindowCommand::ShowCommands);
+    let hotkeys = binding("hotkeys", WindowCommand::ShowKeys);
+    let messages = binding("messages", WindowCommand::ToggleMessages);
+    let statistics = binding("statistics", WindowCommand::ToggleStatistics);
     vec![
         Row::listed(Changes::Window, commands.hotkeys(&["Ctrl+Shift+P"]).menu(Menu::Help)),
         Row::listed(Changes::Window, hotkeys.menu(Menu::Help)),
@@ -40,10 +25,9 @@ fn lists() -> Vec<Row> {
 }
 
 fn scale() -> Vec<Row> {
-    let larger = binding("scale-larger", WindowCommand::Larger, "Larger", "Show the panels larger");
-    let smaller = binding("scale-smaller", WindowCommand::Smaller, "Smaller", "Show the panels smaller");
-    let usual =
-        binding("scale-usual", WindowCommand::SetScale(100), "Usual size", "Show the panels in the system's size");
+    let larger = binding("scale-larger", WindowCommand::Larger);
+    let smaller = binding("scale-smaller", WindowCommand::Smaller);
+    let usual = binding("scale-usual", WindowCommand::SetScale(100));
     vec![
         Row::listed(Changes::Window, larger.repeating_hotkeys(&["Ctrl++", "Ctrl+="])),
         Row::listed(Changes::Window, smaller.repeating_hotkeys(&["Ctrl+-"])),

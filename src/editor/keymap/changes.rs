@@ -6,32 +6,45 @@ use thiserror::Error;
 
 use super::{Binding, Chord, bindings};
 use crate::editor::{Command, commands};
+use crate::words::{Message, Phrase, Severity, display_by_message, texts};
 
 /// Why a change of keys is not made.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 pub enum KeymapError {
     /// Another binding has the key.
-    #[error("{chord} is the key of \"{other}\": give that another key first.")]
     Clash {
         /// The key, for people.
         chord: String,
         /// Whose it is.
-        other: &'static str,
+        other: Phrase,
     },
     /// There is no such binding.
-    #[error("There is no command \"{name}\" whose keys could be changed.")]
     NoSuchBinding {
         /// What was asked for.
         name: String,
     },
     /// A text is no key.
-    #[error("\"{chord}\" is no key that \"{name}\" could have.")]
     NoKey {
         /// The text.
         chord: String,
         /// The binding's name.
-        name: String,
+        name: Phrase,
     },
+}
+
+display_by_message!(KeymapError);
+
+impl KeymapError {
+    /// Why, as a message.
+    #[must_use]
+    pub fn message(&self) -> Message {
+        let message = match self {
+            Self::Clash { chord, other } => texts::hotkeys_clash(chord, *other),
+            Self::NoSuchBinding { name } => texts::hotkeys_no_such_command(name),
+            Self::NoKey { chord, name } => texts::hotkeys_no_key(chord, *name),
+        };
+        message.with_severity(Severity::Error)
+    }
 }
 
 /// The bindings in force.
@@ -67,12 +80,11 @@ impl Keymap {
     }
 
     fn take_in(&mut self, id: &str, chords: &[String]) -> Result<(), KeymapError> {
-        let Binding { id, name, .. } = *self.changeable(id)?;
+        let binding = self.changeable(id)?;
+        let (id, title) = (binding.id, binding.title());
         let chords = chords
             .iter()
-            .map(|chord| {
-                Chord::parse(chord).ok_or_else(|| KeymapError::NoKey { chord: chord.clone(), name: name.to_owned() })
-            })
+            .map(|chord| Chord::parse(chord).ok_or_else(|| KeymapError::NoKey { chord: chord.clone(), name: title }))
             .collect::<Result<Vec<Chord>, _>>()?;
         self.put(id, chords);
         Ok(())
@@ -98,7 +110,7 @@ impl Keymap {
         chords.iter().find_map(|chord| {
             let others = self.0.iter().filter(|other| other.id != id);
             let mut holders = others.filter(|other| other.chords.iter().any(|held| held.meets(*chord)));
-            holders.next().map(|other| KeymapError::Clash { chord: chord.label(), other: other.name })
+            holders.next().map(|other| KeymapError::Clash { chord: chord.label(), other: other.title() })
         })
     }
 
@@ -148,7 +160,7 @@ impl Keymap {
 /// no binding stays as it is.
 #[must_use]
 pub fn by_id(changes: &BTreeMap<String, Vec<String>>) -> BTreeMap<String, Vec<String>> {
-    let id_of = |name: &str| table().find(|binding| binding.name == name).map(|binding| binding.id);
+    let id_of = |name: &str| table().find(|binding| binding.title().english() == name).map(|binding| binding.id);
     let mut renamed = BTreeMap::new();
     for (name, chords) in changes {
         if let Some(id) = id_of(name) {
@@ -174,7 +186,7 @@ pub fn chords_of_table(id: &str) -> Vec<Chord> {
 
 /// The English name of the binding of an id; the text itself where there is none.
 fn name_of(id: &str) -> &str {
-    table().find(|binding| binding.id == id).map_or(id, |binding| binding.name)
+    table().find(|binding| binding.id == id).map_or(id, |binding| binding.title().english())
 }
 
 fn table() -> impl Iterator<Item = &'static Binding> {
@@ -198,7 +210,7 @@ mod tests {
     fn no_two_rows_of_the_table_share_a_key() {
         let keymap = Keymap::default();
         for binding in keymap.bindings() {
-            assert_eq!(keymap.clash(binding.id, &binding.chords), None, "{}", binding.name);
+            assert_eq!(keymap.clash(binding.id, &binding.chords), None, "{}", binding.id);
         }
     }
 
@@ -206,7 +218,9 @@ mod tests {
     fn a_name_or_an_id_means_one_binding_in_any_case() {
         let mut meant: Vec<(String, &str)> = bindings()
             .iter()
-            .flat_map(|binding| [(binding.name.to_lowercase(), binding.id), (binding.id.to_owned(), binding.id)])
+            .flat_map(|binding| {
+                [(binding.title().english().to_lowercase(), binding.id), (binding.id.to_owned(), binding.id)]
+            })
             .collect();
         meant.sort_unstable();
         meant.dedup();

@@ -8,6 +8,7 @@ use gif::{DisposalMethod, Frame, Repeat};
 use super::palette::{MOST_COLOURS, Mapping, Palette};
 use crate::film::{Encoder, FilmEncoder, FilmError, FilmFormat, Format, Plan};
 use crate::picture::Image;
+use crate::words::texts;
 
 /// Frames by which the palette is chosen.
 const PALETTE_FRAMES: usize = 6;
@@ -22,9 +23,7 @@ pub static GIF: Format = Format {
     // Four hundredths of a second exactly.
     usual_frames_per_second: 25,
     most_frames_per_second: MOST_FRAMES_PER_SECOND,
-    limit: |_, fps| {
-        fps.is_some_and(|fps| fps > MOST_FRAMES_PER_SECOND).then_some("a GIF shows at most 50 frames a second")
-    },
+    limit: |_, fps| fps.is_some_and(|fps| fps > MOST_FRAMES_PER_SECOND).then_some(texts::EXPORT_GIF_TOO_FAST),
     encoder: Encoder::Film(FilmFormat {
         sample_frames: PALETTE_FRAMES,
         start: |plan, samples, output| Ok(Box::new(GifFilm::new(plan, Palette::of(samples), output)?)),

@@ -2,6 +2,7 @@
 
 use super::{MOST_FRAMES_PER_SECOND, y4m};
 use crate::film::{Encoder, Format};
+use crate::words::texts;
 
 /// MP4, through ffmpeg.
 pub static MP4: Format = Format {
@@ -11,6 +12,6 @@ pub static MP4: Format = Format {
     usual_frames_per_second: 30,
     most_frames_per_second: MOST_FRAMES_PER_SECOND,
     // Colours are stored for squares of two by two pixels.
-    limit: |[width, height], _| (width % 2 == 1 || height % 2 == 1).then_some("an MP4 needs an even width and height"),
+    limit: |[width, height], _| (width % 2 == 1 || height % 2 == 1).then_some(texts::EXPORT_ODD_SIZE),
     encoder: Encoder::Ffmpeg(y4m::STREAM),
 };

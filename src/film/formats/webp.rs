@@ -6,6 +6,7 @@ use image::codecs::webp::WebPEncoder;
 use super::MOST_FRAMES_PER_SECOND;
 use crate::film::{Encoder, EncodingError, Format, StillEncoder};
 use crate::picture::Rows;
+use crate::words::texts;
 
 /// The longest side in pixels: a file has 14 bits for it.
 const LONGEST_SIDE: u32 = 16_384;
@@ -17,9 +18,7 @@ pub static WEBP: Format = Format {
     has_opacity: true,
     usual_frames_per_second: 30,
     most_frames_per_second: MOST_FRAMES_PER_SECOND,
-    limit: |size, _| {
-        size.iter().any(|side| *side > LONGEST_SIDE).then_some("a WebP is at most 16384 pixels wide and high")
-    },
+    limit: |size, _| size.iter().any(|side| *side > LONGEST_SIDE).then_some(texts::EXPORT_WEBP_TOO_LARGE),
     encoder: Encoder::Still(|_| Box::new(WebP::default())),
 };
 

@@ -3,6 +3,7 @@
 use thiserror::Error;
 
 use crate::interpolation::Interpolation;
+use crate::words::{Message, display_by_message, quoted, texts};
 
 /// A file can be wrong in each of its numbers: after so many problems the rest are only counted.
 const MOST_PROBLEMS: usize = 100;
@@ -11,37 +12,31 @@ const MOST_PROBLEMS: usize = 100;
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum KeyframeFileError {
     /// Not JSON of the right shape; the message ends with line and column.
-    #[error("{message}")]
     Json {
         /// What is wrong, with line and column.
         message: String,
     },
     /// `format` names something else.
-    #[error("format is {found:?}, expected \"inbetween.keyframes\"")]
     Format {
         /// What the file says.
         found: String,
     },
     /// `version` is not one that this program reads.
-    #[error("version is {found}, and this program reads versions 1 and 2")]
     Version {
         /// What the file says.
         found: u64,
     },
     /// `interpolation` is unknown.
-    #[error("interpolation is {found:?}, expected {}", Interpolation::names_quoted())]
     Interpolation {
         /// What the file says.
         found: String,
     },
     /// `ms_between_keyframes` is out of range.
-    #[error("ms_between_keyframes is {found}, expected a whole number from 100 to 10000")]
     MsBetweenKeyframes {
         /// What the file says.
         found: f64,
     },
     /// The scene has no such RBT node.
-    #[error("node {path:?} is not in the scene {scene:?}")]
     ExtraNode {
         /// The path.
         path: String,
@@ -49,7 +44,6 @@ pub enum KeyframeFileError {
         scene: String,
     },
     /// An RBT node of the scene is not in `nodes`.
-    #[error("node {path:?} of the scene {scene:?} is missing in nodes")]
     MissingNode {
         /// The path.
         path: String,
@@ -57,13 +51,11 @@ pub enum KeyframeFileError {
         scene: String,
     },
     /// A path stands twice.
-    #[error("node {path:?} stands twice in nodes")]
     DuplicateNode {
         /// The path.
         path: String,
     },
     /// A pose and `nodes` are not of one length.
-    #[error("keyframe {keyframe}: pose has {found} entries, expected {expected}, one for each of nodes")]
     PoseLength {
         /// The keyframe, from 0.
         keyframe: usize,
@@ -73,7 +65,6 @@ pub enum KeyframeFileError {
         expected: usize,
     },
     /// A number cannot be held.
-    #[error("keyframe {keyframe}, node {path:?}: {field} is not finite")]
     NotFinite {
         /// The keyframe, from 0.
         keyframe: usize,
@@ -83,7 +74,6 @@ pub enum KeyframeFileError {
         field: &'static str,
     },
     /// A rotation is not a unit quaternion.
-    #[error("keyframe {keyframe}, node {path:?}: rotation has length {length}, expected 1")]
     NotUnit {
         /// The keyframe, from 0.
         keyframe: usize,
@@ -93,7 +83,6 @@ pub enum KeyframeFileError {
         length: f32,
     },
     /// A field of version 2 in a file of version 1.
-    #[error("keyframe {keyframe}: {field} needs version 2, and the file says version 1")]
     NeedsVersion2 {
         /// The keyframe, from 0.
         keyframe: usize,
@@ -101,7 +90,6 @@ pub enum KeyframeFileError {
         field: &'static str,
     },
     /// A keyframe's interval is of no length that can play.
-    #[error("keyframe {keyframe}: duration is {found}, expected a number from 0.001 to 1000")]
     Duration {
         /// The keyframe, from 0.
         keyframe: usize,
@@ -109,9 +97,6 @@ pub enum KeyframeFileError {
         found: f64,
     },
     /// A keyframe's easing is unknown.
-    #[error(
-        "keyframe {keyframe}: easing is {found:?}, expected linear, hold, or sine, quad, cubic, back, bounce or elastic with -in, -out or -in-out"
-    )]
     Easing {
         /// The keyframe, from 0.
         keyframe: usize,
@@ -119,11 +104,40 @@ pub enum KeyframeFileError {
         found: String,
     },
     /// More is wrong than is worth saying.
-    #[error("and {more} more problems")]
     More {
         /// How many more.
         more: usize,
     },
+}
+
+display_by_message!(KeyframeFileError);
+
+impl KeyframeFileError {
+    /// What is wrong, as a message with its place.
+    #[must_use]
+    pub fn message(&self) -> Message {
+        match self {
+            Self::Json { message } => texts::foreign(message),
+            Self::Format { found } => texts::keyframes_format(quoted(found)),
+            Self::Version { found } => texts::keyframes_version(*found),
+            Self::Interpolation { found } => {
+                texts::keyframes_interpolation(quoted(found), Interpolation::names_quoted())
+            }
+            Self::MsBetweenKeyframes { found } => texts::keyframes_ms(*found),
+            Self::ExtraNode { path, scene } => texts::keyframes_extra_node(quoted(path), quoted(scene)),
+            Self::MissingNode { path, scene } => texts::keyframes_missing_node(quoted(path), quoted(scene)),
+            Self::DuplicateNode { path } => texts::keyframes_duplicate_node(quoted(path)),
+            Self::PoseLength { keyframe, found, expected } => {
+                texts::keyframes_pose_length(*keyframe, *found, *expected)
+            }
+            Self::NotFinite { keyframe, path, field } => texts::keyframes_not_finite(*keyframe, quoted(path), *field),
+            Self::NotUnit { keyframe, path, length } => texts::keyframes_not_unit(*keyframe, quoted(path), *length),
+            Self::NeedsVersion2 { keyframe, field } => texts::keyframes_needs_version_2(*keyframe, *field),
+            Self::Duration { keyframe, found } => texts::keyframes_duration(*keyframe, *found),
+            Self::Easing { keyframe, found } => texts::keyframes_easing(*keyframe, quoted(found)),
+            Self::More { more } => texts::keyframes_more_problems(*more),
+        }
+    }
 }
 
 /// The problems found so far, the first of them in words and the rest as a number.

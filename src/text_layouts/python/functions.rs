@@ -4,6 +4,7 @@ use glam::{Quat, Vec3};
 
 use crate::rotation_rules::Mending;
 use crate::timed::rotation_from_euler_degrees;
+use crate::words::{Phrase, texts};
 
 /// All of them.
 pub(super) const FUNCTIONS: [&str; 4] = ["vec", "quaternion", "quaternion_from_euler", "quaternion_from_axis_angle"];
@@ -12,15 +13,12 @@ pub(super) const FUNCTIONS: [&str; 4] = ["vec", "quaternion", "quaternion_from_e
 ///
 /// # Errors
 /// What it expects instead of them.
-pub(super) fn call(function: &str, arguments: &Arguments<'_>) -> Result<Term, &'static str> {
+pub(super) fn call(function: &str, arguments: &Arguments<'_>) -> Result<Term, Phrase> {
     let (made, expected) = match function {
-        "vec" => (vector(arguments), "numbers, as in vec(0, 1, 0)"),
-        "quaternion" => (quaternion(arguments), "x, y, z and w of a unit quaternion"),
-        "quaternion_from_euler" => (from_euler(arguments), "yaw, pitch and roll in degrees"),
-        _ => (
-            from_axis_angle(arguments),
-            "an axis that is not 0 and an angle in degrees, as in quaternion_from_axis_angle(vec(0, 1, 0), 90)",
-        ),
+        "vec" => (vector(arguments), texts::TEXT_EXPECTED_VEC),
+        "quaternion" => (quaternion(arguments), texts::TEXT_EXPECTED_QUATERNION),
+        "quaternion_from_euler" => (from_euler(arguments), texts::TEXT_EXPECTED_EULER),
+        _ => (from_axis_angle(arguments), texts::TEXT_EXPECTED_AXIS_ANGLE),
     };
     made.ok_or(expected)
 }

@@ -4,6 +4,7 @@ use glam::{Quat, Vec3};
 
 use super::functions::{Arguments, FUNCTIONS, Term, call};
 use crate::text_layouts::error::{TextError, TextProblem, quoted};
+use crate::words::{Argument, Phrase, texts};
 
 /// The most keys that a dictionary can have, so that memory is bounded whatever stands in the text.
 const MOST_KEYS: usize = 20_000;
@@ -75,7 +76,7 @@ impl<'a> Parser<'a> {
                 Some(b',' | b';') => self.at += 1,
                 Some(b'{') => self.dictionary(None)?,
                 Some(_) => {
-                    let name = self.name().ok_or_else(|| self.expected("translate_keys, rotate_keys or scale_keys"))?;
+                    let name = self.name().ok_or_else(|| self.expected(texts::TEXT_EXPECTED_DICTIONARY_NAME))?;
                     if matches!(name, "import" | "from") {
                         self.skip_line();
                         continue;
@@ -86,10 +87,10 @@ impl<'a> Parser<'a> {
                         "scale_keys" => Purpose::Scale,
                         _ => {
                             self.at = at;
-                            return Err(self.expected("translate_keys, rotate_keys or scale_keys"));
+                            return Err(self.expected(texts::TEXT_EXPECTED_DICTIONARY_NAME));
                         }
                     };
-                    self.token(b'=', "\"=\"")?;
+                    self.token(b'=', texts::TEXT_EXPECTED_EQUALS)?;
                     self.dictionary(Some(purpose))?;
                 }
             }
@@ -99,7 +100,7 @@ impl<'a> Parser<'a> {
     fn dictionary(&mut self, named: Option<Purpose>) -> Result<(), TextError> {
         self.skip_blanks();
         let start = self.at;
-        self.token(b'{', "a dictionary: \"{\"")?;
+        self.token(b'{', texts::TEXT_EXPECTED_DICTIONARY)?;
         let mut values = TimedValues::new();
         let mut places = Vec::new();
         let mut purpose = named;
@@ -113,7 +114,7 @@ impl<'a> Parser<'a> {
             self.skip_blanks();
             let key_at = self.at;
             let seconds = self.seconds()?;
-            self.token(b':', "\":\" after the time")?;
+            self.token(b':', texts::TEXT_EXPECTED_COLON)?;
             self.skip_blanks();
             let at = self.at;
             let term = self.term(0)?;
@@ -125,7 +126,7 @@ impl<'a> Parser<'a> {
             values.push((seconds, self.value(at, wanted, term)?));
             places.push(key_at);
             if !self.takes(b',') {
-                self.token(b'}', "\",\" or \"}\" after the value")?;
+                self.token(b'}', texts::TEXT_EXPECTED_COMMA_OR_BRACE)?;
                 break;
             }
         }
@@ -138,8 +139,8 @@ impl<'a> Parser<'a> {
         };
         if !held.is_empty() {
             let problem = TextProblem::Unexpected {
-                found: "a second dictionary of the same kind".to_owned(),
-                expected: "one each of translate_keys, rotate_keys and scale_keys".to_owned(),
+                found: texts::TEXT_FOUND_SECOND_DICTIONARY.into(),
+                expected: texts::TEXT_EXPECTED_ONE_EACH.into(),
             };
             return Err(self.error(start, problem));
         }
@@ -164,21 +165,19 @@ impl<'a> Parser<'a> {
         let (value, expected) = match (purpose, term) {
             (Purpose::Translate, Term::Numbers([x, y, z, _], 3)) => (
                 [x, y, z].iter().all(is_coordinate).then_some(Value::Vector(Vec3::new(x, y, z))),
-                "coordinates between -1e6 and 1e6",
+                texts::TEXT_EXPECTED_COORDINATES,
             ),
-            (Purpose::Translate, _) => (None, "a translation, as in vec(0, 1, 0)"),
-            (Purpose::Rotate, Term::Rotation(rotation)) => (Some(Value::Rotation(rotation)), ""),
-            (Purpose::Rotate, _) => {
-                (None, "a rotation: quaternion, quaternion_from_euler or quaternion_from_axis_angle")
-            }
+            (Purpose::Translate, _) => (None, texts::TEXT_EXPECTED_TRANSLATION),
+            (Purpose::Rotate, Term::Rotation(rotation)) => return Ok(Value::Rotation(rotation)),
+            (Purpose::Rotate, _) => (None, texts::TEXT_EXPECTED_ROTATION),
             (Purpose::Scale, Term::Number(number)) => {
-                (is_scale(&number).then_some(Value::Number(number)), "a scale above 0, at most 1e6")
+                (is_scale(&number).then_some(Value::Number(number)), texts::TEXT_EXPECTED_SCALE_NUMBER)
             }
             (Purpose::Scale, Term::Numbers([x, y, z, _], 3)) => (
                 [x, y, z].iter().all(is_scale).then_some(Value::Vector(Vec3::new(x, y, z))),
-                "scales above 0, at most 1e6",
+                texts::TEXT_EXPECTED_SCALES,
             ),
-            (Purpose::Scale, _) => (None, "a scale: a number, or vec(1, 2, 1)"),
+            (Purpose::Scale, _) => (None, texts::TEXT_EXPECTED_SCALE),
         };
         value.ok_or_else(|| self.unexpected(at, expected))
     }
@@ -187,7 +186,7 @@ impl<'a> Parser<'a> {
         self.skip_blanks();
         let at = self.at;
         if depth > DEEPEST {
-            return Err(self.expected("fewer parentheses"));
+            return Err(self.expected(texts::TEXT_EXPECTED_FEWER_PARENTHESES));
         }
         if let Some(close) = self.opens() {
             return self.sequence(close, depth);
@@ -200,12 +199,12 @@ impl<'a> Parser<'a> {
         // A module's name may stand before the function's.
         let mut function = name;
         while self.takes(b'.') {
-            function = self.name().ok_or_else(|| self.expected("a name after \".\""))?;
+            function = self.name().ok_or_else(|| self.expected(texts::TEXT_EXPECTED_NAME))?;
         }
         if !FUNCTIONS.contains(&function) {
-            return Err(self.unexpected(at, &format!("{}, or a number", FUNCTIONS.join(", "))));
+            return Err(self.unexpected(at, texts::text_expected_function(FUNCTIONS.join(", "))));
         }
-        self.token(b'(', "\"(\"")?;
+        self.token(b'(', texts::TEXT_EXPECTED_OPEN)?;
         let arguments = self.arguments(depth)?;
         self.keys.has_quaternions |= function == "quaternion" && !arguments.terms.is_empty();
         self.keys.has_euler_angles |= function == "quaternion_from_euler";
@@ -219,7 +218,7 @@ impl<'a> Parser<'a> {
                 return Ok(arguments);
             }
             if arguments.terms.len() == 4 {
-                return Err(self.expected("at most four arguments"));
+                return Err(self.expected(texts::TEXT_EXPECTED_FOUR_ARGUMENTS));
             }
             self.skip_blanks();
             let at = self.at;
@@ -230,7 +229,7 @@ impl<'a> Parser<'a> {
             let term = self.term(depth + 1)?;
             arguments.terms.push((name, term));
             if !self.takes(b',') {
-                self.token(b')', "\",\" or \")\"")?;
+                self.token(b')', texts::TEXT_EXPECTED_COMMA_OR_CLOSE)?;
                 return Ok(arguments);
             }
         }
@@ -244,15 +243,17 @@ impl<'a> Parser<'a> {
             if self.takes(close) {
                 return Ok(Term::Numbers(numbers, count));
             }
-            let Some(next) = numbers.get_mut(count) else { return Err(self.expected("at most four numbers")) };
+            let Some(next) = numbers.get_mut(count) else {
+                return Err(self.expected(texts::TEXT_EXPECTED_FOUR_NUMBERS));
+            };
             match self.term(depth + 1)? {
                 Term::Number(number) => *next = number,
                 other if count == 0 && self.takes(close) => return Ok(other),
-                _ => return Err(self.expected("numbers between the parentheses")),
+                _ => return Err(self.expected(texts::TEXT_EXPECTED_ONLY_NUMBERS)),
             }
             count += 1;
             if !self.takes(b',') {
-                self.token(close, "\",\" or the closing parenthesis")?;
+                self.token(close, texts::TEXT_EXPECTED_COMMA_OR_CLOSING)?;
                 let is_number = count == 1 && close == b')';
                 return Ok(if is_number { Term::Number(numbers[0]) } else { Term::Numbers(numbers, count) });
             }
@@ -288,14 +289,14 @@ impl<'a> Parser<'a> {
     fn number(&mut self) -> Result<f32, TextError> {
         let at = self.at;
         let number = self.number_text().and_then(|text| text.parse::<f32>().ok());
-        self.finite(at, number, f32::is_finite, "a number")
+        self.finite(at, number, f32::is_finite, texts::TEXT_EXPECTED_NUMBER)
     }
 
     fn seconds(&mut self) -> Result<f64, TextError> {
         let at = self.at;
         // Adding zero makes a zero of minus zero.
         let seconds = self.number_text().and_then(|text| text.parse::<f64>().ok()).map(|seconds| seconds + 0.0);
-        self.finite(at, seconds, f64::is_finite, "a key's time in seconds")
+        self.finite(at, seconds, f64::is_finite, texts::TEXT_EXPECTED_SECONDS)
     }
 
     fn finite<N: Copy>(
@@ -303,7 +304,7 @@ impl<'a> Parser<'a> {
         at: usize,
         number: Option<N>,
         is_finite: impl Fn(N) -> bool,
-        expected: &str,
+        expected: Phrase,
     ) -> Result<N, TextError> {
         match number {
             Some(number) if is_finite(number) => Ok(number),
@@ -337,7 +338,7 @@ impl<'a> Parser<'a> {
         is_there
     }
 
-    fn token(&mut self, byte: u8, expected: &str) -> Result<(), TextError> {
+    fn token(&mut self, byte: u8, expected: Phrase) -> Result<(), TextError> {
         if self.takes(byte) { Ok(()) } else { Err(self.expected(expected)) }
     }
 
@@ -360,19 +361,19 @@ impl<'a> Parser<'a> {
         TextError::new(self.bytes, at, problem)
     }
 
-    fn expected(&self, expected: &str) -> TextError {
+    fn expected(&self, expected: Phrase) -> TextError {
         self.unexpected(self.at, expected)
     }
 
-    fn unexpected(&self, at: usize, expected: &str) -> TextError {
+    fn unexpected(&self, at: usize, expected: impl Into<Argument>) -> TextError {
         let mut at = at;
         while self.bytes.get(at).is_some_and(u8::is_ascii_whitespace) {
             at += 1;
         }
         let rest = &self.bytes[at..];
         let length = rest.iter().position(|byte| matches!(byte, b'\n' | b'\r')).unwrap_or(rest.len());
-        let found = if length == 0 { "the end of the file".to_owned() } else { quoted(&rest[..length]) };
-        self.error(at, TextProblem::Unexpected { found, expected: expected.to_owned() })
+        let found = if length == 0 { texts::TEXT_FOUND_END_OF_FILE.into() } else { quoted(&rest[..length]).into() };
+        self.error(at, TextProblem::Unexpected { found, expected: expected.into() })
     }
 }
 

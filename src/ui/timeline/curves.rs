@@ -8,6 +8,7 @@ use crate::interpolation::Interpolation;
 use crate::keyframe::{KeyframeList, PlayRange};
 use crate::pose::RbtIndex;
 use crate::rbt::Rbt;
+use crate::words::{Phrase, texts};
 
 /// Half the time, in units, over which a speed is taken.
 const HALF_STEP: f64 = 0.004;
@@ -30,12 +31,12 @@ impl Quantity {
     pub const ALL: [Self; 4] = [Self::Translation, Self::Angle, Self::Speed, Self::AngularSpeed];
 
     /// What people call it.
-    pub const fn name(self) -> &'static str {
+    pub const fn name(self) -> Phrase {
         match self {
-            Self::Translation => "Translation",
-            Self::Angle => "Angle",
-            Self::Speed => "Speed",
-            Self::AngularSpeed => "Angular speed",
+            Self::Translation => texts::TRANSLATION,
+            Self::Angle => texts::QUANTITY_ANGLE,
+            Self::Speed => texts::QUANTITY_SPEED,
+            Self::AngularSpeed => texts::QUANTITY_ANGULAR_SPEED,
         }
     }
 

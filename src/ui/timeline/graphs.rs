@@ -17,6 +17,7 @@ use crate::keyframe::{KeyframeIndex, PlayRange};
 use crate::pose::RbtIndex;
 use crate::ui::icons::{Icon, paint, was_pressed};
 use crate::ui::theme::{CORNER, ROW, small_font};
+use crate::words::texts;
 
 /// Points from one sample of a curve to the next.
 const STEP: f32 = 3.0;
@@ -158,18 +159,20 @@ impl Graphs {
         if let Some(dot) = self.hovered {
             let keyframe = look.editor.document().keyframes.get(KeyframeIndex::new(dot.place));
             let value = keyframe.map_or(0.0, |keyframe| keyframe.pose.get(rbt).translation[dot.axis]);
-            let heading = look
-                .words
-                .fill("Keyframe {}: {} = {}", &[&dot.place.to_string(), AXES[dot.axis], &format!("{value:.3}")]);
-            let body = look.words.say("Drag it up or down to change it.");
+            let heading = look.words.message(texts::keyframe_quantity(
+                dot.place.to_string(),
+                AXES[dot.axis],
+                format!("{value:.3}"),
+            ));
+            let body = look.words.say(texts::DRAG_IT_UP_OR_DOWN_TO_CHANGE);
             response.clone().on_hover_ui_at_pointer(|ui| tip(ui, &heading, body, look));
             return true;
         }
         let warned = warnings(look, rbt).into_iter().find(|&(x, ..)| warning_place(look, x).distance(at) <= 9.0);
         let Some((_, place, degrees)) = warned else { return false };
         let (from, to) = (place.to_string(), (place + 1).to_string());
-        let heading = look.words.fill("Keyframe {} to {} turns by {}°", &[&from, &to, &format!("{degrees:.1}")]);
-        let body = look.words.say(luck::ADVICE);
+        let heading = look.words.message(texts::keyframe_turns(&from, &to, format!("{degrees:.1}")));
+        let body = look.words.say(texts::HALF_TURN_ADVICE);
         response.clone().on_hover_ui_at_pointer(|ui| tip(ui, &heading, body, look));
         true
     }
@@ -180,7 +183,8 @@ impl Graphs {
         let painter = ui.painter().with_clip_rect(column.intersect(ui.clip_rect()));
         let scene = look.editor.scene();
         let chosen = look.editor.session().chosen;
-        let node = chosen.map_or(look.words.say("Nothing chosen"), |rbt| scene.node(scene.rbt_node(rbt)).name.as_str());
+        let node =
+            chosen.map_or(look.words.say(texts::NOTHING_CHOSEN), |rbt| scene.node(scene.rbt_node(rbt)).name.as_str());
         let colour = if chosen.is_some() { tokens.accent } else { tokens.dim };
         let at = pos2(column.left() + 12.0, column.top() + ROW / 2.0);
         painter.text(at, Align2::LEFT_CENTER, node, small_font(), colour);
@@ -193,7 +197,7 @@ impl Graphs {
             let response = ui.interact(seen, ui.scope_id().with(("graph", place)), Sense::click());
             let is_on = self.shown[place];
             response.widget_info(|| {
-                WidgetInfo::selected(Role::CheckBox, true, is_on, look.words.fill("Graph of {}", &[name]))
+                WidgetInfo::selected(Role::CheckBox, true, is_on, look.words.message(texts::graph_of(name)))
             });
             if response.hovered() {
                 painter.rect_filled(row, CORNER, tokens.raised);
@@ -229,10 +233,9 @@ impl Graphs {
         let (Some(rbt), Ok(range)) = (look.editor.session().chosen, PlayRange::new(&look.editor.document().keyframes))
         else {
             let text = if look.target.range.is_none() {
-                look.words.say("Four keyframes make an animation, and an animation has graphs.")
+                look.words.say(texts::FOUR_KEYFRAMES_MAKE_AN_ANIMATION_AND_AN)
             } else {
-                look.words
-                    .say("Choose a node to see its graphs: click its name in the tree, or Ctrl+click it in the scene.")
+                look.words.say(texts::CHOOSE_A_NODE_TO_SEE_ITS_GRAPHS)
             };
             painter.text(tracks.center(), Align2::CENTER_CENTER, text, FontId::proportional(12.0), look.tokens.dim);
             return;

@@ -20,6 +20,7 @@ use crate::ui::angles::{degrees_from_rotation, rotation_from_degrees};
 use crate::ui::icons::was_pressed;
 use crate::ui::theme::{GRID, ROW, Tokens};
 use crate::ui::words::Words;
+use crate::words::texts;
 
 /// What the menu is for, while it is open.
 #[derive(Clone, Debug, PartialEq)]
@@ -129,9 +130,11 @@ fn of_key(ui: &mut Ui, menu: &mut Menu, view: &KeyView<'_>, row: usize, seconds:
     let is_still = !editor.is_playing();
     let selected = editor.session().selected_keys.len();
     let caption_text = match (selected, menu.subject.clone()) {
-        (0 | 1, Subject::Channel(channel)) => words.fill("{} of {}", &[channel_name(words, channel), &menu.node]),
+        (0 | 1, Subject::Channel(channel)) => {
+            words.message(texts::channel_of(channel_name(words, channel), &*menu.node))
+        }
         (0 | 1, _) => menu.node.to_string(),
-        (count, _) => words.fill("{} keys", &[&count.to_string()]),
+        (count, _) => words.message(texts::count_keys(count)),
     };
     caption(ui, &caption_text);
     ui.add_enabled_ui(is_still, |ui| {
@@ -142,7 +145,7 @@ fn of_key(ui: &mut Ui, menu: &mut Menu, view: &KeyView<'_>, row: usize, seconds:
         }
     });
     ui.separator();
-    if item(ui, words.say("Delete keys"), "Delete", is_still) {
+    if item(ui, words.say(texts::DELETE_KEYS), "Delete", is_still) {
         commands.push(Command::Edit(Edit::Timeline(TimelineEdit::DeleteKeyframes)));
     }
 }
@@ -164,11 +167,11 @@ fn time(ui: &mut Ui, menu: &mut Menu, here: Vec<KeyAt>, seconds: f64, commands: 
         ui.add_space(2.0);
         ui.allocate_ui_with_layout(vec2(66.0, ROW), Layout::left_to_right(Align::Center), |ui| {
             ui.set_min_width(66.0);
-            ui.label(words.say("Time"));
+            ui.label(words.say(texts::TIME));
         });
         let mut typed = seconds;
         let number = DragValue::new(&mut typed).speed(0.01).max_decimals(3).suffix(" s");
-        let response = field(ui, 144.0, words.say("Time of the key in seconds"), number);
+        let response = field(ui, 144.0, words.say(texts::TIME_OF_THE_KEY_IN_SECONDS), number);
         if response.drag_started() {
             commands.push(Command::Gesture(GestureCommand::Begin));
             menu.dragged_from = Some(seconds);
@@ -197,11 +200,11 @@ fn value(ui: &mut Ui, menu: &mut Menu, editor: &Editor, id: NodeId, key: &KeyAt,
             let shown = menu.angles.filter(|&angles| rotation_from_degrees(angles).dot(rotation).abs() > 1.0 - 1e-6);
             let angles = shown.unwrap_or_else(|| degrees_from_rotation(rotation));
             menu.angles = Some(angles);
-            (angles, [words.say("yaw"), words.say("pitch"), words.say("roll")], 0.5, 1)
+            (angles, [words.say(texts::YAW), words.say(texts::PITCH), words.say(texts::ROLL)], 0.5, 1)
         }
         KeyValue::Colour(colour) => {
             let bytes = colour.to_bytes().map(f32::from);
-            (bytes, [words.say("red"), words.say("green"), words.say("blue")], 1.0, 0)
+            (bytes, [words.say(texts::RED), words.say(texts::GREEN), words.say(texts::BLUE)], 1.0, 0)
         }
     };
     let channel = channel_name(words, key.track.channel);
@@ -217,7 +220,7 @@ fn value(ui: &mut Ui, menu: &mut Menu, editor: &Editor, id: NodeId, key: &KeyAt,
                 KeyValue::Scale(_) => number.range(1e-6..=1e6),
                 _ => number.range(-1e6..=1e6),
             };
-            let response = field(ui, 70.0, &words.fill("Key: {} {}", &[channel, name]), number);
+            let response = field(ui, 70.0, &words.message(texts::key_field(channel, name)), number);
             if response.changed() && matches!(value, KeyValue::Rotation(_)) {
                 menu.angles = Some(numbers);
             }
@@ -248,13 +251,13 @@ fn of_row(ui: &mut Ui, menu: &mut Menu, view: &KeyView<'_>, row: usize, commands
     let is_still = !editor.is_playing();
     caption(ui, &menu.node);
     let at = format!("{:.3}", menu.seconds);
-    if item(ui, &words.fill("Add a key at {} s", &[&at]), "", is_still) {
+    if item(ui, &words.message(texts::add_key_at(&at)), "", is_still) {
         add(view, row, menu.seconds, commands);
     }
     if let Subject::Control = menu.subject {
         let tracks = view.tracks(row);
         for TrackPath { node, channel } in tracks {
-            let label = words.fill("Add a key: {}", &[channel_name(words, channel)]);
+            let label = words.message(texts::add_key_of(channel_name(words, channel)));
             if item(ui, &label, "", is_still) {
                 let key = KeyAt::new(&node, channel, menu.seconds);
                 commands.push(scene(SceneEdit::AddKeys(vec![key])));
@@ -268,18 +271,18 @@ fn of_row(ui: &mut Ui, menu: &mut Menu, view: &KeyView<'_>, row: usize, commands
         .flat_map(|(track, times)| times.iter().map(move |&seconds| KeyAt { track: track.clone(), seconds }))
         .collect();
     let has_some = !all.is_empty();
-    if item(ui, words.say("Select all keys of the row"), "", has_some) {
+    if item(ui, words.say(texts::SELECT_ALL_KEYS_OF_THE_ROW), "", has_some) {
         commands.push(Command::View(ViewCommand::SelectKeys(all)));
     }
     if matches!(menu.subject, Subject::Channel(_)) {
         return;
     }
     ui.separator();
-    if item(ui, words.say("Put a control node above it"), "", is_still) {
+    if item(ui, words.say(texts::PUT_A_CONTROL_NODE_ABOVE_IT), "", is_still) {
         commands.push(put_control_above(&menu.node));
     }
     if menu.subject == Subject::Control {
-        if item(ui, words.say("Remove the control node"), "", is_still) {
+        if item(ui, words.say(texts::REMOVE_THE_CONTROL_NODE), "", is_still) {
             commands.push(scene(SceneEdit::RemoveControl(Arc::clone(&menu.node))));
         }
         rename(ui, menu, is_still, commands);
@@ -291,11 +294,12 @@ fn rename(ui: &mut Ui, menu: &mut Menu, is_enabled: bool, commands: &mut Vec<Com
     ui.add_space(GRID);
     ui.horizontal(|ui| {
         ui.add_space(2.0);
-        ui.label(words.say("Name"));
+        ui.label(words.say(texts::NAME));
         let field = TextEdit::singleline(&mut menu.name).desired_width(152.0).char_limit(100);
         let response = ui.add_enabled(is_enabled, field);
-        response
-            .widget_info(|| WidgetInfo::labeled(Role::TextInput, is_enabled, words.say("Name of the control node")));
+        response.widget_info(|| {
+            WidgetInfo::labeled(Role::TextInput, is_enabled, words.say(texts::NAME_OF_THE_CONTROL_NODE))
+        });
         let is_done = response.lost_focus() && ui.input(|input| input.key_pressed(egui::Key::Enter));
         let name = menu.name.trim();
         if is_done && !name.is_empty() && menu.node.rsplit('/').next() != Some(name) {
@@ -314,7 +318,7 @@ pub fn of_rbt(response: &Response, editor: &Editor, id: NodeId, commands: &mut V
         ui.set_min_width(216.0);
         ui.spacing_mut().item_spacing.y = 0.0;
         caption(ui, &graph.node(id).path);
-        if item(ui, words.say("Put a control node above it"), "", is_still) {
+        if item(ui, words.say(texts::PUT_A_CONTROL_NODE_ABOVE_IT), "", is_still) {
             commands.push(put_control_above(&graph.node(id).path));
         }
         let shapes = graph.nodes_with_ids().filter(|(_, node)| {
@@ -323,7 +327,7 @@ pub fn of_rbt(response: &Response, editor: &Editor, id: NodeId, commands: &mut V
                 && matches!(&node.kind, NodeKind::Shape(placed) if placed.tracks().get(Channel::Colour).is_none())
         });
         for (_, node) in shapes {
-            if item(ui, &words.fill("Key the colour of {}", &[&node.name]), "", is_still) {
+            if item(ui, &words.message(texts::key_colour_of(&node.name)), "", is_still) {
                 let key = KeyAt::new(&node.path, Channel::Colour, playhead(editor));
                 commands.push(scene(SceneEdit::AddKeys(vec![key])));
             }

@@ -15,6 +15,7 @@ use crate::ui::angles::degrees_from_rotation;
 use crate::ui::icons::{Icon, button_at, diamond, was_pressed};
 use crate::ui::theme::{CORNER, ROW, Tokens, small_font, text_font};
 use crate::ui::words::Words;
+use crate::words::texts;
 
 /// Diamonds of keys nearer together than this, in points, are drawn as one.
 const LEAST_GAP: f32 = 3.0;
@@ -22,10 +23,10 @@ const LEAST_GAP: f32 = 3.0;
 /// What people call a channel.
 pub(super) fn channel_name(words: Words, channel: Channel) -> &'static str {
     match channel {
-        Channel::Translation => words.say("Translation"),
-        Channel::Rotation => words.say("Rotation"),
-        Channel::Scale => words.say("Scale"),
-        Channel::Colour => words.say("Colour"),
+        Channel::Translation => words.say(texts::TRANSLATION),
+        Channel::Rotation => words.say(texts::ROTATION),
+        Channel::Scale => words.say(texts::SCALE),
+        Channel::Colour => words.say(texts::COLOUR),
     }
 }
 
@@ -134,7 +135,7 @@ impl Keys {
                     let key = KeyAt { track: track.clone(), seconds };
                     let is_selected = view.editor.session().selected_keys.contains(&key);
                     let channel = channel_name(words, track.channel);
-                    let says = words.fill("{} of {} at {} s", &[channel, path, &seconds.to_string()]);
+                    let says = words.message(texts::channel_of_at(channel, path, seconds.to_string()));
                     response.widget_info(|| WidgetInfo::selected(Role::ListBoxOption, true, is_selected, &says));
                     if !response.has_focus() {
                         continue;
@@ -174,13 +175,13 @@ impl Keys {
         let (name, says) = match row.subject {
             Subject::Channel(channel) => {
                 let name = channel_name(words, channel);
-                (name.to_owned(), words.fill("Keys: {} of {}", &[name, &node.path]))
+                (name.to_owned(), words.message(texts::keys_of_channel(name, &node.path)))
             }
             Subject::Shape => {
-                let name = words.say("Colour");
-                (format!("{} · {name}", node.name), words.fill("Keys: {} of {}", &[name, &node.path]))
+                let name = words.say(texts::COLOUR);
+                (format!("{} · {name}", node.name), words.message(texts::keys_of_channel(name, &node.path)))
             }
-            _ => (node.name.clone(), words.fill("Control node {}", &[&node.path])),
+            _ => (node.name.clone(), words.message(texts::control_node(&node.path))),
         };
         let response = ui.interact(seen.shrink2(vec2(1.0, 0.0)), ui.scope_id().with(("keys", &says)), Sense::click());
         let is_channel = matches!(row.subject, Subject::Channel(_));
@@ -188,15 +189,15 @@ impl Keys {
         self.paint_label(painter, look, row, rect, &name, &response);
         let add_area = Rect::from_center_size(pos2(rect.right() - 14.0, rect.center().y), vec2(22.0, ROW - 2.0));
         let about = if is_channel || matches!(row.subject, Subject::Shape) { says.clone() } else { node.path.clone() };
-        let add_name = words.fill("Add a key at the playhead: {}", &[&about]);
+        let add_name = words.message(texts::add_key_at_playhead(&about));
         let is_inside = seen.contains(add_area.center());
         if is_inside && button_at(ui, add_area, Icon::NewKeyframe, &add_name, "", !look.editor.is_playing(), false) {
             add(&view, 0, playhead(look.editor), commands);
         }
         let text = if matches!(row.subject, Subject::Control) {
-            words.say("A control node: its keys stand at their own times. A click selects them all")
+            words.say(texts::A_CONTROL_NODE_ITS_KEYS_STAND_AT)
         } else {
-            words.say("A click selects all keys of the row; a double click in the row adds one")
+            words.say(texts::A_CLICK_SELECTS_ALL_KEYS_OF_THE)
         };
         let response = response.on_hover_text(text);
         if response.secondary_clicked()

@@ -13,6 +13,7 @@ use crate::ui::binding_of;
 use crate::ui::icons::{Icon, button_at, was_pressed};
 use crate::ui::theme::{CORNER, ROW, Tokens, small_font, text_font};
 use crate::ui::words::Words;
+use crate::words::texts;
 
 /// Shows tabs and buttons.
 pub fn header(timeline: &mut Timeline, ui: &Ui, layout: &Layout, bindings: &[Binding]) {
@@ -20,7 +21,7 @@ pub fn header(timeline: &mut Timeline, ui: &Ui, layout: &Layout, bindings: &[Bin
     let middle = layout.header.center().y;
     let mut left = layout.header.left() + 8.0;
     let words = Words::of(ui);
-    for (tab, name) in [(Tab::Keyframes, words.say("Keyframes")), (Tab::Graphs, words.say("Graphs"))] {
+    for (tab, name) in [(Tab::Keyframes, words.say(texts::KEYFRAMES)), (Tab::Graphs, words.say(texts::GRAPHS))] {
         let is_shown = timeline.tab == tab;
         let galley = ui.painter().layout_no_wrap(name.to_owned(), small_font(), tokens.text);
         let area = Rect::from_min_size(pos2(left, middle - ROW / 2.0), vec2(galley.size().x + 12.0, ROW));
@@ -47,8 +48,8 @@ pub fn header(timeline: &mut Timeline, ui: &Ui, layout: &Layout, bindings: &[Bin
         (0.0, Icon::FitSelection, WindowCommand::FitSelection, Ask::FitSelection),
     ] {
         let binding = binding_of(bindings, &Command::Window(command));
-        let (name, key) = binding.map(|binding| (binding.name, binding.menu_key())).unwrap_or_default();
-        if button_at(ui, at(place), icon, words.say(name), &key, true, false) {
+        let (name, key) = binding.map(|binding| (words.say(binding.title()), binding.menu_key())).unwrap_or_default();
+        if button_at(ui, at(place), icon, name, &key, true, false) {
             timeline.ask(ask);
             ui.ctx().request_repaint();
         }
@@ -62,7 +63,7 @@ pub fn rows(timeline: &mut Timeline, ui: &Ui, look: &Look<'_>, rows: &[Row], com
     let column = layout.labels;
     let summary = column.with_max_y(layout.summary.bottom());
     let text = pos2(column.left() + 22.0, layout.summary.center().y);
-    ui.painter().text(text, Align2::LEFT_CENTER, look.words.say("All"), text_font(), tokens.text);
+    ui.painter().text(text, Align2::LEFT_CENTER, look.words.say(texts::ALL), text_font(), tokens.text);
     ui.painter().hline(column.x_range(), summary.bottom() - 0.5, Stroke::new(1.0, tokens.line));
     let area = column.with_min_y(summary.bottom());
     let painter = ui.painter().with_clip_rect(area.intersect(ui.clip_rect()));
@@ -96,7 +97,7 @@ fn name(
     let response = ui.interact(seen.shrink2(vec2(1.0, 0.0)), ui.scope_id().with(("row", rbt)), Sense::click());
     let path = scene.rbt_path(rbt);
     response.widget_info(|| {
-        WidgetInfo::selected(Role::ListBoxOption, true, is_chosen, look.words.fill("Row of {}", &[path]))
+        WidgetInfo::selected(Role::ListBoxOption, true, is_chosen, look.words.message(texts::row_of(path)))
     });
     let fill = if is_chosen {
         Some(tokens.accent_fill)
@@ -117,9 +118,9 @@ fn name(
     let font = if row.depth == 0 { text_font() } else { small_font() };
     painter.text(text, Align2::LEFT_CENTER, name, font, if is_chosen { tokens.accent } else { tokens.text });
     let tip = if is_chosen {
-        look.words.say("A click chooses nothing")
+        look.words.say(texts::A_CLICK_CHOOSES_NOTHING)
     } else {
-        look.words.say("Choose it: drags move it, and the graphs show it")
+        look.words.say(texts::CHOOSE_IT_DRAGS_MOVE_IT_AND_THE)
     };
     let response = response.on_hover_text(tip);
     key_menu::of_rbt(&response, look.editor, row.node, commands);
@@ -135,9 +136,9 @@ fn triangle(timeline: &mut Timeline, ui: &Ui, painter: &Painter, look: &Look<'_>
     let path = look.editor.scene().node(row.node).path.as_str();
     response.widget_info(|| {
         let name = if row.is_unfolded {
-            look.words.fill("Fold the row of {}", &[path])
+            look.words.message(texts::fold_row(path))
         } else {
-            look.words.fill("Unfold the row of {}", &[path])
+            look.words.message(texts::unfold_row(path))
         };
         WidgetInfo::labeled(Role::Button, true, name)
     });

@@ -12,10 +12,6 @@ pub const LUCK: f32 = 170.0;
 /// The cosine of half of that: below it, quaternions are that far apart. A test holds it to [`LUCK`].
 const HALF_COSINE: f32 = 0.087_155_74;
 
-/// What to do about it.
-pub const ADVICE: &str =
-    "So near to half a turn, which way round it goes is a matter of luck. A keyframe between them decides it.";
-
 /// The angle from one rotation to another in degrees, the short way: exact for small angles too.
 pub fn degrees_between(from: Quat, to: Quat) -> f32 {
     let turn = from.conjugate() * to;

@@ -16,6 +16,7 @@ use crate::ui::binding_of;
 use crate::ui::icons::was_pressed;
 use crate::ui::theme::{CORNER, GRID, ROW, Tokens};
 use crate::ui::words::Words;
+use crate::words::texts;
 
 /// Size of a picture of an easing, in points.
 const PICTURE: egui::Vec2 = vec2(40.0, 28.0);
@@ -70,20 +71,20 @@ impl Timeline {
         let at_hand = editor.keyframes_at_hand().len();
         let words = Words::of(ui);
         let heading = if at_hand > 1 {
-            words.fill("{} keyframes", &[&at_hand.to_string()])
+            words.message(texts::count_keyframes(at_hand))
         } else {
-            words.fill("Keyframe {}", &[&place.to_string()])
+            words.message(texts::keyframe_number(place.to_string()))
         };
         caption(ui, &heading);
         let rename = binding_of(bindings, &Command::Window(WindowCommand::RenameCurrent));
-        let (name, key) = rename.map(|binding| (binding.name, binding.menu_key())).unwrap_or_default();
-        if row(ui, words.say(name), &key, !editor.is_playing()) {
+        let (name, key) = rename.map(|binding| (words.say(binding.title()), binding.menu_key())).unwrap_or_default();
+        if row(ui, name, &key, !editor.is_playing()) {
             self.start_renaming(editor, Some(index));
             ui.close();
         }
         duration(ui, index, keyframe.duration, editor, commands);
         ui.add_enabled_ui(!editor.is_playing(), |ui| {
-            ui.menu_button(words.say("Easing"), |ui| {
+            ui.menu_button(words.say(texts::EASING), |ui| {
                 if let Some(easing) = easings(ui, keyframe.easing) {
                     commands.push(Command::Edit(Edit::Timeline(TimelineEdit::SetEasing(easing))));
                     Popup::close_all(ui.ctx());
@@ -108,7 +109,7 @@ impl Timeline {
 fn of_nothing(ui: &mut Ui, target: &Target<'_>, editor: &Editor, bindings: &[Binding], commands: &mut Vec<Command>) {
     let words = Words::of(ui);
     let count = target.columns.len();
-    if row(ui, words.say("Select all keyframes"), "", count > 0) {
+    if row(ui, words.say(texts::SELECT_ALL_KEYFRAMES), "", count > 0) {
         let all = (0..count).map(KeyframeIndex::new).collect();
         commands.push(Command::View(ViewCommand::SelectKeyframes(all)));
         ui.close();
@@ -116,7 +117,7 @@ fn of_nothing(ui: &mut Ui, target: &Target<'_>, editor: &Editor, bindings: &[Bin
     item(ui, editor, bindings, Command::Edit(Edit::Timeline(TimelineEdit::PasteKeyframes)), commands);
     item(ui, editor, bindings, Command::Edit(Edit::Timeline(TimelineEdit::ReverseKeyframes)), commands);
     ui.separator();
-    if row(ui, words.say("Play all keyframes"), "", editor.session().play_range.is_some()) {
+    if row(ui, words.say(texts::PLAY_ALL_KEYFRAMES), "", editor.session().play_range.is_some()) {
         commands.push(Command::Playback(PlaybackCommand::SetRange(None)));
         ui.close();
     }
@@ -142,7 +143,7 @@ fn row(ui: &mut Ui, label: &str, key: &str, is_enabled: bool) -> bool {
 /// A row of the table of bindings.
 fn item(ui: &mut Ui, editor: &Editor, bindings: &[Binding], command: Command, commands: &mut Vec<Command>) {
     let binding = binding_of(bindings, &command);
-    let label = binding.map_or("", |binding| Words::of(ui).say(binding.name));
+    let label = binding.map_or("", |binding| Words::of(ui).say(binding.title()));
     let key = binding.map(Binding::menu_key).unwrap_or_default();
     if row(ui, label, &key, editor.can(&command)) {
         commands.push(command);
@@ -156,7 +157,7 @@ fn duration(ui: &mut Ui, keyframe: KeyframeIndex, duration: f64, editor: &Editor
         ui.horizontal(|ui| {
             ui.add_space(2.0);
             let words = Words::of(ui);
-            ui.label(words.say("Duration"));
+            ui.label(words.say(texts::DURATION));
             ui.add_space(2.0 * GRID);
             // A field is a little sunken.
             let tokens = Tokens::of(ui);
@@ -168,14 +169,14 @@ fn duration(ui: &mut Ui, keyframe: KeyframeIndex, duration: f64, editor: &Editor
                 .range(DURATION_RANGE)
                 .speed(0.01)
                 .max_decimals(3)
-                .suffix(Words::of(ui).say(" steps"))
+                .suffix(format!(" {}", words.say(texts::STEPS)))
                 .update_while_editing(false);
             let response = ui.add_sized(vec2(92.0, ROW), number);
-            response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, words.say("Duration in steps")));
+            response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, words.say(texts::DURATION_IN_STEPS)));
             let edit = TimelineEdit::SetDuration { keyframe, duration: steps, ripple_free: false };
             drag_of_number(&response, Command::Edit(Edit::Timeline(edit)), commands);
             let seconds = duration * f64::from(editor.document().ms_between_keyframes) / 1000.0;
-            let seconds = Words::of(ui).fill("{} s", &[&format!("{seconds:.2}")]);
+            let seconds = Words::of(ui).message(texts::seconds(format!("{seconds:.2}")));
             ui.label(RichText::new(seconds).small().color(Tokens::of(ui).dim));
         });
     });
@@ -195,7 +196,7 @@ pub fn easings(ui: &mut Ui, current: Easing) -> Option<Easing> {
     ui.add_space(GRID);
     egui::Grid::new("easings").spacing(vec2(GRID, GRID)).min_col_width(PICTURE.x).show(ui, |ui| {
         let words = Words::of(ui);
-        let ends = ["", words.say("in"), words.say("out"), words.say("in-out")];
+        let ends = ["", words.say(texts::IN), words.say(texts::OUT), words.say(texts::IN_OUT)];
         for (place, heading) in ends.into_iter().enumerate() {
             if place == 0 {
                 ui.label("");
@@ -204,14 +205,14 @@ pub fn easings(ui: &mut Ui, current: Easing) -> Option<Easing> {
             }
         }
         ui.end_row();
-        for (three, name) in curves.chunks(3).zip(CURVES) {
+        for (three, (_, name)) in curves.chunks(3).zip(CURVES) {
             ui.label(RichText::new(words.say(name)).small());
             for &easing in three {
                 picture(ui, easing);
             }
             ui.end_row();
         }
-        for (&easing, name) in plain.iter().zip([words.say("Linear"), words.say("Hold")]) {
+        for (&easing, name) in plain.iter().zip([words.say(texts::LINEAR), words.say(texts::HOLD)]) {
             ui.label(RichText::new(name).small());
             picture(ui, easing);
             if easing == Easing::Linear {
@@ -227,8 +228,9 @@ fn easing_button(ui: &mut Ui, easing: Easing, is_current: bool) -> bool {
     let (rect, response) = ui.allocate_exact_size(PICTURE, Sense::click());
     let words = Words::of(ui);
     let name = easing_text(easing, words);
-    response
-        .widget_info(|| WidgetInfo::selected(Role::RadioButton, true, is_current, words.fill("Easing: {}", &[&name])));
+    response.widget_info(|| {
+        WidgetInfo::selected(Role::RadioButton, true, is_current, words.message(texts::easing_named(&name)))
+    });
     let fill = if response.hovered() || response.has_focus() { tokens.hovered } else { tokens.raised };
     ui.painter().rect_filled(rect, CORNER, if is_current { tokens.accent_fill } else { fill });
     if is_current || response.has_focus() {

@@ -12,6 +12,7 @@ use crate::keyframe::{Easing, Keyframe, KeyframeIndex};
 use crate::ui::icons::diamond;
 use crate::ui::theme::{CORNER, Tokens};
 use crate::ui::words::Words;
+use crate::words::texts;
 
 /// Points from one labelled second to the next, at least.
 const SECONDS_APART: f64 = 72.0;
@@ -342,9 +343,9 @@ pub fn dragging(painter: &Painter, look: &Look<'_>, drag: &Drag, surrounded: Opt
             let seconds = keyframe.duration * f64::from(look.editor.document().ms_between_keyframes) / 1000.0;
             let (steps, seconds) = (format!("{:.2}", keyframe.duration), format!("{seconds:.2}"));
             let text = if retime.asked.1 {
-                look.words.fill("{} steps = {} s  the next gives", &[&steps, &seconds])
+                look.words.message(texts::steps_and_seconds_rippling(&steps, &seconds))
             } else {
-                look.words.fill("{} steps = {} s", &[&steps, &seconds])
+                look.words.message(texts::steps_and_seconds(&steps, &seconds))
             };
             let from = scale.x_of(columns.time(retime.place));
             let to = scale.x_of(columns.time_after(retime.place));

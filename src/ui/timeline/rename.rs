@@ -8,6 +8,7 @@ use crate::editor::{Command, Edit, Editor, TimelineEdit};
 use crate::keyframe::KeyframeIndex;
 use crate::ui::theme::ROW;
 use crate::ui::words::Words;
+use crate::words::texts;
 
 /// Width of the field that a name is typed into.
 const NAME_FIELD: f32 = 120.0;
@@ -48,7 +49,7 @@ impl Timeline {
         let x = x.min(tracks.right() - NAME_FIELD - 4.0).max(tracks.left() + 4.0);
         let area = Rect::from_min_size(pos2(x, target.layout.ruler.top() + 8.0), vec2(NAME_FIELD, ROW + 2.0));
         let id = Id::unique("name of a keyframe");
-        let hint = Words::of(ui).fill("Name of keyframe {}", &[&place.to_string()]);
+        let hint = Words::of(ui).message(texts::name_of_keyframe(place.to_string()));
         let field = TextEdit::singleline(&mut renaming.typed)
             .id(id)
             .hint_text(&hint)

@@ -9,9 +9,17 @@ use super::{Tab, Timeline};
 use crate::keyframe::{Easing, KeyframeIndex};
 use crate::ui::thumbnails::Thumbnails;
 use crate::ui::words::Words;
+use crate::words::{Phrase, texts};
 
 /// The curves' names, in the order of the menu.
-pub const CURVES: [&str; 6] = ["Sine", "Quad", "Cubic", "Back", "Bounce", "Elastic"];
+pub const CURVES: [(&str, Phrase); 6] = [
+    ("sine", texts::EASING_SINE),
+    ("quad", texts::EASING_QUAD),
+    ("cubic", texts::EASING_CUBIC),
+    ("back", texts::EASING_BACK),
+    ("bounce", texts::EASING_BOUNCE),
+    ("elastic", texts::EASING_ELASTIC),
+];
 
 impl Timeline {
     /// Shows the tooltip of what the pointer is over.
@@ -34,15 +42,16 @@ impl Timeline {
                 return;
             }
             Hit::Grip(place) => (
-                words.fill("The interval after keyframe {}: {}", &[&place.to_string(), &length(look, place)]),
-                words.say("Drag to retime it. With Shift the next one gives what this one takes.").to_owned(),
+                words.message(texts::interval_after(place.to_string(), length(look, place))),
+                words.say(texts::DRAG_TO_RETIME_IT_WITH_SHIFT_THE).to_owned(),
             ),
             Hit::Luck(place) => luck_tip(look, place),
-            Hit::RangeStart => {
-                (words.say("Playing begins here").to_owned(), words.say("Drag to another keyframe.").to_owned())
-            }
+            Hit::RangeStart => (
+                words.say(texts::PLAYING_BEGINS_HERE).to_owned(),
+                words.say(texts::DRAG_TO_ANOTHER_KEYFRAME).to_owned(),
+            ),
             Hit::RangeEnd => {
-                (words.say("Playing ends here").to_owned(), words.say("Drag to another keyframe.").to_owned())
+                (words.say(texts::PLAYING_ENDS_HERE).to_owned(), words.say(texts::DRAG_TO_ANOTHER_KEYFRAME).to_owned())
             }
             Hit::Ruler | Hit::Empty => return,
         };
@@ -61,31 +70,31 @@ pub(super) fn tip(ui: &mut Ui, heading: &str, body: &str, look: &Look<'_>) {
 /// Which nodes turn by nearly half a turn in an interval.
 fn luck_tip(look: &Look<'_>, place: usize) -> (String, String) {
     let (from, to) = (place.to_string(), (place + 1).to_string());
-    let heading = look.words.fill("Keyframe {} to {}: nearly half a turn", &[&from, &to]);
+    let heading = look.words.message(texts::keyframe_half_turn(&from, &to));
     let scene = look.editor.scene();
     let nodes = luck::nodes(look.editor.document().keyframes.as_slice(), place, scene.rbt_indices());
     let mut lines: Vec<String> =
         nodes.iter().take(3).map(|&(rbt, degrees)| format!("{} {degrees:.1}°", scene.rbt_path(rbt))).collect();
     if nodes.len() > 3 {
-        lines.push(look.words.fill("and {} more", &[&(nodes.len() - 3).to_string()]));
+        lines.push(look.words.message(texts::and_more((nodes.len() - 3).to_string())));
     }
-    lines.push(look.words.say(luck::ADVICE).to_owned());
+    lines.push(look.words.say(texts::HALF_TURN_ADVICE).to_owned());
     (heading, lines.join("\n"))
 }
 
 /// The easing in words: `Sine, in and out`.
 pub(super) fn easing_text(easing: Easing, words: Words) -> String {
     let (name, ends) = easing.name().split_once('-').unwrap_or((easing.name(), ""));
-    let curve = CURVES.into_iter().find(|curve| curve.eq_ignore_ascii_case(name));
+    let curve = CURVES.into_iter().find(|(own, _)| *own == name);
     let curve = match easing {
-        Easing::Linear => words.say("Linear"),
-        Easing::Hold => words.say("Hold"),
-        Easing::Curve(..) => curve.map_or(name, |curve| words.say(curve)),
+        Easing::Linear => words.say(texts::LINEAR),
+        Easing::Hold => words.say(texts::HOLD),
+        Easing::Curve(..) => curve.map_or(name, |(_, title)| words.say(title)),
     };
     match ends {
-        "in" => words.fill("{}, in", &[curve]),
-        "out" => words.fill("{}, out", &[curve]),
-        "in-out" => words.fill("{}, in and out", &[curve]),
+        "in" => words.message(texts::easing_in(curve)),
+        "out" => words.message(texts::easing_out(curve)),
+        "in-out" => words.message(texts::easing_in_out(curve)),
         _ => curve.to_owned(),
     }
 }
@@ -94,7 +103,7 @@ fn length(look: &Look<'_>, place: usize) -> String {
     let keyframe = look.editor.document().keyframes.get(KeyframeIndex::new(place));
     let duration = keyframe.map_or(1.0, |keyframe| keyframe.duration);
     let seconds = duration * f64::from(look.editor.document().ms_between_keyframes) / 1000.0;
-    look.words.fill("{} steps = {} s", &[&format!("{duration:.2}"), &format!("{seconds:.2}")])
+    look.words.message(texts::steps_and_seconds(format!("{duration:.2}"), format!("{seconds:.2}")))
 }
 
 fn keyframe(look: &Look<'_>, place: usize) -> (String, String) {
@@ -102,7 +111,7 @@ fn keyframe(look: &Look<'_>, place: usize) -> (String, String) {
     let keyframes = &look.editor.document().keyframes;
     let keyframe = keyframes.get(KeyframeIndex::new(place));
     let name = keyframe.and_then(|keyframe| keyframe.name.as_deref());
-    let heading = words.fill("Keyframe {}", &[&place.to_string()]);
+    let heading = words.message(texts::keyframe_number(place.to_string()));
     let heading = match name {
         Some(name) => format!("{heading} · {name}"),
         None => heading,
@@ -111,14 +120,14 @@ fn keyframe(look: &Look<'_>, place: usize) -> (String, String) {
     let steers = count >= 4 && (place == 0 || place + 1 == count);
     let mut lines = Vec::new();
     if steers {
-        lines.push(words.say("It only steers the spline: it is not played.").to_owned());
+        lines.push(words.say(texts::IT_ONLY_STEERS_THE_SPLINE_IT_IS).to_owned());
     } else if count >= 4 {
         let seconds = look.target.columns.time(place) * f64::from(look.editor.document().ms_between_keyframes) / 1000.0;
-        lines.push(words.fill("Key time {} · {} s", &[&(place - 1).to_string(), &format!("{seconds:.2}")]));
+        lines.push(words.message(texts::key_time_and_seconds((place - 1).to_string(), format!("{seconds:.2}"))));
     }
     if place + 1 < count {
         let easing = keyframe.map_or(Easing::Linear, |keyframe| keyframe.easing);
-        lines.push(words.fill("Then {} · {}", &[&length(look, place), &easing_text(easing, words)]));
+        lines.push(words.message(texts::then_interval(length(look, place), easing_text(easing, words))));
     }
     (heading, lines.join("\n"))
 }
