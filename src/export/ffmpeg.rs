@@ -6,13 +6,15 @@ use std::process::{Child, ChildStdin, Command, ExitStatus, Stdio};
 
 use thiserror::Error;
 
+use crate::film::{listed, written_endings};
+
 /// Why ffmpeg made no film.
 #[derive(Debug, Error)]
 pub enum FfmpegError {
     /// It is not installed.
     #[error(
-        "an MP4 is encoded by ffmpeg, and there is none on the PATH: install it (Debian: apt-get install ffmpeg), or write .gif, .apng \
-         or .y4m"
+        "an MP4 is encoded by ffmpeg, and there is none on the PATH: install it (Debian: apt-get install ffmpeg), or write .{}",
+        listed(&written_endings()[1], " or .").replace(", ", ", .")
     )]
     Missing,
     /// It does not start.
