@@ -17,7 +17,7 @@ mod heat;
 
 use thiserror::Error;
 
-use crate::render::Image;
+use crate::picture::Image;
 
 /// The score up to which two pictures are taken to look the same where nothing else is said.
 pub const DEFAULT_TOLERANCE: f32 = 0.06;

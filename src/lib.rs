@@ -10,7 +10,7 @@
 //!                                                   ▼ (shared borrow from here on)
 //!                       Editor::displayed_pose() ─► Pose ─► view::frame_of_editor
 //!                                                                 ▼
-//!                                       Renderer::encode(&Frame, &TextureView)
+//!                                       Renderer::encode(&Frame, Target)
 //!                                           ▲ the window's next picture ▲ an offscreen texture
 //!                                           window                      cli, tests
 //! ```

@@ -24,7 +24,7 @@ fn every_command_has_a_name_and_a_help() {
         for id in [format!("command.{}", binding.id), format!("command.{}.help", binding.id)] {
             assert!(Phrase::of_id(&id).is_some(), "{id}");
         }
-        assert_eq!((binding.title().english(), binding.explanation().english()), (binding.name, binding.help));
+        assert!(!binding.title().english().is_empty() && !binding.explanation().english().is_empty(), "{}", binding.id);
     }
 }
 

@@ -1,6 +1,6 @@
 //! Errors as colours: nine steps of the map "magma", black to pale yellow, whose lightness rises evenly.
 
-use crate::render::Image;
+use crate::picture::Image;
 
 const STEPS: [[f32; 3]; 9] = [
     [0.0, 0.0, 4.0],

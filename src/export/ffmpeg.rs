@@ -6,7 +6,8 @@ use std::process::{Child, ChildStdin, Command, ExitStatus, Stdio};
 
 use thiserror::Error;
 
-use crate::words::{Message, display_by_message, texts};
+use crate::film::written_endings;
+use crate::words::{Message, display_by_message, one_of, texts};
 
 /// Why ffmpeg made no film.
 #[derive(Debug, Error)]
@@ -28,7 +29,11 @@ impl FfmpegError {
     #[must_use]
     pub fn message(&self) -> Message {
         match self {
-            Self::Missing => texts::EXPORT_NO_FFMPEG.into(),
+            Self::Missing => {
+                let [_, films, _] = written_endings();
+                let films: Vec<String> = films.iter().map(|ending| format!(".{ending}")).collect();
+                texts::export_no_ffmpeg(one_of(&films))
+            }
             Self::Start(error) => texts::export_ffmpeg_not_started(error.to_string()),
             Self::Ended(status) => texts::export_ffmpeg_ended(status.to_string()),
             Self::Wait(error) => texts::export_ffmpeg_lost(error.to_string()),
