@@ -36,7 +36,7 @@ fn transport() -> Vec<Row> {
         "Pause: freeze the pose on screen into the scene; or go on from there",
     );
     vec![
-        Row::listed(Changes::Session, play.hotkeys(&["y"]))
+        Row::listed(Changes::Document, play.hotkeys(&["y"]))
             .can(|editor, command| editor.is_playing() || can_play(editor, command)),
         Row::listed(Changes::Document, pause.hotkeys(&["Shift+P"]))
             .can(|editor, _| editor.is_playing() || editor.is_paused()),
@@ -117,7 +117,7 @@ fn playhead() -> Vec<Row> {
         binding(id, Command::Playback(PlaybackCommand::Step(ticks)), name, help).repeating_hotkeys(&[key])
     };
     vec![
-        Row::listed(Changes::Session, play.hotkeys(&["Shift+Y"])).can(can_play),
+        Row::listed(Changes::Document, play.hotkeys(&["Shift+Y"])).can(can_play),
         Row::of(Changes::Session, "scrub", |command| matches!(command, Command::Playback(PlaybackCommand::Scrub(_))))
             .can(can_play)
             .line(Line::new(
