@@ -17,7 +17,7 @@ mod window;
 
 use std::sync::LazyLock;
 
-pub use line::{ArgumentError, Arguments, Ending, Line, Read};
+pub use line::{ArgumentError, Arguments, Ending, Line};
 pub use row::{Binding, Changes, Group, Menu, Row, WindowState};
 #[cfg(test)]
 pub(crate) use values::radians;
@@ -60,12 +60,6 @@ pub fn lines() -> impl Iterator<Item = &'static Line> {
     // A line that several commands share stands in the rows of each, one after the other.
     let mut last = "";
     all.filter(move |line| std::mem::replace(&mut last, line.name) != line.name)
-}
-
-/// The binding of a stable id.
-#[must_use]
-pub fn binding_of_id(id: &str) -> Option<&'static Binding> {
-    rows().iter().flat_map(|row| &row.bindings).find(|binding| binding.id == id)
 }
 
 impl Editor {

@@ -28,7 +28,7 @@ fn transport() -> Vec<Row> {
     let play = binding("play-or-stop", Command::Playback(PlaybackCommand::PlayOrStop));
     let pause = binding("pause-or-resume", Command::Playback(PlaybackCommand::PauseOrResume));
     vec![
-        Row::listed(Changes::Session, play.hotkeys(&["y"]))
+        Row::listed(Changes::Document, play.hotkeys(&["y"]))
             .can(|editor, command| editor.is_playing() || can_play(editor, command)),
         Row::listed(Changes::Document, pause.hotkeys(&["Shift+P"]))
             .can(|editor, _| editor.is_playing() || editor.is_paused()),
@@ -97,7 +97,7 @@ fn playhead() -> Vec<Row> {
     let play = binding("play-from-playhead", Command::Playback(PlaybackCommand::PlayFromPlayhead));
     let step = |id, ticks, key| binding(id, Command::Playback(PlaybackCommand::Step(ticks))).repeating_hotkeys(&[key]);
     vec![
-        Row::listed(Changes::Session, play.hotkeys(&["Shift+Y"])).can(can_play),
+        Row::listed(Changes::Document, play.hotkeys(&["Shift+Y"])).can(can_play),
         Row::of(Changes::Session, "scrub", |command| matches!(command, Command::Playback(PlaybackCommand::Scrub(_))))
             .can(can_play)
             .line(Line::new(
