@@ -331,3 +331,16 @@ fn no_two_bindings_share_a_chord() {
         assert!(seen.insert(*chord), "{} stands twice", chord.label());
     }
 }
+
+#[test]
+fn an_import_of_fewer_keyframes_leaves_nothing_selected_that_is_gone() {
+    let one = editor_with(1);
+    let path = Path::new("one.json");
+    let text = keyframes_to_json(one.scene(), &one.document().keyframes, Interpolation::Linear, 2000);
+    let mut editor = editor_with(3);
+    let last = editor.document().keyframes.last().unwrap();
+    editor.apply(Command::View(ViewCommand::SelectKeyframes(vec![last]))).unwrap();
+    editor.keyframes_read(path, Ok(text.into_bytes())).unwrap();
+    assert!(editor.session().selected.is_empty());
+    editor.apply(Command::View(ViewCommand::CopyKeyframes)).unwrap();
+}

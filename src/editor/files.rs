@@ -135,6 +135,7 @@ impl Editor {
         };
         self.is_now_saved_in(path);
         self.is_file_known = is_known;
+        self.fit_session_to_list();
         Ok(said)
     }
 
