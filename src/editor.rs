@@ -101,6 +101,22 @@ pub struct Session {
 }
 
 /// All state of the program but the window's.
+///
+/// ```
+/// use std::path::PathBuf;
+/// use std::sync::Arc;
+///
+/// use inbetween::editor::{Command, Edit, Editor};
+/// use inbetween::scene::{DEFAULT_SCENE, built_in_scene};
+///
+/// let scene = Arc::new(built_in_scene(DEFAULT_SCENE).expect("it is built in"));
+/// let mut editor = Editor::new(scene, PathBuf::from("animation.json"));
+/// editor.apply(Command::Edit(Edit::CreateKeyframe))?;
+/// assert_eq!(editor.document().keyframes.len(), 1);
+/// editor.apply(Command::Undo)?;
+/// assert!(editor.document().keyframes.is_empty());
+/// # Ok::<(), inbetween::editor::CommandError>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Editor {
     document: Document,

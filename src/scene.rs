@@ -12,6 +12,7 @@ mod keys;
 mod pick;
 mod place;
 mod shape;
+pub mod shapes;
 mod tracks;
 mod walk;
 mod write;

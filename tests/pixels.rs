@@ -6,6 +6,7 @@ use glam::{Affine3A, Quat, Vec3, Vec4};
 use inbetween::frame::{ArcballMark, Dot, DrawItem, Frame, Ghost, Line};
 use inbetween::render::{Arrangement, Background, Gpu, Image, Offscreen, Renderer, Target, Viewport};
 use inbetween::scene::Shape;
+use inbetween::scene::shapes::{Capsule, Cylinder, RoundedBox, Sphere};
 use support::{frame, ground, item, posed_items, sample_items};
 
 const WIDTH: u32 = 640;
@@ -36,7 +37,11 @@ fn draw(frame: &Frame) -> Image {
 }
 
 fn cube(colour: &str, centre: Vec3, side: f32) -> DrawItem {
-    item(Shape::Box { size: Vec3::splat(side), bevel: 0.05 * side }, colour, Affine3A::from_translation(centre))
+    item(
+        Shape::Box(RoundedBox { size: Vec3::splat(side), bevel: 0.05 * side }),
+        colour,
+        Affine3A::from_translation(centre),
+    )
 }
 
 fn pixel(image: &Image, x: u32, y: u32) -> [i32; 3] {
@@ -287,7 +292,7 @@ fn the_arcball_is_a_circle_of_its_size() {
 #[test]
 fn a_mirrored_shape_looks_like_itself() {
     let at = Affine3A::from_translation(Vec3::new(0.0, 0.25, 0.0));
-    let shape = Shape::Box { size: Vec3::new(1.0, 0.6, 0.8), bevel: 0.1 };
+    let shape = Shape::Box(RoundedBox { size: Vec3::new(1.0, 0.6, 0.8), bevel: 0.1 });
     let plain = draw(&frame(vec![item(shape, "#c0a020", at)]));
     let mirrored = draw(&frame(vec![item(shape, "#c0a020", at * Affine3A::from_scale(Vec3::new(-1.0, 1.0, 1.0)))]));
     let differing = plain.rgba.iter().zip(&mirrored.rgba).filter(|(a, b)| a.abs_diff(**b) > 3).count();
@@ -449,10 +454,10 @@ fn what_is_cut_away_changes_no_byte_of_the_picture() {
     for place in 0..900_u16 {
         let (x, z) = (f32::from(place % 30) - 15.0, f32::from(place / 30) - 15.0);
         let shape = match place % 4 {
-            0 => Shape::Box { size: Vec3::splat(0.7), bevel: 0.035 },
-            1 => Shape::Sphere { radius: 0.4 },
-            2 => Shape::Cylinder { radius: 0.3, height: 0.8 },
-            _ => Shape::Capsule { radius: 0.25, height: 0.9 },
+            0 => Shape::Box(RoundedBox { size: Vec3::splat(0.7), bevel: 0.035 }),
+            1 => Shape::Sphere(Sphere { radius: 0.4 }),
+            2 => Shape::Cylinder(Cylinder { radius: 0.3, height: 0.8 }),
+            _ => Shape::Capsule(Capsule { radius: 0.25, height: 0.9 }),
         };
         let world_from_shape = Affine3A::from_translation(Vec3::new(x, -1.6 + 0.02 * x * z, z))
             * Affine3A::from_rotation_y(0.7 * f32::from(place));

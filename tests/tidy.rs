@@ -64,8 +64,7 @@ fn only_storage_touches_the_file_system() {
 fn the_wall_clock_is_read_in_one_function_each() {
     only(&["std::time::Instant", "std::time::SystemTime"], &["window", "cli"]);
     for room in ["window", "cli"] {
-        let of_room = sources();
-        let of_room = of_room.iter().filter(|source| source.room() == room);
+        let of_room = sources().iter().filter(|source| source.room() == room);
         let readings: usize = of_room.filter_map(|source| source.calls.get("std::time::Instant::now")).sum();
         assert!(readings <= 1, "{room} reads the clock in {readings} places");
     }
@@ -127,7 +126,7 @@ fn modules_import_only_from_below() {
     for source in sources() {
         let is_known = table.contains_key(source.room()) || matches!(source.room(), "lib" | "main");
         assert!(is_known, "src/{} is in a module that the table of src/lib.rs does not have", source.name);
-        let wrong = wrong_import(&source, &table);
+        let wrong = wrong_import(source, &table);
         assert_eq!(wrong, None, "src/{} imports from a module that is not below it", source.name);
     }
 }

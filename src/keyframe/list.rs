@@ -84,6 +84,15 @@ struct Stored {
 /// Keyframes in order and the current one. Cloning is cheap: copies share until one changes.
 ///
 /// A list with keyframes always has a current one; an empty list has none.
+///
+/// ```
+/// use inbetween::keyframe::{Keyframe, KeyframeIndex, KeyframeList};
+/// use inbetween::pose::Pose;
+///
+/// let mut list = KeyframeList::new(vec![Keyframe::new(Pose::identity(22))]);
+/// list.insert_after_current(Keyframe::new(Pose::identity(22)));
+/// assert_eq!((list.len(), list.current()), (2, Some(KeyframeIndex::new(1))));
+/// ```
 #[derive(Clone, Debug, Default)]
 pub struct KeyframeList {
     stored: Arc<Stored>,

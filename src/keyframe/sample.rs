@@ -44,6 +44,22 @@ impl SampleError {
 }
 
 /// A list that is long enough to play: what its samples are taken from.
+///
+/// ```
+/// use glam::Vec3;
+/// use inbetween::interpolation::Interpolation;
+/// use inbetween::keyframe::{Keyframe, KeyframeList, PlayRange};
+/// use inbetween::pose::{Pose, RbtIndex};
+/// use inbetween::rbt::Rbt;
+///
+/// let at_x = |x: f32| Keyframe::new(Pose::new(vec![Rbt::from_translation(Vec3::X * x)]));
+/// let list = KeyframeList::new([0.0, 1.0, 3.0, 4.0].map(at_x).to_vec());
+/// let range = PlayRange::new(&list)?;
+/// // Key time 0 is keyframe 1: the first and the last only steer.
+/// let half_way = range.pose_at(0.5, Interpolation::Linear)?;
+/// assert_eq!(half_way.get(RbtIndex::new(0)).translation, Vec3::X * 2.0);
+/// # Ok::<(), inbetween::keyframe::SampleError>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct PlayRange<'a> {
     keyframes: &'a KeyframeList,

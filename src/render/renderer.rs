@@ -80,6 +80,17 @@ impl Viewport {
 }
 
 /// Draws frames into views of one format. It keeps its buffers, textures and pipelines from frame to frame.
+///
+/// ```no_run
+/// use inbetween::frame::Frame;
+/// use inbetween::render::{Gpu, GpuError, Image, Offscreen, Renderer, default_samples};
+///
+/// fn picture(frame: &Frame) -> Result<Image, GpuError> {
+///     let gpu = Gpu::headless()?;
+///     let mut renderer = Renderer::new(&gpu, Offscreen::FORMAT, default_samples(gpu.is_software));
+///     Offscreen::new(&gpu, 640, 480)?.render(&gpu, &mut renderer, frame)
+/// }
+/// ```
 #[derive(Debug)]
 pub struct Renderer {
     format: wgpu::TextureFormat,

@@ -147,7 +147,7 @@ struct NodeText {
     translation: [f32; 3],
     rotation: Option<RotationText>,
     scale: Option<ScaleText>,
-    shape: Option<ShapeText>,
+    shape: Option<Shape>,
     colour: Option<ColourText>,
     colour_keys: Option<Vec<(f64, ColourText)>>,
     control: Option<ControlText>,
@@ -183,34 +183,6 @@ struct EulerText {
 enum ScaleText {
     Uniform(f32),
     PerAxis([f32; 3]),
-}
-
-#[derive(Deserialize)]
-#[serde(rename_all = "snake_case", deny_unknown_fields)]
-enum ShapeText {
-    Box {
-        size: [f32; 3],
-        #[serde(default)]
-        bevel: f32,
-    },
-    Sphere {
-        radius: f32,
-    },
-    Cylinder {
-        radius: f32,
-        height: f32,
-    },
-    Cone {
-        radius: f32,
-        height: f32,
-    },
-    Capsule {
-        radius: f32,
-        height: f32,
-    },
-    Plane {
-        size: [f32; 2],
-    },
 }
 
 #[derive(Clone, Copy, Deserialize)]
@@ -271,7 +243,8 @@ fn add(builder: &mut SceneBuilder, node: &NodeText, parent_path: &str, version: 
         set(&mut tracks, Channel::Colour, place, node.colour_keys.as_ref(), |colour| {
             Ok(colour.0.to_linear().extend(0.0))
         })?;
-        let placed = PlacedShape::new(self::shape(place, shape)?, colour, tracks, placement);
+        shape.solid().check(place)?;
+        let placed = PlacedShape::new(*shape, colour, tracks, placement);
         builder.shape(&node.name, placed)?;
         return Ok(());
     }
@@ -339,38 +312,5 @@ fn scale(place: Place<'_>, value: Option<ScaleText>) -> Result<Vec3, SceneError>
         None => Vec3::ONE,
         Some(ScaleText::Uniform(scale)) => Vec3::splat(scale),
         Some(ScaleText::PerAxis(scale)) => Vec3::from(scale),
-    })
-}
-
-fn shape(place: Place<'_>, shape: &ShapeText) -> Result<Shape, SceneError> {
-    Ok(match *shape {
-        ShapeText::Box { size, bevel } => {
-            let size = Vec3::new(
-                place.length("size", size[0])?,
-                place.length("size", size[1])?,
-                place.length("size", size[2])?,
-            );
-            if !(bevel >= 0.0 && bevel <= size.min_element() * 0.5) {
-                return Err(place.error("bevel", bevel.to_string(), texts::SCENE_EXPECTED_BEVEL));
-            }
-            Shape::Box { size, bevel }
-        }
-        ShapeText::Sphere { radius } => Shape::Sphere { radius: place.length("radius", radius)? },
-        ShapeText::Cylinder { radius, height } => {
-            Shape::Cylinder { radius: place.length("radius", radius)?, height: place.length("height", height)? }
-        }
-        ShapeText::Cone { radius, height } => {
-            Shape::Cone { radius: place.length("radius", radius)?, height: place.length("height", height)? }
-        }
-        ShapeText::Capsule { radius, height } => {
-            let radius = place.length("radius", radius)?;
-            if height < 2.0 * radius {
-                return Err(place.error("height", height.to_string(), texts::SCENE_EXPECTED_HEIGHT));
-            }
-            Shape::Capsule { radius, height: place.length("height", height)? }
-        }
-        ShapeText::Plane { size: [x, z] } => {
-            Shape::Plane { size: [place.length("size", x)?, place.length("size", z)?] }
-        }
     })
 }

@@ -79,6 +79,15 @@ impl Node {
 }
 
 /// Nodes, shapes and the rest pose. A change makes another scene, which shares all that stayed as it was.
+///
+/// ```
+/// use inbetween::scene::{DEFAULT_SCENE, built_in_scene};
+///
+/// let scene = built_in_scene(DEFAULT_SCENE).expect("it is built in");
+/// let head = scene.find_rbt("robot1/head").expect("the scene has it");
+/// let world_from_head = scene.world_from_rbt(scene.rest_pose(), 0.0, head);
+/// assert_eq!(world_from_head.translation.to_array(), [-2.0, 1.75, 0.0]);
+/// ```
 #[derive(Clone, Debug)]
 pub struct SceneGraph {
     nodes: Vec<Arc<Node>>,

@@ -1,52 +1,29 @@
 //! Shapes: the geometry under RBT nodes, as dimensions and a colour. No meshes here; those are the renderer's.
 
 use glam::{Affine3A, Quat, Vec3, Vec4};
+use serde::Deserialize;
 
 use super::channel::Channel;
+use super::shapes::{Capsule, Cone, Cylinder, Plane, RoundedBox, Solid, Sphere};
 use super::tracks::Tracks;
 use crate::colour::Colour;
 
 /// A solid in its own shape space: centred at the origin, its axis along Y. Lengths in scene units, all positive.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Shape {
     /// A box with rounded edges.
-    Box {
-        /// Full extents along x, y and z.
-        size: Vec3,
-        /// Radius of the rounded edges, at most half the smallest extent.
-        bevel: f32,
-    },
+    Box(RoundedBox),
     /// A ball.
-    Sphere {
-        /// Radius.
-        radius: f32,
-    },
+    Sphere(Sphere),
     /// A cylinder along Y.
-    Cylinder {
-        /// Radius.
-        radius: f32,
-        /// Full height.
-        height: f32,
-    },
+    Cylinder(Cylinder),
     /// A cone along Y, its apex up.
-    Cone {
-        /// Radius of the base.
-        radius: f32,
-        /// Full height.
-        height: f32,
-    },
+    Cone(Cone),
     /// A cylinder along Y with a half ball at each end.
-    Capsule {
-        /// Radius.
-        radius: f32,
-        /// Full height, both caps included; at least twice the radius.
-        height: f32,
-    },
-    /// A flat square in the plane y = 0, seen from above; it carries the grid that fades with distance.
-    Plane {
-        /// Full extents along x and z.
-        size: [f32; 2],
-    },
+    Capsule(Capsule),
+    /// A flat square in the plane y = 0.
+    Plane(Plane),
 }
 
 /// The six meshes that every shape is an instance of.
@@ -72,40 +49,40 @@ impl MeshKind {
 }
 
 impl Shape {
+    /// It as what all shapes are: the one place that tells them apart.
+    pub(super) fn solid(&self) -> &dyn Solid {
+        match self {
+            Self::Box(shape) => shape,
+            Self::Sphere(shape) => shape,
+            Self::Cylinder(shape) => shape,
+            Self::Cone(shape) => shape,
+            Self::Capsule(shape) => shape,
+            Self::Plane(shape) => shape,
+        }
+    }
+
     /// Which mesh this shape is an instance of.
     #[must_use]
     pub fn mesh(&self) -> MeshKind {
-        match self {
-            Self::Box { .. } => MeshKind::Box,
-            Self::Sphere { .. } => MeshKind::Sphere,
-            Self::Cylinder { .. } => MeshKind::Cylinder,
-            Self::Cone { .. } => MeshKind::Cone,
-            Self::Capsule { .. } => MeshKind::Capsule,
-            Self::Plane { .. } => MeshKind::Plane,
-        }
+        self.solid().mesh()
     }
 
     /// Half the extents of the axis-aligned box around the shape, in shape space. A plane's is 0 along y.
     #[must_use]
     pub fn half_extents(&self) -> Vec3 {
-        match *self {
-            Self::Box { size, .. } => size * 0.5,
-            Self::Sphere { radius } => Vec3::splat(radius),
-            Self::Cylinder { radius, height } | Self::Cone { radius, height } | Self::Capsule { radius, height } => {
-                Vec3::new(radius, height * 0.5, radius)
-            }
-            Self::Plane { size: [x, z] } => Vec3::new(x * 0.5, 0.0, z * 0.5),
-        }
+        self.solid().half_extents()
     }
 
     /// The radius by which edges are rounded: a box's bevel, a ball's and a capsule's radius; 0 for the others.
     #[must_use]
     pub fn rounding(&self) -> f32 {
-        match *self {
-            Self::Box { bevel, .. } => bevel,
-            Self::Sphere { radius } | Self::Capsule { radius, .. } => radius,
-            Self::Cylinder { .. } | Self::Cone { .. } | Self::Plane { .. } => 0.0,
-        }
+        self.solid().rounding()
+    }
+
+    /// Where a ray enters it, in lengths of `direction`; origin and direction in shape space. Rounded edges of boxes count as sharp ones.
+    #[must_use]
+    pub fn enter(&self, origin: Vec3, direction: Vec3) -> Option<f32> {
+        self.solid().enter(origin, direction)
     }
 }
 

@@ -133,26 +133,9 @@ fn push_shape(fields: &mut Vec<String>, placed: &PlacedShape, depth: usize) {
 }
 
 fn shape(shape: &Shape) -> String {
-    let fields: Vec<(&str, String)> = match *shape {
-        Shape::Box { size, bevel } => {
-            vec![("size", numbers(&size.to_array())), ("bevel", number(bevel))]
-        }
-        Shape::Sphere { radius } => vec![("radius", number(radius))],
-        Shape::Cylinder { radius, height } | Shape::Cone { radius, height } | Shape::Capsule { radius, height } => {
-            vec![("radius", number(radius)), ("height", number(height))]
-        }
-        Shape::Plane { size } => vec![("size", numbers(&size))],
-    };
-    let kind = match shape {
-        Shape::Box { .. } => "box",
-        Shape::Sphere { .. } => "sphere",
-        Shape::Cylinder { .. } => "cylinder",
-        Shape::Cone { .. } => "cone",
-        Shape::Capsule { .. } => "capsule",
-        Shape::Plane { .. } => "plane",
-    };
-    let fields: Vec<String> = fields.iter().map(|(name, value)| format!("\"{name}\": {value}")).collect();
-    format!("{{ \"{kind}\": {{ {} }} }}", fields.join(", "))
+    let solid = shape.solid();
+    let fields: Vec<String> = solid.fields().iter().map(|(name, value)| format!("\"{name}\": {value}")).collect();
+    format!("{{ \"{}\": {{ {} }} }}", solid.name(), fields.join(", "))
 }
 
 /// A number as JSON.

@@ -5,6 +5,7 @@ use glam::camera::rh::proj::directx::perspective_infinite_reverse;
 use glam::{Affine3A, Quat, Vec3};
 use inbetween::colour::Colour;
 use inbetween::frame::{DrawItem, Frame, View};
+use inbetween::scene::shapes::{Capsule, Cone, Cylinder, Plane, RoundedBox, Sphere};
 use inbetween::scene::Shape;
 use serde_json::Value;
 
@@ -45,7 +46,7 @@ pub fn item(shape: Shape, colour: &str, world_from_shape: Affine3A) -> DrawItem 
 
 /// The ground of the sample scene.
 pub fn ground() -> DrawItem {
-    item(Shape::Plane { size: [400.0, 400.0] }, "#7d8791", Affine3A::from_translation(Vec3::new(0.0, -2.0, 0.0)))
+    item(Shape::Plane(Plane { size: [400.0, 400.0] }), "#7d8791", Affine3A::from_translation(Vec3::new(0.0, -2.0, 0.0)))
 }
 
 /// Every shape of the sample scene at rest, with the path of the node that carries it.
@@ -90,12 +91,12 @@ fn walk(
         let number = |of: &Value, field: &str| of[field].as_f64().expect("a number") as f32;
         let (kind, of) = object.as_object().and_then(|object| object.iter().next()).expect("a shape");
         let shape = match kind.as_str() {
-            "box" => Shape::Box { size: numbers(&of["size"], [1.0; 3]).into(), bevel: number(of, "bevel") },
-            "sphere" => Shape::Sphere { radius: number(of, "radius") },
-            "cylinder" => Shape::Cylinder { radius: number(of, "radius"), height: number(of, "height") },
-            "cone" => Shape::Cone { radius: number(of, "radius"), height: number(of, "height") },
-            "capsule" => Shape::Capsule { radius: number(of, "radius"), height: number(of, "height") },
-            _ => Shape::Plane { size: numbers(&of["size"], [1.0; 2]) },
+            "box" => Shape::Box(RoundedBox { size: numbers(&of["size"], [1.0; 3]).into(), bevel: number(of, "bevel") }),
+            "sphere" => Shape::Sphere(Sphere { radius: number(of, "radius") }),
+            "cylinder" => Shape::Cylinder(Cylinder { radius: number(of, "radius"), height: number(of, "height") }),
+            "cone" => Shape::Cone(Cone { radius: number(of, "radius"), height: number(of, "height") }),
+            "capsule" => Shape::Capsule(Capsule { radius: number(of, "radius"), height: number(of, "height") }),
+            _ => Shape::Plane(Plane { size: numbers(&of["size"], [1.0; 2]) }),
         };
         items.push((
             above.to_owned(),

@@ -5,6 +5,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
 
 use proc_macro2::{TokenStream, TokenTree};
 use syn::visit::Visit;
@@ -63,8 +64,13 @@ pub fn files() -> Vec<(String, String)> {
     files.into_iter().map(named).collect()
 }
 
-/// All files of `src/` that are not unit tests.
-pub fn sources() -> Vec<Source> {
+/// All files of `src/` that are not unit tests, parsed once for all rules.
+pub fn sources() -> &'static [Source] {
+    static SOURCES: LazyLock<Vec<Source>> = LazyLock::new(parsed);
+    &SOURCES
+}
+
+fn parsed() -> Vec<Source> {
     let parsed: Vec<(String, String, syn::File)> = files()
         .into_iter()
         .map(|(name, text)| {

@@ -31,14 +31,13 @@ pub struct Level {
     pub(super) cut: Cut,
     /// What the radius of an instance is multiplied by. A box's rounding is made smaller, which moves its bevels outwards.
     pub(super) radius: f32,
-    /// How far an edge's middle lies below the true surface or its ends above, at most, as a part of the radius: how far its
-    /// silhouette is wrong. A box's few edges inside its rounded corners do not count, unless there is one triangle in each, nor do
-    /// those across the four-sided pieces of a capsule's ends.
+    /// The maximum error of the silhouette, relative to the radius. It ignores the short edges inside box corners and across the quads
+    /// of a capsule's caps.
     pub flattening: f32,
 }
 
 impl Level {
-    const fn new(kind: MeshKind, cut: Cut, radius: f32, flattening: f32) -> Self {
+    pub(super) const fn new(kind: MeshKind, cut: Cut, radius: f32, flattening: f32) -> Self {
         Self { kind, cut, radius, flattening }
     }
 
@@ -61,44 +60,43 @@ impl Level {
     /// Its corners and triangles.
     pub(super) fn mesh(self) -> Mesh {
         match self.cut {
-            Cut::Bevel(0) => {
-                let mut mesh = rounded_box(1);
-                // The faces come first.
-                mesh.indices.truncate(6 * 6);
-                mesh
-            }
-            Cut::Bevel(steps) => rounded_box(steps),
-            Cut::Faces(cuts) => sphere(cuts),
-            Cut::Around(steps) if self.kind == MeshKind::Cone => cone(steps),
-            Cut::Around(steps) => cylinder(steps),
-            Cut::Capsule(steps, rings) => capsule(steps, rings),
-            Cut::Flat => plane(),
+            Cut::Bevel(steps) => rounded_box::mesh(steps),
+            Cut::Faces(cuts) => sphere::mesh(cuts),
+            Cut::Around(steps) if self.kind == MeshKind::Cone => cone::mesh(steps),
+            Cut::Around(steps) => cylinder::mesh(steps),
+            Cut::Capsule(steps, rings) => capsule::mesh(steps, rings),
+            Cut::Flat => plane::mesh(),
         }
     }
 }
 
-/// Meshes in all.
-pub const MESHES: usize = 17;
+/// The levels of each kind, the finest first, in the order of [`MeshKind::ALL`].
+const OF_KINDS: [&[Level]; MeshKind::ALL.len()] =
+    [&rounded_box::LEVELS, &sphere::LEVELS, &cylinder::LEVELS, &cone::LEVELS, &capsule::LEVELS, &plane::LEVELS];
+/// How many meshes there are.
+pub const MESHES: usize = {
+    let (mut count, mut kind) = (0, 0);
+    while kind < OF_KINDS.len() {
+        count += OF_KINDS[kind].len();
+        kind += 1;
+    }
+    count
+};
 /// All of them: kinds in their order, of each the finest first.
-pub const LEVELS: [Level; MESHES] = [
-    Level::new(MeshKind::Box, Cut::Bevel(3), 0.945, 0.020_3),
-    Level::new(MeshKind::Box, Cut::Bevel(2), 0.905, 0.039_4),
-    Level::new(MeshKind::Box, Cut::Bevel(1), 0.664, 0.107_2),
-    Level::new(MeshKind::Box, Cut::Bevel(0), 0.0, 0.732_1),
-    Level::new(MeshKind::Sphere, Cut::Faces(4), 1.006_7, 0.006_7),
-    Level::new(MeshKind::Sphere, Cut::Faces(3), 1.010_9, 0.010_9),
-    Level::new(MeshKind::Sphere, Cut::Faces(2), 1.025_1, 0.025_1),
-    Level::new(MeshKind::Cylinder, Cut::Around(32), 1.002_4, 0.002_4),
-    Level::new(MeshKind::Cylinder, Cut::Around(20), 1.006_2, 0.006_2),
-    Level::new(MeshKind::Cylinder, Cut::Around(10), 1.025_1, 0.025_1),
-    Level::new(MeshKind::Cone, Cut::Around(32), 1.002_4, 0.002_4),
-    Level::new(MeshKind::Cone, Cut::Around(20), 1.006_2, 0.006_2),
-    Level::new(MeshKind::Cone, Cut::Around(10), 1.025_1, 0.025_1),
-    Level::new(MeshKind::Capsule, Cut::Capsule(18, 4), 1.007_7, 0.011_7),
-    Level::new(MeshKind::Capsule, Cut::Capsule(12, 3), 1.017_3, 0.017_4),
-    Level::new(MeshKind::Capsule, Cut::Capsule(10, 2), 1.025_1, 0.052_9),
-    Level::new(MeshKind::Plane, Cut::Flat, 1.0, 0.0),
-];
+pub const LEVELS: [Level; MESHES] = {
+    let mut levels = [OF_KINDS[0][0]; MESHES];
+    let (mut place, mut kind) = (0, 0);
+    while kind < OF_KINDS.len() {
+        let mut level = 0;
+        while level < OF_KINDS[kind].len() {
+            levels[place] = OF_KINDS[kind][level];
+            place += 1;
+            level += 1;
+        }
+        kind += 1;
+    }
+    levels
+};
 /// Where each kind's meshes are in [`LEVELS`]: the first and the last.
 pub const PLACES: [(usize, usize); MeshKind::ALL.len()] = {
     let mut places = [(MESHES, 0); MeshKind::ALL.len()];
@@ -113,5 +111,5 @@ pub const PLACES: [(usize, usize); MeshKind::ALL.len()] = {
     }
     places
 };
-/// The plane's place in [`LEVELS`].
-pub const PLANE: usize = MESHES - 1;
+/// The plane's index in [`LEVELS`].
+pub const PLANE: usize = PLACES[MeshKind::Plane as usize].0;

@@ -9,17 +9,18 @@ use super::levels::Cut;
 use super::{LEVELS, Level, Mesh, PLANE, Vertex};
 use crate::frame::DrawItem;
 use crate::render::bounds::Bounds;
+use crate::scene::shapes::{Capsule, Cone, Cylinder, Plane, RoundedBox, Sphere};
 use crate::scene::{MeshKind, Shape};
 
 /// A shape of each kind, in [`MeshKind::ALL`]'s order.
 fn samples() -> [Shape; 6] {
     [
-        Shape::Box { size: Vec3::new(1.0, 2.0, 0.5), bevel: 0.1 },
-        Shape::Sphere { radius: 0.7 },
-        Shape::Cylinder { radius: 0.4, height: 1.5 },
-        Shape::Cone { radius: 0.5, height: 1.2 },
-        Shape::Capsule { radius: 0.3, height: 1.4 },
-        Shape::Plane { size: [4.0, 6.0] },
+        Shape::Box(RoundedBox { size: Vec3::new(1.0, 2.0, 0.5), bevel: 0.1 }),
+        Shape::Sphere(Sphere { radius: 0.7 }),
+        Shape::Cylinder(Cylinder { radius: 0.4, height: 1.5 }),
+        Shape::Cone(Cone { radius: 0.5, height: 1.2 }),
+        Shape::Capsule(Capsule { radius: 0.3, height: 1.4 }),
+        Shape::Plane(Plane { size: [4.0, 6.0] }),
     ]
 }
 

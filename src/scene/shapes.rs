@@ -1,0 +1,94 @@
+//! The shapes, a file each: their dimensions, which are allowed, and where a ray meets them. The renderer makes their meshes.
+
+mod capsule;
+mod cone;
+mod cylinder;
+mod plane;
+mod ray;
+mod rounded_box;
+mod sphere;
+
+pub use capsule::Capsule;
+pub use cone::Cone;
+pub use cylinder::Cylinder;
+pub use plane::Plane;
+pub use rounded_box::RoundedBox;
+pub use sphere::Sphere;
+
+use glam::Vec3;
+
+use super::file::SceneError;
+use super::place::Place;
+use super::shape::MeshKind;
+
+/// What every shape says of itself. Shape space has its origin at the centre, and the axis along Y.
+pub(super) trait Solid {
+    /// Its name in scene files.
+    fn name(&self) -> &'static str;
+
+    /// Which mesh it is an instance of.
+    fn mesh(&self) -> MeshKind;
+
+    /// Whether its dimensions are allowed.
+    ///
+    /// # Errors
+    /// [`SceneError::Value`]: the first that is not.
+    fn check(&self, place: Place<'_>) -> Result<(), SceneError>;
+
+    /// Half the extents of the axis-aligned box around it, in shape space.
+    fn half_extents(&self) -> Vec3;
+
+    /// The radius by which its edges are rounded.
+    fn rounding(&self) -> f32 {
+        0.0
+    }
+
+    /// Where a ray enters it, in lengths of `direction`; origin and direction in shape space. A ray from inside passes through.
+    fn enter(&self, origin: Vec3, direction: Vec3) -> Option<f32>;
+
+    /// Its dimensions as JSON, by their names in scene files.
+    fn fields(&self) -> Vec<(&'static str, String)>;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::Shape;
+
+    #[track_caller]
+    fn check(shape: Shape, origin: [f32; 3], direction: [f32; 3], expected: Option<f32>) {
+        let found = shape.enter(Vec3::from(origin), Vec3::from(direction));
+        match (found, expected) {
+            (Some(found), Some(expected)) => assert!((found - expected).abs() < 1e-5, "{found}, expected {expected}"),
+            _ => assert_eq!(found, expected),
+        }
+    }
+
+    #[test]
+    fn each_shape_is_met_from_outside_and_passed_from_inside() {
+        let capsule = Shape::Capsule(Capsule { radius: 1.0, height: 4.0 });
+        let cone = Shape::Cone(Cone { radius: 1.0, height: 2.0 });
+        let cylinder = Shape::Cylinder(Cylinder { radius: 1.0, height: 2.0 });
+        check(
+            Shape::Box(RoundedBox { size: Vec3::new(2.0, 4.0, 6.0), bevel: 0.1 }),
+            [5.0, 0.0, 0.0],
+            [-1.0, 0.0, 0.0],
+            Some(4.0),
+        );
+        check(Shape::Box(RoundedBox { size: Vec3::splat(2.0), bevel: 0.1 }), [5.0, 1.5, 0.0], [-1.0, 0.0, 0.0], None);
+        check(Shape::Box(RoundedBox { size: Vec3::splat(2.0), bevel: 0.1 }), [0.0; 3], [-1.0, 0.0, 0.0], None);
+        check(Shape::Sphere(Sphere { radius: 1.0 }), [0.0, 0.0, 5.0], [0.0, 0.0, -2.0], Some(2.0));
+        check(Shape::Sphere(Sphere { radius: 1.0 }), [0.0, 0.0, 5.0], [0.0, 0.0, 1.0], None);
+        check(cylinder, [0.0, 5.0, 0.5], [0.0, -1.0, 0.0], Some(4.0));
+        check(cylinder, [0.0, 5.0, 1.5], [0.0, -1.0, 0.0], None);
+        check(cylinder, [5.0, 0.5, 0.0], [-1.0, 0.0, 0.0], Some(4.0));
+        check(capsule, [0.0, 5.0, 0.0], [0.0, -1.0, 0.0], Some(3.0));
+        check(capsule, [5.0, 0.0, 0.0], [-1.0, 0.0, 0.0], Some(4.0));
+        check(cone, [5.0, 0.0, 0.0], [-1.0, 0.0, 0.0], Some(4.5));
+        check(cone, [5.0, 0.9, 0.0], [-1.0, 0.0, 0.0], Some(4.95));
+        check(cone, [0.25, -5.0, 0.0], [0.0, 1.0, 0.0], Some(4.0));
+        check(cone, [5.0, 1.5, 0.0], [-1.0, 0.0, 0.0], None);
+        check(Shape::Plane(Plane { size: [2.0, 2.0] }), [0.5, 3.0, 0.5], [0.0, -1.0, 0.0], Some(3.0));
+        check(Shape::Plane(Plane { size: [2.0, 2.0] }), [1.5, 3.0, 0.5], [0.0, -1.0, 0.0], None);
+    }
+}

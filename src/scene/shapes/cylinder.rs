@@ -1,0 +1,49 @@
+//! Cylinders.
+
+use glam::Vec3;
+use serde::Deserialize;
+
+use super::Solid;
+use super::ray::enter_cylinder;
+use crate::scene::file::SceneError;
+use crate::scene::place::Place;
+use crate::scene::shape::MeshKind;
+use crate::scene::write::number;
+
+/// A cylinder along Y.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Cylinder {
+    /// Radius.
+    pub radius: f32,
+    /// Full height.
+    pub height: f32,
+}
+
+impl Solid for Cylinder {
+    fn name(&self) -> &'static str {
+        "cylinder"
+    }
+
+    fn mesh(&self) -> MeshKind {
+        MeshKind::Cylinder
+    }
+
+    fn check(&self, place: Place<'_>) -> Result<(), SceneError> {
+        place.length("radius", self.radius)?;
+        place.length("height", self.height)?;
+        Ok(())
+    }
+
+    fn half_extents(&self) -> Vec3 {
+        Vec3::new(self.radius, self.height * 0.5, self.radius)
+    }
+
+    fn enter(&self, origin: Vec3, direction: Vec3) -> Option<f32> {
+        enter_cylinder(origin, direction, self.radius, self.height * 0.5)
+    }
+
+    fn fields(&self) -> Vec<(&'static str, String)> {
+        vec![("radius", number(self.radius)), ("height", number(self.height))]
+    }
+}

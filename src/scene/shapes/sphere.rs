@@ -1,0 +1,49 @@
+//! Balls.
+
+use glam::Vec3;
+use serde::Deserialize;
+
+use super::Solid;
+use super::ray::enter_sphere;
+use crate::scene::file::SceneError;
+use crate::scene::place::Place;
+use crate::scene::shape::MeshKind;
+use crate::scene::write::number;
+
+/// A ball.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Sphere {
+    /// Radius.
+    pub radius: f32,
+}
+
+impl Solid for Sphere {
+    fn name(&self) -> &'static str {
+        "sphere"
+    }
+
+    fn mesh(&self) -> MeshKind {
+        MeshKind::Sphere
+    }
+
+    fn check(&self, place: Place<'_>) -> Result<(), SceneError> {
+        place.length("radius", self.radius).map(|_| ())
+    }
+
+    fn half_extents(&self) -> Vec3 {
+        Vec3::splat(self.radius)
+    }
+
+    fn rounding(&self) -> f32 {
+        self.radius
+    }
+
+    fn enter(&self, origin: Vec3, direction: Vec3) -> Option<f32> {
+        enter_sphere(origin, direction, Vec3::ZERO, self.radius)
+    }
+
+    fn fields(&self) -> Vec<(&'static str, String)> {
+        vec![("radius", number(self.radius))]
+    }
+}
