@@ -1,24 +1,6 @@
 //! *Inbetween*, a desktop 3D keyframe animator: the library behind the `inbetween` program.
 //!
-//! # The idea in one picture
-//!
-//! ```text
-//! winit event ─ window::input ─┐
-//! egui widgets ─ ui ───────────┼─► Command ─► Editor::apply ─► Result<Vec<Effect>, CommandError>
-//! script lines ─ cli::script ──┘                    │               └► the shell performs: read, write, quit
-//! wall time ─ AnimationClock ─► n ticks ─► Editor::tick(n)
-//!                                                   ▼ (shared borrow from here on)
-//!                       Editor::displayed_pose() ─► Pose ─► Frame::of_editor
-//!                                                                 ▼
-//!                                       Renderer::encode(&Frame, &TextureView)
-//!                                           ▲ the window's next picture ▲ an offscreen texture
-//!                                           window                      cli, tests
-//! ```
-//!
-//! State has one owner, the [`editor::Editor`], and one door, [`editor::Command`]. A hotkey, a button, a menu item and a script line
-//! that mean the same thing are the same command: they cannot drift apart, all can be undone, and all can be tested without a window.
-//! Everything downstream only reads. The window and the headless commands share one [`render::Renderer`], which gets a texture view
-//! and cannot tell whose it is.
+#![doc = include_str!("../assets/manual/architecture.md")]
 //!
 //! # The modules, in reading order
 //!
@@ -37,39 +19,7 @@
 //! | 7 | [`export`] | of the outside world only `ffmpeg` |
 //! | 8 | [`window`], [`cli`] | winit; clap |
 //!
-//! # Invariants, as absences
-//!
-//! * The editor cannot fail because of the outside world: text, ticks and commands go in, values come out.
-//! * The clock on the wall is read only in `window` and `cli`, through one function each.
-//! * `render` never names `editor`: whatever can be drawn can be drawn headless.
-//! * No `Rc`, no `RefCell`, no global state.
-//! * Playback never writes the document while it runs; ending, stopping and pausing are commands, which do.
-//!
-//! # Conventions
-//!
-//! * **Spaces**: `target_from_source`, as in `world_from_node = world_from_parent * parent_from_node`; points end in `_in_world`.
-//!   Spaces are node, parent, world (right-handed, Y up), eye (−Z forward), clip (reversed depth, 0 to 1), pixel (origin at the top
-//!   left).
-//! * **Time**: ticks of 1/60 s; `key_time` counts played keyframes; `_ms`, `seconds` or `Duration` for wall time.
-//! * **Indices** are newtypes: [`keyframe::KeyframeIndex`], [`pose::RbtIndex`], [`scene::NodeId`].
-//!
-//! # Where this differs from the first design
-//!
-//! * Keys at their own times have a module of their own, [`timed`], below the scene that holds them; the scene's world matrices take
-//!   the elapsed seconds beside the pose.
-//! * The control points of a spline belong to the shared storage of a [`keyframe::KeyframeList`]: one cell an interval, filled when
-//!   first asked for and dropped with the list's state, so that a change of a long list costs nothing for intervals that nobody looks at.
-//! * [`interpolation`] says what a blend of two transforms is; whole poses are made by [`blend`], sixteen nodes at a time, and a
-//!   [`pose::Pose`] lies in memory as that wants it. Tests hold the two together.
-//! * A scene is part of the document, since its control nodes and keys can be edited: a change shares all that stayed as it was.
-//! * The renderer draws what may be seen, the nearest first, and round parts in the detail that their pixels show, in the sun's map
-//!   in the detail that its texels show; it uploads what changed.
-//! * What takes a software driver long is begun before it is needed: shaders are parsed while the driver opens, and the sun's map is
-//!   sent off while the picture's pipelines are made. `main` has the Vulkan loader leave out drivers that have nothing to drive.
-//! * Where the CPU draws for an X server, the window's pictures go through memory that both share, not through the driver's surface,
-//!   which may send them through a socket.
-//! * Playback's position is an exact fraction, since the pace can change while it plays and the end must come at the right tick.
-//! * A writing effect says whether the file is known to the editor: a window keeps a copy of what it would overwrite unseen.
+#![doc = include_str!("../assets/manual/glossary.md")]
 
 pub mod blend;
 pub mod camera;
