@@ -13,6 +13,7 @@ mod diagnose;
 mod diff;
 mod error;
 mod grade;
+mod help;
 mod interrupt;
 mod nodes;
 mod output;
@@ -20,6 +21,7 @@ mod picture;
 mod progress;
 mod quiet;
 mod reading;
+mod reference;
 mod render;
 mod sample;
 mod scene;
@@ -33,6 +35,7 @@ use std::process::ExitCode;
 use clap::error::ErrorKind;
 use clap::{CommandFactory as _, Parser as _};
 
+pub use reference::command_reference;
 pub use script::{script_commands, script_lines};
 
 use arguments::{Arguments, Subcommand};
@@ -65,6 +68,7 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>) -> Result<(), CliErro
     match command {
         None => window::run(scene, file),
         Some(_) if file.is_some() => Err(misuse("a FILE to open in the window and a command cannot go together")),
+        Some(Subcommand::Help(arguments)) => help::run(&arguments),
         Some(Subcommand::Check(arguments)) => check::run(&arguments, &scene::load(scene)?),
         Some(Subcommand::Convert(arguments)) => convert::run(&arguments, &scene::load(scene)?),
         Some(Subcommand::Nodes) => nodes::run(&scene::load(scene)?),

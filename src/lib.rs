@@ -9,6 +9,7 @@
 //! | level | modules | may name |
 //! |---|---|---|
 //! | 0 | [`rbt`], [`interpolation`], [`json`] | glam |
+//! | 0 | [`manual`] | pulldown-cmark |
 //! | 1 | [`timed`], [`pose`], [`blend`], [`scene`], [`camera`] | serde, in file formats |
 //! | 2 | [`keyframe`], [`clock`], [`settings`], [`text_layouts`] | serde, in file formats; `Duration`, never `Instant` |
 //! | 3 | [`editor`], [`diagnosis`], [`difference`] | no wgpu, egui, winit, file system |
@@ -35,6 +36,7 @@ pub mod frame;
 pub mod interpolation;
 pub mod json;
 pub mod keyframe;
+pub mod manual;
 pub mod pose;
 pub mod rbt;
 pub mod render;

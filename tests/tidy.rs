@@ -114,6 +114,7 @@ const ROOMS: &[(&str, u8, &[&str])] = &[
     ("scene", 1, &["pose", "blend", "json", "timed"]),
     ("camera", 1, &["scene"]),
     ("json", 0, &["rbt"]),
+    ("manual", 0, &[]),
     ("keyframe", 2, &[]),
     ("clock", 2, &[]),
     ("settings", 2, &[]),

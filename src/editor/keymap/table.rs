@@ -443,6 +443,14 @@ pub fn bindings() -> Vec<Binding> {
         ),
         row(
             Group::Window,
+            vec![key(Key::F1)],
+            Command::Window(WindowCommand::ShowManual),
+            "manual",
+            "Manual",
+            "Show the manual",
+        ),
+        row(
+            Group::Window,
             vec![],
             Command::Window(WindowCommand::ToggleMessages),
             "messages",
