@@ -12,8 +12,7 @@ pub fn command_reference() -> String {
     let mut program = Arguments::command();
     program.build();
     let mut text = String::new();
-    let own = program.clone();
-    section(&mut text, "inbetween", &own);
+    section(&mut text, "inbetween", &program);
     for command in program.get_subcommands() {
         section(&mut text, &format!("inbetween {}", command.get_name()), command);
     }

@@ -65,6 +65,13 @@ fn link(destination: &str) -> Link {
     }
 }
 
+/// A list that is open.
+#[derive(Clone, Copy)]
+struct List {
+    /// The number of the next item, in a numbered list.
+    next: Option<u64>,
+}
+
 /// What the parser is in.
 #[derive(Default)]
 struct Reader {
@@ -73,8 +80,8 @@ struct Reader {
     spans: Vec<Span>,
     style: Style,
     link: Option<Link>,
-    /// The next number of the list that is open; the inner `None` is a list without numbers.
-    list: Option<Option<u64>>,
+    /// The list that is open.
+    list: Option<List>,
     code: Option<String>,
     /// The cells of the table's row that is open.
     row: Vec<Vec<Span>>,
@@ -122,7 +129,7 @@ impl Reader {
             Tag::Image { .. } => self.style = Style::Picture,
             Tag::Link { dest_url, .. } => self.link = Some(link(&dest_url)),
             Tag::CodeBlock(_) => self.code = Some(String::new()),
-            Tag::List(first) if self.list.is_none() => self.list = Some(first),
+            Tag::List(next) if self.list.is_none() => self.list = Some(List { next }),
             Tag::Item => self.spans.clear(),
             Tag::Table(_) => {}
             other => self.problems.push(Problem(format!("{other:?}"))),
@@ -150,8 +157,8 @@ impl Reader {
             }
             TagEnd::Item => {
                 let text = std::mem::take(&mut self.spans);
-                let number = self.list.flatten();
-                self.list = self.list.map(|number| number.map(|number| number + 1));
+                let number = self.list.and_then(|list| list.next);
+                self.list = Some(List { next: number.map(|number| number + 1) });
                 self.blocks.push(Block::Item { number, text });
             }
             TagEnd::List(_) => self.list = None,
