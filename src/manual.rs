@@ -156,7 +156,9 @@ impl Page {
     fn spans(&self) -> impl Iterator<Item = &Span> {
         self.blocks.iter().flat_map(|block| -> Box<dyn Iterator<Item = &Span>> {
             match block {
-                Block::Heading { text, .. } | Block::Paragraph(text) | Block::Item { text, .. } => Box::new(text.iter()),
+                Block::Heading { text, .. } | Block::Paragraph(text) | Block::Item { text, .. } => {
+                    Box::new(text.iter())
+                }
                 Block::Code(_) => Box::new(std::iter::empty()),
                 Block::Table { head, rows } => Box::new(head.iter().chain(rows.iter().flatten()).flatten()),
             }

@@ -29,7 +29,8 @@ fn section(text: &mut String, title: &str, command: &Command) {
         let _ = if is_listing {
             writeln!(text, "```text\n{paragraph}\n```\n")
         } else {
-            writeln!(text, "{}\n", escaped(paragraph))
+            let stop = if paragraph.ends_with('.') { "" } else { "." };
+            writeln!(text, "{}{stop}\n", escaped(paragraph))
         };
     }
     let usage = command.clone().render_usage().to_string();
@@ -66,6 +67,10 @@ fn written(argument: &Arg) -> String {
 fn meaning(argument: &Arg) -> String {
     let help = argument.get_long_help().or_else(|| argument.get_help()).map(ToString::to_string).unwrap_or_default();
     let mut text = escaped(&help.replace("\n\n", " ").replace('\n', " "));
+    // Clap takes the full stop of a single sentence away.
+    if !text.ends_with('.') {
+        text.push('.');
+    }
     if !argument.get_action().takes_values() {
         return text;
     }

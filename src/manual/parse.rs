@@ -123,7 +123,8 @@ impl Reader {
 
     fn start(&mut self, tag: Tag<'_>) {
         match tag {
-            Tag::Heading { .. } | Tag::Paragraph | Tag::HtmlBlock | Tag::TableRow | Tag::TableCell | Tag::TableHead => {}
+            Tag::Heading { .. } | Tag::Paragraph | Tag::HtmlBlock | Tag::TableRow | Tag::TableCell | Tag::TableHead => {
+            }
             Tag::Emphasis => self.style = Style::Emphasis,
             Tag::Strong => self.style = Style::Strong,
             Tag::Image { .. } => self.style = Style::Picture,

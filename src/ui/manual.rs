@@ -40,6 +40,8 @@ pub struct Manual {
     offset: f32,
     /// Height of the part of the page that is seen, in points.
     seen: f32,
+    /// How far the page can be scrolled, in points.
+    end: f32,
     target: Option<Target>,
 }
 
@@ -102,11 +104,11 @@ impl Manual {
             (Key::Space, self.offset + whole),
             (Key::PageUp, self.offset - whole),
             (Key::Home, 0.0),
-            (Key::End, f32::MAX),
+            (Key::End, self.end),
         ];
         for (key, offset) in steps {
             if pressed(key) {
-                self.target = Some(Target::Offset(offset.max(0.0)));
+                self.target = Some(Target::Offset(offset.clamp(0.0, self.end)));
             }
         }
         for (key, step) in [(Key::ArrowLeft, -1), (Key::ArrowRight, 1)] {
@@ -202,6 +204,7 @@ impl Manual {
         });
         self.offset = output.state.clamped_offset().y;
         self.seen = output.inner_rect.height();
+        self.end = (output.content_size.y - self.seen).max(0.0);
         if let Some(Link::Page { name, anchor }) = output.inner {
             let name = if name.is_empty() { page.name.to_owned() } else { name };
             self.go_to(&name, anchor);

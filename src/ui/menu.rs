@@ -51,7 +51,9 @@ fn menu_of(binding: &Binding) -> Menu {
     match (&binding.command, binding.group) {
         (Command::Undo | Command::Redo | Command::Cancel, _) | (_, Group::Keyframes | Group::Timeline) => Menu::Edit,
         (Command::View(ViewCommand::ToggleHelp), _) => Menu::Help,
-        (Command::Window(WindowCommand::ShowCommands | WindowCommand::ShowKeys | WindowCommand::ShowManual), _) => Menu::Help,
+        (Command::Window(WindowCommand::ShowCommands | WindowCommand::ShowKeys | WindowCommand::ShowManual), _) => {
+            Menu::Help
+        }
         (_, Group::Playing) => Menu::Animation,
         (_, Group::View | Group::Window) => Menu::View,
         (_, Group::File) => Menu::File,
