@@ -15,7 +15,7 @@ use std::{env, fs};
 use file::LanguageFile;
 
 /// The folders, and the ending of the files that are embedded from each.
-const FOLDERS: [(&str, &str); 1] = [("words", "txt")];
+const FOLDERS: [(&str, &str); 2] = [("manual", "md"), ("words", "txt")];
 
 fn main() {
     let package = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").expect("cargo sets it"));

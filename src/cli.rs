@@ -16,11 +16,13 @@ mod diff;
 mod drivers;
 mod error;
 mod grade;
+mod help;
 mod interrupt;
 mod mistyped;
 mod nodes;
 mod output;
 mod progress;
+mod reference;
 mod render;
 mod sample;
 mod script;
@@ -34,6 +36,9 @@ use clap::error::ErrorKind;
 use clap::{CommandFactory as _, Parser as _};
 
 use crate::files::scene;
+
+pub use reference::command_reference;
+
 use arguments::{Arguments, Subcommand};
 use error::{CliError, Ended};
 
@@ -83,6 +88,7 @@ fn dispatch(arguments: &[OsString]) -> Result<Ended, CliError> {
         Some(_) if file.is_some() => {
             return Err(misuse("a FILE to open in the window and a command cannot go together"));
         }
+        Some(Subcommand::Help(arguments)) => help::run(&arguments)?,
         Some(Subcommand::Check(arguments)) => check::run(&arguments, &load()?)?,
         Some(Subcommand::Convert(arguments)) => convert::run(&arguments, &load()?)?,
         Some(Subcommand::Nodes) => nodes::run(&load()?)?,

@@ -13,6 +13,7 @@ mod icons;
 mod inspector;
 mod keys;
 mod log;
+mod manual;
 mod menu;
 mod overlay;
 mod palette;
@@ -109,6 +110,7 @@ pub struct Ui {
     keymap: Keymap,
     settings: Settings,
     log: log::Log,
+    manual: manual::Manual,
     watched: BTreeMap<&'static str, PanelSize>,
     tree: tree::Tree,
     angles: angles::ShownAngles,
@@ -150,7 +152,7 @@ impl Ui {
     /// Whether a dialog waits for an answer: no hotkey fires then, and the scene takes no drags.
     #[must_use]
     pub const fn has_dialog(&self) -> bool {
-        self.dialog.is_some()
+        self.dialog.is_some() || self.manual.is_open()
     }
 
     /// Whether a text field, or a dialog, has the keyboard, so that no hotkey may fire.
@@ -198,6 +200,7 @@ impl Ui {
         let is_exporting = self.exporting.is_some();
         let shown = Shown { editor, keymap: &self.keymap, settings: &self.settings, is_exporting };
         dialogs::show(ui, &mut self.dialog, shown, &mut output);
+        self.manual.show(ui);
         if let Some(Command::File(FileCommand::Export(options))) = output.commands.last() {
             self.exported = Some((editor.path().to_owned(), options.as_ref().clone()));
         }

@@ -27,7 +27,7 @@ Exit status: 0 done; 1 bad input, said on standard error; 2 wrong usage; 3 no di
 
 /// Animate a scene with keyframes: in a window, or with one of the commands below.
 #[derive(Debug, Parser)]
-#[command(name = "inbetween", version, after_help = AFTER_HELP)]
+#[command(name = "inbetween", version, after_help = AFTER_HELP, disable_help_subcommand = true)]
 pub struct Arguments {
     /// The scene: a built-in one (two-robots, cylinder, orbits), or a scene file of at most 256 MiB.
     #[arg(long, global = true, value_name = "NAME|FILE")]
@@ -45,29 +45,36 @@ pub enum Subcommand {
     /// Validate keyframe files: one line a file, one a problem.
     Check(CheckArguments),
     /// Read keyframes in any layout that students' own programs write, and write a keyframe file, or another layout.
-    #[command(long_about = CONVERT_HELP)]
+    #[command(long_about = CONVERT_HELP, after_long_help = "Manual: inbetween help texts")]
     Convert(ConvertArguments),
     /// Print the paths of the scene's RBT nodes, one a line, in the order of poses.
     Nodes,
     /// Print poses as JSON or CSV: of an animation at key times, or the scene's rest pose.
+    #[command(after_long_help = "Manual: inbetween help command-line")]
     Sample(SampleArguments),
     /// Render images and films: of an animation, or of the scene's rest pose. Needs no display.
+    #[command(after_long_help = "Manual: inbetween help films")]
     Render(RenderArguments),
     /// Render what DIR/pictures.json lists and compare it with the references beside it. Exit status: 1 on a difference or a missing reference.
+    #[command(after_long_help = "Manual: inbetween help ci")]
     Verify(VerifyArguments),
     /// Compare two PNG images by what an eye would notice (FLIP). Exit status: 0 within the tolerance, 1 beyond, 2 trouble.
+    #[command(after_long_help = "Manual: inbetween help films")]
     Compare(CompareArguments),
     /// Run a script of hotkeys and gestures with no window.
-    #[command(long_about = script_help())]
+    #[command(long_about = script_help(), after_long_help = "Manual: inbetween help scripts")]
     Script(ScriptArguments),
     /// Name the mistake that explains what a program showed, from samples of its playback.
-    #[command(long_about = DIAGNOSE_HELP)]
+    #[command(long_about = DIAGNOSE_HELP, after_long_help = "Manual: inbetween help grading")]
     Diagnose(DiagnoseArguments),
     /// Tell how far two animations are apart, node by node, as they play. Exit status: 0 within tolerance, 1 beyond, 2 trouble.
+    #[command(after_long_help = "Manual: inbetween help grading")]
     Diff(DiffArguments),
     /// Grade submissions by a rubric: grades.csv, grades.json and report.html.
-    #[command(long_about = GRADE_HELP)]
+    #[command(long_about = GRADE_HELP, after_long_help = "Manual: inbetween help grading")]
     Grade(GradeArguments),
+    /// Print the help of a command, or a page of the manual.
+    Help(HelpArguments),
 }
 
 const GRADE_HELP: &str = "\
@@ -102,6 +109,13 @@ what the window would refuse with a message is a message here too. A file that c
 ctrl+q with 0.",
         lines = crate::script::help()
     )
+}
+
+/// Arguments of `help`.
+#[derive(Debug, Args)]
+pub struct HelpArguments {
+    /// A command or a page of the manual; without it, both are listed.
+    pub topic: Option<String>,
 }
 
 /// Arguments of `check`.

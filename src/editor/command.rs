@@ -45,6 +45,8 @@ pub enum WindowCommand {
     ShowCommands,
     /// Shows the keys, which can be changed there.
     ShowKeys,
+    /// Shows the manual.
+    ShowManual,
     /// Asks what film to make of the keyframes.
     ShowExport,
     /// Shows or hides the log of messages.

@@ -1,4 +1,4 @@
-//! The scene file: JSON text to a [`SceneGraph`]. The README documents the format.
+//! The scene file: JSON text to a [`SceneGraph`]. The manual documents the format.
 
 use glam::{Quat, Vec3, Vec4};
 use serde::Deserialize;

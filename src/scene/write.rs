@@ -1,4 +1,4 @@
-//! The scene file: a [`SceneGraph`] to JSON text, which reads back to the same scene. The README documents the format.
+//! The scene file: a [`SceneGraph`] to JSON text, which reads back to the same scene. The manual documents the format.
 
 use glam::{Quat, Vec3, Vec4};
 

@@ -47,6 +47,7 @@ impl Ui {
         match command {
             WindowCommand::ShowCommands => self.dialog = Some(Dialog::Commands(Palette::default())),
             WindowCommand::ShowKeys => self.dialog = Some(Dialog::Keys(KeysDialog::default())),
+            WindowCommand::ShowManual => self.manual.open(),
             WindowCommand::ShowExport => {
                 self.dialog = Some(Dialog::Export(Box::new(ExportDialog::new(self.exported.clone()))));
             }

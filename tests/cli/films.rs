@@ -297,17 +297,17 @@ fn frames(name: &str, bytes: &[u8]) -> Vec<image::RgbImage> {
 }
 
 #[test]
-fn the_readmes_films_are_made_by_the_commands_that_it_shows() {
+fn the_manuals_films_are_made_by_the_commands_that_it_shows() {
     let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
-    let readme = std::fs::read_to_string(root.join("README.md")).unwrap();
+    let page = std::fs::read_to_string(root.join("assets/manual/films.md")).unwrap();
     let sandbox = Sandbox::new();
-    let commands: Vec<&str> = readme.lines().filter(|line| line.contains(" -o assets/pictures/")).collect();
+    let commands: Vec<&str> = page.lines().filter(|line| line.contains(" -o assets/manual/pictures/")).collect();
     assert_eq!(commands.len(), 5);
     for command in commands {
         let words = command.strip_prefix("$ inbetween ").unwrap().split(' ');
         let mut name = "";
         let arguments: Vec<String> = words
-            .map(|word| match word.strip_prefix("assets/pictures/") {
+            .map(|word| match word.strip_prefix("assets/manual/pictures/") {
                 Some(output) => {
                     name = output;
                     output.to_owned()
@@ -317,8 +317,8 @@ fn the_readmes_films_are_made_by_the_commands_that_it_shows() {
             })
             .collect();
         done(&sandbox.run(&arguments.iter().map(String::as_str).collect::<Vec<_>>()));
-        assert!(readme.contains(&format!("](assets/pictures/{name})")), "{name} is not shown");
-        let shown = frames(name, &std::fs::read(root.join("assets/pictures").join(name)).unwrap());
+        assert!(page.contains(&format!("](pictures/{name})")), "{name} is not shown");
+        let shown = frames(name, &std::fs::read(root.join("assets/manual/pictures").join(name)).unwrap());
         let made = frames(name, &bytes(&sandbox, name));
         assert_eq!(shown.len(), made.len(), "{name}");
         for (place, (shown, made)) in shown.iter().zip(&made).enumerate() {

@@ -93,7 +93,7 @@ fn a_bad_list_is_bad_input_and_says_where() {
 #[test]
 fn the_documented_list_verifies() {
     let sandbox = sandbox();
-    let text = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/assets/ci/README.md")).unwrap();
+    let text = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/assets/manual/ci.md")).unwrap();
     let example = text.split("```json\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
     sandbox.write("dir/pictures.json", example);
     std::fs::rename(sandbox.path("dir/a.json"), sandbox.path("dir/wave.json")).unwrap();

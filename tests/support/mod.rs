@@ -5,8 +5,8 @@ use glam::camera::rh::proj::directx::perspective_infinite_reverse;
 use glam::{Affine3A, Quat, Vec3};
 use inbetween::colour::Colour;
 use inbetween::frame::{DrawItem, Frame, View};
-use inbetween::scene::shapes::{Capsule, Cone, Cylinder, Plane, RoundedBox, Sphere};
 use inbetween::scene::Shape;
+use inbetween::scene::shapes::{Capsule, Cone, Cylinder, Plane, RoundedBox, Sphere};
 use serde_json::Value;
 
 /// A camera that looks along its own −Z, with a vertical field of view of 60 degrees.

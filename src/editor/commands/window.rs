@@ -13,11 +13,13 @@ pub(super) fn rows() -> Vec<Row> {
 
 fn lists() -> Vec<Row> {
     let commands = binding("commands", WindowCommand::ShowCommands);
+    let manual = binding("manual", WindowCommand::ShowManual);
     let hotkeys = binding("hotkeys", WindowCommand::ShowKeys);
     let messages = binding("messages", WindowCommand::ToggleMessages);
     let statistics = binding("statistics", WindowCommand::ToggleStatistics);
     vec![
         Row::listed(Changes::Window, commands.hotkeys(&["Ctrl+Shift+P"]).menu(Menu::Help)),
+        Row::listed(Changes::Window, manual.hotkeys(&["F1"]).menu(Menu::Help)),
         Row::listed(Changes::Window, hotkeys.menu(Menu::Help)),
         Row::listed(Changes::Window, messages.ticked(|_, window| window.messages)),
         Row::listed(Changes::Window, statistics.ticked(|_, window| window.statistics)),

@@ -9,6 +9,7 @@ use crate::scene::file::SceneError;
 use crate::scene::place::Place;
 use crate::scene::shape::MeshKind;
 use crate::scene::write::number;
+use crate::words::texts;
 
 /// A cylinder along Y with a half ball at each end.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
@@ -32,7 +33,7 @@ impl Solid for Capsule {
     fn check(&self, place: Place<'_>) -> Result<(), SceneError> {
         place.length("radius", self.radius)?;
         if self.height < 2.0 * self.radius {
-            return Err(place.error("height", self.height.to_string(), "at least twice the radius, caps included"));
+            return Err(place.error("height", self.height.to_string(), texts::SCENE_EXPECTED_HEIGHT));
         }
         place.length("height", self.height).map(|_| ())
     }

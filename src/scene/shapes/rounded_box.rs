@@ -9,6 +9,7 @@ use crate::scene::file::SceneError;
 use crate::scene::place::Place;
 use crate::scene::shape::MeshKind;
 use crate::scene::write::{number, numbers};
+use crate::words::texts;
 
 /// A box with rounded edges.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
@@ -36,7 +37,7 @@ impl Solid for RoundedBox {
             place.length("size", extent)?;
         }
         if !(self.bevel >= 0.0 && self.bevel <= self.size.min_element() * 0.5) {
-            return Err(place.error("bevel", self.bevel.to_string(), "0 to half the smallest extent"));
+            return Err(place.error("bevel", self.bevel.to_string(), texts::SCENE_EXPECTED_BEVEL));
         }
         Ok(())
     }
