@@ -364,7 +364,9 @@ fn what_the_editor_always_refuses_has_no_line() {
 fn commands_are_done_by_id_or_by_english_name_in_any_case() {
     for row in commands::rows() {
         for binding in &row.bindings {
-            for name in [binding.id.to_owned(), binding.name.to_owned(), binding.name.to_uppercase()] {
+            for name in
+                [binding.id.to_owned(), binding.title().english().to_owned(), binding.title().english().to_uppercase()]
+            {
                 let lines = script::parse(format!("do {name}").as_bytes(), &SCENE);
                 assert_eq!(lines.unwrap()[0].action, Action::Apply(binding.command.clone()), "{name}");
             }

@@ -94,12 +94,17 @@ fn every_menu_shows_its_commands_with_their_keys() {
                 let label = name(&node);
                 label.ends_with(&key) && label.len() > key.len() + 2
             }) {
-                seen.push(binding.name);
+                seen.push(binding.title().english());
             }
         }
     }
     for binding in bindings() {
-        assert!(seen.contains(&binding.name), "no menu shows {} with {}", binding.name, binding.menu_key());
+        assert!(
+            seen.contains(&binding.title().english()),
+            "no menu shows {} with {}",
+            binding.title().english(),
+            binding.menu_key()
+        );
     }
 }
 
@@ -251,7 +256,7 @@ fn the_help_lists_every_key_and_the_mouse() {
     harness.state_mut().editor.apply(Command::View(ViewCommand::ToggleHelp)).unwrap();
     harness.run();
     for binding in bindings().into_iter().filter(|binding| !binding.chords.is_empty()) {
-        harness.get_by_label(&format!("{}: {}", binding.keys(), binding.help));
+        harness.get_by_label(&format!("{}: {}", binding.keys(), binding.explanation().english()));
     }
     for gesture in ["Left drag", "Right drag", "Middle drag", "Wheel", "Ctrl+click"] {
         harness.get_by_label_contains(&format!("{gesture}: "));

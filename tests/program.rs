@@ -157,11 +157,11 @@ fn every_row_of_the_table_is_in_the_list() {
     for binding in bindings() {
         let mut harness = harness(0);
         ask(&mut harness, WindowCommand::ShowCommands);
-        type_text(&mut harness, binding.name);
+        type_text(&mut harness, binding.title().english());
         assert!(
-            selected(&harness).iter().any(|name| name == binding.name),
+            selected(&harness).iter().any(|name| name == binding.title().english()),
             "{}: {:?}",
-            binding.name,
+            binding.title().english(),
             selected(&harness)
         );
     }
