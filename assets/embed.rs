@@ -28,6 +28,7 @@ fn list(folder: &Path, ending: &str) -> String {
     let mut text = String::from("[\n");
     for path in files {
         let name = path.file_stem().and_then(|stem| stem.to_str()).expect("names in assets are ASCII");
+        let path = path.to_str().expect("the package's folder is named in UTF-8");
         let _ = writeln!(text, "    ({name:?}, include_str!({path:?})),");
     }
     text.push(']');
