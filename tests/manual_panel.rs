@@ -143,7 +143,7 @@ fn keys_scroll() {
     assert_eq!(top(&harness, heading), start);
     // A closed manual keeps its place.
     press(&mut harness, Key::ArrowDown);
-    press(&mut harness, Key::F1);
+    press(&mut harness, Key::Escape);
     harness.state_mut().apply(Command::Window(WindowCommand::ShowManual));
     settle(&mut harness);
     assert_eq!(top(&harness, heading), down);

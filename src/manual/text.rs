@@ -15,7 +15,9 @@ pub fn text(page: &Page, width: usize) -> String {
     let mut was_item = false;
     for block in &page.blocks {
         let is_item = matches!(block, Block::Item { .. });
-        if !lines.is_empty() && !(is_item && was_item) {
+        let is_first = lines.is_empty();
+        let follows_item = is_item && was_item;
+        if !is_first && !follows_item {
             lines.push(String::new());
         }
         was_item = is_item;

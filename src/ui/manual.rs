@@ -120,7 +120,8 @@ impl Manual {
         if pressed(Key::Backspace) {
             self.go_back();
         }
-        if pressed(Key::Escape) || pressed(Key::F1) {
+        // Not F1: egui is told of the press that opens it, too.
+        if pressed(Key::Escape) {
             self.is_open = false;
         }
     }

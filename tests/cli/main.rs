@@ -7,6 +7,7 @@ mod diagnose;
 mod diff;
 mod films;
 mod grade;
+mod help;
 mod playback;
 mod render;
 mod sample;

@@ -81,11 +81,13 @@ fn styled(ui: &Ui, span: &Span) -> RichText {
         _ => span.text.clone(),
     };
     let text = RichText::new(text).size(SIZE);
+    let is_link = matches!(span.link, Some(Link::Page { .. }));
+    let colour = if is_link { tokens.information } else { tokens.text };
     match span.style {
-        Style::Plain => text.color(tokens.text),
-        Style::Emphasis => text.color(tokens.text).italics(),
+        Style::Plain => text.color(colour),
+        Style::Emphasis => text.color(colour).italics(),
         Style::Strong => text.color(tokens.accent),
-        Style::Code => text.font(FontId::new(SIZE - 1.0, FontFamily::Monospace)).color(tokens.text).code(),
+        Style::Code => text.font(FontId::new(SIZE - 1.0, FontFamily::Monospace)).color(colour).code(),
         Style::Picture => text.color(tokens.dim).italics(),
     }
 }
@@ -94,7 +96,7 @@ fn item(ui: &mut Ui, number: Option<u64>, text: &[Span], clicked: &mut Option<Li
     ui.horizontal_top(|ui| {
         let mark = number.map_or_else(|| "•".to_owned(), |number| format!("{number}."));
         let (rect, _) = ui.allocate_exact_size(vec2(22.0, SIZE + 3.0), egui::Sense::hover());
-        let at = rect.right_top() - vec2(6.0, 0.0);
+        let at = rect.right_top() + vec2(-6.0, 2.0);
         let font = FontId::new(SIZE, FontFamily::Proportional);
         ui.painter().text(at, egui::Align2::RIGHT_TOP, mark, font, Tokens::of(ui).dim);
         ui.vertical(|ui| spans(ui, text, clicked));

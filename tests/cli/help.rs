@@ -1,0 +1,50 @@
+//! `inbetween help`: commands, pages of the manual, and what is neither.
+
+use inbetween::manual;
+
+use crate::sandbox::Sandbox;
+
+#[test]
+fn the_help_of_a_command_is_that_of_its_option() {
+    let sandbox = Sandbox::new();
+    for command in ["check", "render", "script", "help"] {
+        assert_eq!(sandbox.run(&["help", command]).succeeds(), sandbox.run(&[command, "--help"]).succeeds());
+    }
+}
+
+#[test]
+fn every_page_is_printed_and_listed() {
+    let sandbox = Sandbox::new();
+    let list = sandbox.run(&["help"]).succeeds();
+    assert!(list.starts_with(&sandbox.run(&["--help"]).succeeds()));
+    for name in manual::names() {
+        assert!(list.contains(&format!("\n  {name} ")), "{name} is not listed");
+        let page = sandbox.run(&["help", &name]).succeeds();
+        let title = page.lines().next().unwrap();
+        assert_eq!(page.lines().nth(1), Some("=".repeat(title.len()).as_str()), "{name}");
+    }
+}
+
+/// The help of a command names the page that says more, and that page is there.
+#[test]
+fn commands_name_pages() {
+    let sandbox = Sandbox::new();
+    let named = |command: &str| {
+        let help = sandbox.run(&[command, "--help"]).succeeds();
+        let page = help.lines().find_map(|line| line.strip_prefix("Manual: inbetween help "));
+        page.map(str::to_owned).unwrap_or_else(|| panic!("{command} names no page"))
+    };
+    for command in ["convert", "sample", "render", "verify", "compare", "script", "diagnose", "diff", "grade"] {
+        assert!(manual::page(&named(command)).is_some(), "{command}");
+    }
+}
+
+#[test]
+fn an_unknown_topic_is_wrong_usage_with_a_suggestion() {
+    let sandbox = Sandbox::new();
+    for (topic, suggestion) in [("chekc", "'check'"), ("gradin", "'grading'"), ("SUMMARY", "grading")] {
+        let outcome = sandbox.run(&["help", topic]);
+        assert!(outcome.stderr.contains(suggestion), "{}", outcome.stderr);
+        outcome.misuses();
+    }
+}
