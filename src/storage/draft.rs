@@ -227,7 +227,7 @@ fn draft_prefix(target: &Path) -> String {
 }
 
 /// Makes drafts with the mode that the umask gives a new file.
-fn builder<'a>(prefix: &'a str) -> tempfile::Builder<'a, 'static> {
+fn builder(prefix: &str) -> tempfile::Builder<'_, 'static> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(prefix).rand_bytes(12);
     #[cfg(unix)]

@@ -27,7 +27,7 @@ pub fn choose(_: &mut EventLoopBuilder<Happening>) {}
 #[must_use]
 pub fn variables() -> String {
     let variable = |name| match std::env::var_os(name) {
-        Some(value) => format!("{name} is {value:?}"),
+        Some(value) => format!("{name} is \"{}\"", value.display()),
         None => format!("{name} is not set"),
     };
     ["WAYLAND_DISPLAY", "DISPLAY"].map(variable).join(", ")

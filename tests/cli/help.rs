@@ -32,7 +32,7 @@ fn commands_name_pages() {
     let named = |command: &str| {
         let help = sandbox.run(&[command, "--help"]).succeeds();
         let page = help.lines().find_map(|line| line.strip_prefix("Manual: inbetween help "));
-        page.map(str::to_owned).unwrap_or_else(|| panic!("{command} names no page"))
+        page.map_or_else(|| panic!("{command} names no page"), str::to_owned)
     };
     for command in ["convert", "sample", "render", "verify", "compare", "script", "diagnose", "diff", "grade"] {
         assert!(manual::page(&named(command)).is_some(), "{command}");
