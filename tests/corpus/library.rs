@@ -6,12 +6,14 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use glam::Vec3;
-use inbetween::editor::keymap::{Chord, Keymap};
-use inbetween::editor::{Command, Edit, Editor, ExportEnd, PlaybackCommand, SceneEdit, TimelineEdit, ViewCommand};
+use inbetween::editor::keymap::{Chord, Keymap, by_id};
+use inbetween::editor::{Command, Edit, Editor, PlaybackCommand, SceneEdit, TimelineEdit, ViewCommand};
+use inbetween::film::ExportEnd;
 use inbetween::keyframe::KeyframeIndex;
 use inbetween::pose::RbtIndex;
 use inbetween::scene::{DEFAULT_SCENE, built_in_scene};
 use inbetween::settings::Settings;
+use inbetween::words::{Message, texts};
 
 /// What a settings file gives: itself as the program writes it, or what is wrong with it.
 pub fn settings(bytes: &[u8]) -> String {
@@ -22,7 +24,7 @@ pub fn settings(bytes: &[u8]) -> String {
 }
 
 /// Tells the editor how the writing of a file ended, and where the file's former content is kept.
-type Effect = fn(&mut Editor, &Path, Result<Option<PathBuf>, String>);
+type Effect = fn(&mut Editor, &Path, Result<Option<PathBuf>, Message>);
 
 /// What the editor says to commands that no script line can give, and of effects that only a window has.
 pub fn editor() -> String {
@@ -57,11 +59,11 @@ pub fn editor() -> String {
     for command in commands {
         let shown = format!("{command:?}");
         let _ = editor.apply(command);
-        let _ = writeln!(text, "{shown}\t{}", editor.message().text);
+        let _ = writeln!(text, "{shown}\t{}", editor.message_text());
     }
     let path = Path::new("folder/walk.json");
     let kept = || Ok(Some(PathBuf::from("folder/walk.json~")));
-    let failed = || "No space left on device (os error 28)".to_owned();
+    let failed = || texts::foreign("No space left on device (os error 28)");
     let effects: [(&str, Effect); 2] = [
         ("keyframes written", |editor, path, outcome| drop(editor.keyframes_written(path, outcome))),
         ("scene written", |editor, path, outcome| drop(editor.scene_written(path, outcome))),
@@ -69,24 +71,27 @@ pub fn editor() -> String {
     for (name, effect) in effects {
         for outcome in [Ok(None), kept(), Err(failed())] {
             effect(&mut editor, path, outcome);
-            let _ = writeln!(text, "{name}\t{}", editor.message().text);
+            let _ = writeln!(text, "{name}\t{}", editor.message_text());
         }
     }
     for outcome in [Ok(()), Err(failed())] {
         let _ = editor.screenshot_taken(Path::new("folder/shot.png"), outcome);
-        let _ = writeln!(text, "screenshot\t{}", editor.message().text);
+        let _ = writeln!(text, "screenshot\t{}", editor.message_text());
     }
     let ends = [
         ExportEnd::Written(1),
         ExportEnd::Written(25),
         ExportEnd::Cancelled(0),
         ExportEnd::Cancelled(7),
-        ExportEnd::Failed("there is no ffmpeg".to_owned()),
+        ExportEnd::Failed(texts::foreign("there is no ffmpeg")),
     ];
     for end in ends {
-        let shown = format!("{end:?}");
+        let shown = match &end {
+            ExportEnd::Failed(reason) => format!("Failed({:?})", reason.to_string()),
+            end => format!("{end:?}"),
+        };
         editor.exported(Path::new("folder/walk.gif"), end);
-        let _ = writeln!(text, "{shown}\t{}", editor.message().text);
+        let _ = writeln!(text, "{shown}\t{}", editor.message_text());
     }
     text
 }
@@ -111,14 +116,15 @@ pub fn keymap() -> String {
         let mut editor = Editor::new(scene, PathBuf::from("animation.json"));
         editor.set_keymap(keymap.clone());
         let _ = editor.apply(Command::Edit(Edit::DisplayCurrent));
-        let _ = writeln!(text, "{name} {chord:?}\t{}\t{}", errors.join(" "), editor.message().text);
+        let _ = writeln!(text, "{name} {chord:?}\t{}\t{}", errors.join(" "), editor.message_text());
         if let Some(chord) = Chord::parse(chord) {
-            let set = keymap.clone().set(name, vec![chord]);
+            let ids = by_id(&BTreeMap::from([(name.to_owned(), Vec::new())]));
+            let set = ids.keys().find_map(|id| keymap.clone().set(id, vec![chord]).err());
             let _ = writeln!(
                 text,
                 "set {name} {}\t{}",
                 chord.label(),
-                set.err().map_or_else(String::new, |error| error.to_string())
+                set.map_or_else(String::new, |error| error.to_string())
             );
         }
     }
