@@ -9,8 +9,7 @@
 //!
 //! | level | modules | may name |
 //! |---|---|---|
-//! | 0 | [`words`] | serde, for the code of a language in settings |
-//! | 0 | [`rbt`], [`interpolation`], [`rotation_rules`], [`json`], [`colour`], [`picture`], [`text`], [`parallel`] | glam |
+//! | 0 | [`words`], [`rbt`], [`interpolation`], [`rotation_rules`], [`json`], [`colour`], [`picture`], [`text`], [`parallel`] | glam; serde, for the code of a language in settings |
 //! | 0 | [`manual`] | pulldown-cmark |
 //! | 1 | [`timed`], [`pose`], [`blend`], [`scene`], [`camera`] | serde, in file formats |
 //! | 2 | [`keyframe`], [`clock`], [`settings`], [`text_layouts`], [`frame`], [`film`] | serde, in file formats; `Duration`, never `Instant` |

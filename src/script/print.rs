@@ -17,10 +17,9 @@ use crate::scene::SceneGraph;
 /// use inbetween::scene::{DEFAULT_SCENE, built_in_scene};
 /// use inbetween::script;
 ///
-/// let scene = built_in_scene(DEFAULT_SCENE)?;
+/// let scene = built_in_scene(DEFAULT_SCENE).unwrap();
 /// let command = Command::Edit(Edit::SetMsBetweenKeyframes(700));
 /// assert_eq!(script::print(&command, &scene).as_deref(), Some("ms 700"));
-/// # Ok::<(), inbetween::scene::SceneError>(())
 /// ```
 #[must_use]
 pub fn print(command: &Command, scene: &SceneGraph) -> Option<String> {

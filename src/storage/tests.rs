@@ -1,3 +1,5 @@
+//! Files written beside, in place and into; drafts of killed programs; stamps.
+
 use std::fs;
 use std::io::Write as _;
 
