@@ -36,6 +36,7 @@ use clap::error::ErrorKind;
 use clap::{CommandFactory as _, Parser as _};
 
 use crate::files::scene;
+use crate::text::visible;
 
 pub use reference::command_reference;
 
@@ -55,8 +56,13 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Ok(Ended::Well) => ExitCode::SUCCESS,
         Ok(Ended::Beyond) => ExitCode::from(1),
         Err(CliError::Usage(error)) => {
-            // Help goes to standard output, and a closed one is no mishap.
-            let _ = error.print();
+            let text = error.to_string();
+            if error.use_stderr() && visible(&text) != text {
+                output::complain(text.trim_end());
+            } else {
+                // Help goes to standard output, and a closed one is no mishap.
+                let _ = error.print();
+            }
             ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2))
         }
         Err(CliError::Failed { status, sentences, source }) => {

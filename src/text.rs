@@ -1,5 +1,7 @@
 //! What reading and writing of texts share: byte order marks, locations, numbers of things and alternatives in sentences.
 
+use std::borrow::Cow;
+
 const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
 /// A text without the byte order mark that some editors put before it.
@@ -42,6 +44,29 @@ pub fn listed<T: AsRef<str>>(words: &[T]) -> String {
     }
 }
 
+/// A text in which no character does anything to a terminal: control characters, and those that turn the direction of writing, are shown
+/// as escapes, such as `\u{1b}`. Line ends and tabs stay.
+#[must_use]
+pub fn visible(text: &str) -> Cow<'_, str> {
+    let is_hidden = |character: char| {
+        let is_layout = matches!(character, '\n' | '\t');
+        let turns = matches!(character, '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+        (character.is_control() && !is_layout) || turns
+    };
+    if !text.contains(is_hidden) {
+        return Cow::Borrowed(text);
+    }
+    let mut shown = String::with_capacity(text.len() + 8);
+    for character in text.chars() {
+        if is_hidden(character) {
+            shown.extend(character.escape_unicode());
+        } else {
+            shown.push(character);
+        }
+    }
+    Cow::Owned(shown)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -53,6 +78,12 @@ mod tests {
         assert_eq!(line_and_column(text, 6), (1, 3));
         assert_eq!(line_and_column(text, 9), (2, 2));
         assert_eq!(line_and_column(text, 99), (2, 3));
+    }
+
+    #[test]
+    fn nothing_reaches_a_terminal_but_letters() {
+        assert_eq!(visible("plain: é 걷기\n\ttwo"), "plain: é 걷기\n\ttwo");
+        assert_eq!(visible("\u{1b}[31mred\r\u{9b}\u{202e}"), "\\u{1b}[31mred\\u{d}\\u{9b}\\u{202e}");
     }
 
     #[test]

@@ -24,11 +24,7 @@ pub fn run(arguments: &CheckArguments, scene: &SceneGraph) -> Result<(), CliErro
             }
         }
     }
-    if are_good {
-        output::print(|output| writeln!(output, "{}", lines.join("\n")))
-    } else {
-        Err(CliError::bad_inputs(lines))
-    }
+    if are_good { output::say(&(lines.join("\n") + "\n")) } else { Err(CliError::bad_inputs(lines)) }
 }
 
 fn verdict(file: &Path, scene: &SceneGraph) -> Result<String, FileError> {

@@ -21,7 +21,7 @@ pub fn run(arguments: &CompareArguments) -> Result<Ended, CliError> {
     }
     let tolerance = arguments.tolerance;
     let line = if arguments.json { json(&found, tolerance) } else { found.sentence(tolerance) };
-    output::print(|output| writeln!(output, "{line}"))?;
+    output::say(&format!("{line}\n"))?;
     Ok(if found.is_within(tolerance) { Ended::Well } else { Ended::Beyond })
 }
 

@@ -47,7 +47,7 @@ pub fn run(arguments: &ConvertArguments, scene: &SceneGraph) -> Result<(), CliEr
             report
         }
     };
-    output::print(|output| writeln!(output, "{place}: {report}"))
+    output::say(&format!("{place}: {report}\n"))
 }
 
 fn joint_list(file: &Path, scene: &SceneGraph) -> Result<JointList, FileError> {

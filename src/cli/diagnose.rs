@@ -30,7 +30,7 @@ pub fn run(arguments: &DiagnoseArguments, scene: &SceneGraph) -> Result<(), CliE
         .map_err(|error| FileError::new(samples.display(), error))?;
     let diagnosis = diagnosis::diagnose(&sequence, &samples);
     let text = if arguments.json { to_json(&diagnosis) } else { sentences(&diagnosis) };
-    output::print(|output| output.write_all(text.as_bytes()))
+    output::say(&text)
 }
 
 /// The diagnosis as one line of JSON.

@@ -23,7 +23,7 @@ const MOST_FRAMES: usize = 1_000_000;
 /// [`CliError`] with status 2: they cannot be compared.
 pub fn run(arguments: &DiffArguments, scene: Option<&Path>) -> Result<Ended, CliError> {
     let report = report(arguments, scene).map_err(CliError::into_trouble)?;
-    output::print(|output| output.write_all(report.text.as_bytes())).map_err(CliError::into_trouble)?;
+    output::say(&report.text).map_err(CliError::into_trouble)?;
     Ok(if report.is_within { Ended::Well } else { Ended::Beyond })
 }
 

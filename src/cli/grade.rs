@@ -36,5 +36,5 @@ pub fn run(arguments: &GradeArguments, scene: Option<&Path>) -> Result<(), CliEr
     files::write(&folder.join("grades.json"), grading::json(&marks, &rubric).as_bytes())?;
     files::write(&report, grading::html(&marks, &rubric, &pictures).as_bytes())?;
     let submissions = counted(marks.len(), "submission");
-    output::print(|output| writeln!(output, "{submissions} graded: {}", report.display()))
+    output::say(&format!("{submissions} graded: {}\n", report.display()))
 }

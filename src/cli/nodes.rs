@@ -8,5 +8,5 @@ use crate::scene::SceneGraph;
 /// # Errors
 /// [`CliError`]: standard output does not take them.
 pub fn run(scene: &SceneGraph) -> Result<(), CliError> {
-    output::print(|output| scene.rbt_paths().try_for_each(|path| writeln!(output, "{path}")))
+    output::list(&scene.rbt_paths().map(|path| format!("{path}\n")).collect::<String>())
 }

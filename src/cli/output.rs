@@ -1,8 +1,9 @@
 //! Standard output and standard error.
 
-use std::io::{self, BufWriter, Write};
+use std::io::{self, BufWriter, IsTerminal as _, Write};
 
 use super::CliError;
+use crate::text::visible;
 
 /// Standard output with a buffer that is large enough for it to keep up.
 pub fn standard_output() -> BufWriter<io::StdoutLock<'static>> {
@@ -21,7 +22,23 @@ pub fn print(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(),
     }
 }
 
-/// Writes lines to standard error; where that is closed, there is no one to tell.
+/// Writes sentences to standard output. They may quote files: what they quote does nothing to a terminal.
+///
+/// # Errors
+/// [`CliError`]: it does not take them.
+pub fn say(sentences: &str) -> Result<(), CliError> {
+    print(|output| output.write_all(visible(sentences).as_bytes()))
+}
+
+/// Writes data to standard output: as it is into a file or a pipe, as [`say`] does to a terminal.
+///
+/// # Errors
+/// [`CliError`]: it does not take them.
+pub fn list(lines: &str) -> Result<(), CliError> {
+    if io::stdout().is_terminal() { say(lines) } else { print(|output| output.write_all(lines.as_bytes())) }
+}
+
+/// Writes lines to standard error; where that is closed, there is no one to tell. What they quote does nothing to a terminal.
 pub fn complain(lines: &str) {
-    let _ = writeln!(io::stderr().lock(), "{lines}");
+    let _ = writeln!(io::stderr().lock(), "{}", visible(lines));
 }

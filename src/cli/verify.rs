@@ -20,7 +20,7 @@ pub fn run(arguments: &VerifyArguments, scene: Option<&Path>) -> Result<Ended, C
     let mut references = References::new(folder, scene, painter);
     if arguments.update {
         let lines = each(&shots, |shot| Ok(format!("{}: {}\n", shot.name, references.accept(shot)?)))?;
-        output::print(|output| output.write_all(lines.concat().as_bytes()))?;
+        output::say(&lines.concat())?;
         return Ok(Ended::Well);
     }
     let actual = arguments.output.clone().unwrap_or_else(|| folder.join("actual"));
@@ -32,14 +32,12 @@ pub fn run(arguments: &VerifyArguments, scene: Option<&Path>) -> Result<Ended, C
         Ok(format!("{}: {verdict}\n", shot.name))
     })?;
     let count = shots.len();
-    output::print(|output| {
-        output.write_all(lines.concat().as_bytes())?;
-        if bad == 0 {
-            writeln!(output, "all {count} as they should be")
-        } else {
-            writeln!(output, "{bad} of {count} not as they should be: see {}", actual.display())
-        }
-    })?;
+    let summary = if bad == 0 {
+        format!("all {count} as they should be\n")
+    } else {
+        format!("{bad} of {count} not as they should be: see {}\n", actual.display())
+    };
+    output::say(&(lines.concat() + &summary))?;
     Ok(if bad == 0 { Ended::Well } else { Ended::Beyond })
 }
 

@@ -1,4 +1,4 @@
-use crate::sandbox::{Sandbox, keyframe_file};
+use crate::sandbox::{Outcome, Sandbox, keyframe_file};
 
 #[test]
 fn wrong_usage_is_status_2() {
@@ -160,4 +160,29 @@ fn a_reader_that_leaves_is_no_error() {
         assert_eq!((output.status.code(), output.stderr.as_slice()), (Some(0), &b""[..]), "{arguments:?}");
     }
     assert!(sandbox.path("w.json").exists(), "the script went on without its reader");
+}
+
+#[test]
+fn what_files_and_arguments_hold_does_nothing_to_a_terminal() {
+    const RED: &str = "\u{1b}[31m";
+    let sandbox = Sandbox::new();
+    let name = format!("a{RED}.json");
+    sandbox.write(&name, keyframe_file(4).to_string());
+    sandbox.write("field.json", keyframe_file(4).to_string().replacen('{', "{\"\\u001b[31m\": 1, ", 1));
+    sandbox.write("script.txt", format!("jump{RED}\n"));
+    for arguments in [
+        &["check", &name][..],
+        &["check", "field.json"],
+        &["check", &format!("missing{RED}")],
+        &["script", "script.txt"],
+        &["convert", &name, "-o", "b.json"],
+        &["nodes", &format!("extra{RED}")],
+        &["sample", &format!("--{RED}")],
+    ] {
+        let Outcome { stdout, stderr, .. } = sandbox.run(arguments);
+        assert!(!format!("{stdout}{stderr}").contains('\u{1b}'), "{arguments:?}: {stdout}{stderr}");
+        // What is wrong usage is quoted without its escapes.
+        let is_usage = stderr.contains("Usage:");
+        assert!(is_usage || format!("{stdout}{stderr}").contains("\\u{1b}"), "{arguments:?}: {stdout}{stderr}");
+    }
 }
