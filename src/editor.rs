@@ -309,6 +309,11 @@ impl Editor {
         self.scene().pick(&self.displayed_pose(), self.seconds(), ray)?.rbt
     }
 
+    /// Makes the document as it is now the ground of undo: what the program was started with is not undone.
+    pub fn begin_history(&mut self) {
+        self.history = History::default();
+    }
+
     /// What the next undo would take back, as in "new keyframe".
     #[must_use]
     pub fn undo_label(&self) -> Option<Phrase> {

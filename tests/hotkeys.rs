@@ -258,6 +258,15 @@ fn importing_replaces_the_list_and_can_be_undone() {
 }
 
 #[test]
+fn what_the_program_was_started_with_is_not_undone() {
+    let mut editor = editor_with(3);
+    editor.begin_history();
+    press(&mut editor, "n ctrl+z ctrl+z ctrl+z");
+    assert_eq!(editor.document().keyframes.len(), 3);
+    assert_eq!(editor.message_text(), "There is nothing to undo.");
+}
+
+#[test]
 fn a_bad_import_changes_nothing_and_says_why() {
     for (bytes, words) in
         [(Ok(b"{".to_vec()), "line 1 column 1"), (Err(texts::STORAGE_NOT_FOUND.into()), "no such file")]

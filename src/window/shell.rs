@@ -129,6 +129,7 @@ impl Shell {
         for command in std::mem::take(&mut self.at_start) {
             self.apply(command);
         }
+        self.editor.begin_history();
     }
 
     /// Makes everything on the device again, in the same window.
