@@ -192,6 +192,19 @@ pub fn exists(path: &Path) -> bool {
     path.exists()
 }
 
+/// Whether two paths name one file, which need not be there yet.
+#[must_use]
+pub fn is_same_place(one: &Path, other: &Path) -> bool {
+    let resolved = |path: &Path| {
+        fs::canonicalize(path).ok().or_else(|| {
+            let folder =
+                path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or_else(|| Path::new("."));
+            Some(fs::canonicalize(folder).ok()?.join(path.file_name()?))
+        })
+    };
+    one == other || matches!((resolved(one), resolved(other)), (Some(one), Some(other)) if one == other)
+}
+
 /// Whether a folder stands there.
 #[must_use]
 pub fn is_folder(path: &Path) -> bool {

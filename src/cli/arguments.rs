@@ -225,7 +225,10 @@ pub struct RenderArguments {
     pub fps: Option<u32>,
     /// What the numbered images of a folder are written as [default: png].
     #[arg(long, value_name = "FORMAT", value_parser = still_format())]
-    pub frames: Option<&'static Format>,
+    pub frame_format: Option<&'static Format>,
+    /// Remove the numbered images of an earlier film from the folder that this film does not replace. Without this they are an error.
+    #[arg(long)]
+    pub clean: bool,
     /// The key time at which a film or contact sheet begins [default: 0].
     #[arg(long, value_name = "KEY_TIME", requires = "file", conflicts_with_all = ["at", "keyframe"], allow_hyphen_values = true, value_parser = key_time)]
     pub from: Option<f64>,

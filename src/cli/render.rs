@@ -66,6 +66,7 @@ fn draw(
         is_opaque: arguments.background != Background::Transparent,
         format: output.format,
         output: &arguments.output,
+        removes_stale: arguments.clean,
     };
     let planned = request.plan()?;
     // Hashing costs time.

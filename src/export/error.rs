@@ -74,6 +74,17 @@ pub enum ExportError {
         #[source]
         cause: StorageError,
     },
+    /// The folder holds pictures of an earlier, longer film.
+    Stale {
+        /// The folder.
+        folder: PathBuf,
+        /// How many.
+        count: usize,
+        /// The name of the first of them.
+        first: String,
+        /// The name of the last of them.
+        last: String,
+    },
     /// A film cannot be encoded.
     Film {
         /// Which file.
@@ -110,6 +121,9 @@ impl ExportError {
             Self::Gpu(error) => error.message(),
             Self::Picture(error) => error.message(),
             Self::Unwritten { path, cause } => texts::export_at(path.display(), cause.message()),
+            Self::Stale { folder, count, first, last } => {
+                texts::export_at(folder.display(), texts::export_stale(*count, first, last))
+            }
             Self::Film { path, cause } => texts::export_at(path.display(), cause.message()),
             Self::Cancelled => texts::EXPORT_INTERRUPTED.into(),
         }
@@ -148,6 +162,7 @@ impl ExportError {
             | Self::Ffmpeg { .. }
             | Self::Picture(_)
             | Self::Unwritten { .. }
+            | Self::Stale { .. }
             | Self::Film { .. } => ErrorKind::Input,
             Self::Gpu(_) => ErrorKind::Gpu,
             Self::Cancelled => ErrorKind::Cancelled,

@@ -67,6 +67,7 @@ impl Job {
             is_opaque,
             format,
             output: path,
+            removes_stale: false,
         };
         // What cannot be played is found out before anything is drawn.
         let planned = request.plan()?;

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::ffmpeg::find_ffmpeg;
-use super::write::{Written, unwritten, write_film, write_folder, write_through_ffmpeg};
+use super::write::{Written, clear_folder, unwritten, write_film, write_folder, write_through_ffmpeg};
 use super::{Drawing, ExportError, Moments, Painter, Size, Source, Span, Stage, Viewpoint, Watch};
 use crate::film::{Cell, Encoder, Format, FormatProblem, Grid, StartStill, contact_sheet};
 use crate::frame::Frame;
@@ -47,6 +47,8 @@ pub struct RenderRequest<'a> {
     pub format: &'static Format,
     /// The file or folder.
     pub output: &'a Path,
+    /// Whether pictures of an earlier film are removed from a folder that this film does not replace; otherwise they are an error.
+    pub removes_stale: bool,
 }
 
 /// A request whose moments are known: all that can be wrong with the animation was found.
@@ -125,6 +127,7 @@ impl PlannedRender<'_> {
         let mut drawing = Drawing { stage: &stage, moments: &self.moments, painter, watch };
         match (subject, &format.encoder) {
             (Subject::Film { .. }, Encoder::Still(start)) => {
+                clear_folder(output, format.ending, self.frame_count(), self.request.removes_stale)?;
                 write_folder(output, format.ending, *start, &mut drawing, written)
             }
             (Subject::Film { fps }, Encoder::Film(film)) => {

@@ -13,6 +13,37 @@ use crate::storage::{self, Draft, Foreign, StorageError};
 /// Is told of each picture that is written, and its bytes.
 pub type Written<'a> = dyn FnMut(&Path, &[u8]) + Send + 'a;
 
+/// The name of a numbered picture.
+fn frame_name(index: usize, ending: &str) -> String {
+    format!("frame-{index:05}.{ending}")
+}
+
+/// The index of a numbered picture; `None` where a name is not of that form.
+fn frame_index(name: &str, ending: &str) -> Option<usize> {
+    let index = name.strip_prefix("frame-")?.strip_suffix(ending)?.strip_suffix('.')?.parse().ok()?;
+    (frame_name(index, ending) == name).then_some(index)
+}
+
+/// Sees to it that a folder will hold no picture of an earlier, longer film beside the `count` of this one: an encoder would take them
+/// for its end. Other files stay.
+///
+/// # Errors
+/// [`ExportError::Stale`] where there are such pictures and they are not to be removed; [`ExportError::Unwritten`].
+pub fn clear_folder(folder: &Path, ending: &str, count: usize, removes: bool) -> Result<(), ExportError> {
+    if !storage::is_folder(folder) {
+        return Ok(());
+    }
+    let (entries, _) = storage::list(folder, usize::MAX / 8).map_err(|cause| unwritten(folder, cause))?;
+    let is_stale = |name: &str| frame_index(name, ending).is_some_and(|index| index >= count);
+    let stale: Vec<_> = entries.into_iter().filter(|entry| is_stale(&entry.name)).collect();
+    let (Some(first), Some(last)) = (stale.first(), stale.last()) else { return Ok(()) };
+    if !removes {
+        let [first, last] = [first, last].map(|entry| entry.name.clone());
+        return Err(ExportError::Stale { folder: folder.to_owned(), count: stale.len(), first, last });
+    }
+    stale.iter().try_for_each(|entry| storage::remove(&entry.path).map_err(|cause| unwritten(&entry.path, cause)))
+}
+
 /// Writes frame-00000 and on, with an ending, into a folder, which is made where it is missing, and tells `written` of each.
 ///
 /// # Errors
@@ -27,7 +58,7 @@ pub fn write_folder(
     storage::create_folder(folder).map_err(|cause| unwritten(folder, cause))?;
     let mut encoder = start(None);
     drawing.draw(|index, drawn| {
-        let path = folder.join(format!("frame-{index:05}.{ending}"));
+        let path = folder.join(frame_name(index, ending));
         encoder.encode(&drawn.rows())?;
         drop(drawn);
         storage::write_unsynced(&path, encoder.bytes()).map_err(|cause| unwritten(&path, cause))?;
@@ -102,4 +133,20 @@ fn samples(drawing: &mut Drawing<'_>, count: usize) -> Result<Vec<Image>, Export
 
 pub(super) fn unwritten(path: &Path, cause: StorageError) -> ExportError {
     ExportError::Unwritten { path: path.to_owned(), cause }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_names_of_the_form_are_frames() {
+        assert_eq!(frame_index(&frame_name(7, "png"), "png"), Some(7));
+        assert_eq!(frame_index(&frame_name(123_456, "webp"), "webp"), Some(123_456));
+        for other in
+            ["frame-7.png", "frame-00007.webp", "frame-00007png", "frame-.png", "my-frame-00007.png", "frame-+0007.png"]
+        {
+            assert_eq!(frame_index(other, "png"), None, "{other}");
+        }
+    }
 }

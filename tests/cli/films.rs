@@ -343,15 +343,43 @@ fn a_webp_holds_a_picture_to_the_bit() {
         assert_eq!(bytes(&sandbox, "x.webp"), bytes(&sandbox, "again.webp"));
         assert_eq!(pixels("x.webp"), pixels("x.png"), "{more:?}");
     }
-    done(&render(&sandbox, &["a.json", "-o", "frames/", "--frames", "webp", "--fps", "2"]));
+    done(&render(&sandbox, &["a.json", "-o", "frames/", "--frame-format", "webp", "--fps", "2"]));
     done(&render(&sandbox, &["a.json", "-o", "frames/", "--fps", "2"]));
     assert_eq!(pixels("frames/frame-00002.webp"), pixels("frames/frame-00002.png"));
     for arguments in [
         &["a.json", "-o", "x.webp", "--id"][..],
         &["a.json", "-o", "x.webp", "--fps", "10"],
-        &["a.json", "-o", "x.webp", "--frames", "webp"],
-        &["a.json", "-o", "x.gif", "--frames", "webp"],
+        &["a.json", "-o", "x.webp", "--frame-format", "webp"],
+        &["a.json", "-o", "x.gif", "--frame-format", "webp"],
     ] {
         render(&sandbox, arguments).misuses();
     }
+}
+
+#[test]
+fn an_old_films_frames_are_named_and_not_left_behind_unseen() {
+    let sandbox = Sandbox::new();
+    sandbox.write("a.json", keyframe_file(4).to_string());
+    let shorter = ["a.json", "-o", "frames/", "--fps", "1"];
+    done(&render(&sandbox, &["a.json", "-o", "frames/", "--fps", "2"]));
+    let names = || {
+        let mut names: Vec<_> =
+            std::fs::read_dir(sandbox.path("frames")).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+        names.sort();
+        names
+    };
+    std::fs::write(sandbox.path("frames/notes.txt"), "mine").unwrap();
+    let before = names();
+    let Outcome { status, stderr, .. } = render(&sandbox, &shorter);
+    assert_eq!(status, 1, "{stderr}");
+    assert!(
+        stderr.contains("images of an earlier film are in the way, frame-00003.png to frame-00004.png"),
+        "{stderr}"
+    );
+    assert_eq!(names(), before);
+    done(&render(&sandbox, &[&shorter[..], &["--clean"]].concat()));
+    assert_eq!(names(), ["frame-00000.png", "frame-00001.png", "frame-00002.png", "notes.txt"]);
+    let twice = ["a.json", "-o", "x.png", "--manifest", "./x.png"];
+    assert_eq!(render(&sandbox, &twice).status, 2);
+    assert_eq!(render(&sandbox, &["a.json", "-o", "x.png", "--clean"]).status, 2);
 }

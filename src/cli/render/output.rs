@@ -24,7 +24,7 @@ impl Output {
         let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
         let ending = ending.as_deref().unwrap_or_default();
         let is_folder = storage::is_folder(path) || path.to_string_lossy().ends_with(std::path::is_separator);
-        let of_folder = arguments.frames.unwrap_or(&PNG);
+        let of_folder = arguments.frame_format.unwrap_or(&PNG);
         let output = match format_of_ending(ending) {
             _ if is_folder => Self { format: of_folder, is_one_image: false },
             Some(format) if !format.is_still() => Self { format, is_one_image: false },
@@ -55,8 +55,14 @@ impl Output {
         if arguments.id && self.format != &PNG {
             return Err(misuse("--id writes a 16-bit grey PNG: --output names a PNG"));
         }
-        if arguments.frames.is_some() && (self.is_one_image || !self.format.is_still()) {
-            return Err(misuse("--frames is for a folder of numbered images"));
+        if arguments.frame_format.is_some() && (self.is_one_image || !self.format.is_still()) {
+            return Err(misuse("--frame-format is for a folder of numbered images"));
+        }
+        if arguments.clean && (self.is_one_image || !self.format.is_still()) {
+            return Err(misuse("--clean is for a folder of numbered images"));
+        }
+        if arguments.manifest.as_deref().is_some_and(|manifest| storage::is_same_place(manifest, &arguments.output)) {
+            return Err(misuse("--output and --manifest name the same file"));
         }
         Ok(())
     }
