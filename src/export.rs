@@ -22,7 +22,7 @@ pub use job::Job;
 pub use moments::{Moment, Moments, Shown, Source, Span};
 pub use painter::{Painter, Size};
 pub use pipeline::{Drawing, Watch};
-pub use request::{PlannedRender, RenderRequest, Subject, check_format, write_picture};
+pub use request::{PlannedRender, RenderRequest, Subject, check_format, check_sheet, write_picture};
 pub use stage::{Stage, Viewpoint};
 pub use times::{FrameTime, frame_times};
 pub use write::{write_film, write_folder};

@@ -8,5 +8,10 @@ use crate::scene::SceneGraph;
 /// # Errors
 /// [`CliError`]: standard output does not take them.
 pub fn run(scene: &SceneGraph) -> Result<(), CliError> {
-    output::list(&scene.rbt_paths().map(|path| format!("{path}\n")).collect::<String>())
+    let mut lines = String::new();
+    for path in scene.rbt_paths() {
+        lines.push_str(path);
+        lines.push('\n');
+    }
+    output::list(&lines)
 }

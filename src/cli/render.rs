@@ -12,7 +12,7 @@ use super::interrupt::Interrupt;
 use super::progress::Progress;
 use super::{CliError, scene};
 use crate::export::{
-    Animation, Painter, PlannedRender, RenderRequest, Size, Source, Subject, check_format, write_picture,
+    Animation, Painter, PlannedRender, RenderRequest, Size, Source, Subject, check_format, check_sheet, write_picture,
 };
 use crate::render::Background;
 use manifest::Manifest;
@@ -32,6 +32,9 @@ pub fn run(arguments: &RenderArguments, scene: Option<&Path>) -> Result<(), CliE
     let is_opaque = arguments.background != Background::Transparent;
     let size = arguments.size.unwrap_or(if arguments.sheet.is_some() { SHEET_SIZE } else { DEFAULT_SIZE });
     check_format(output.format, size, arguments.fps, is_opaque, &arguments.output)?;
+    if let Some(grid) = arguments.sheet {
+        check_sheet(grid, size)?;
+    }
     let mut painter = Painter::headless(size, arguments.samples)?;
     painter.set_background(arguments.background);
     let done = draw(arguments, scene, output, &mut painter);

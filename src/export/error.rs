@@ -25,6 +25,15 @@ pub enum ExportError {
     },
     /// More pictures than a film can count.
     TooManyFrames,
+    /// More pixels than a contact sheet may have.
+    SheetTooLarge {
+        /// Its width in pixels.
+        width: u64,
+        /// Its height in pixels.
+        height: u64,
+        /// The most pixels in all.
+        limit: u64,
+    },
     /// The scene has no such camera.
     NoCamera {
         /// What was asked for.
@@ -107,6 +116,7 @@ impl ExportError {
             Self::Format(problem) => problem.message(),
             Self::Backwards { from, to } => texts::export_ends_before_it_begins(*to, *from),
             Self::TooManyFrames => texts::EXPORT_TOO_MANY_FRAMES.into(),
+            Self::SheetTooLarge { width, height, limit } => texts::export_sheet_too_large(*width, *height, *limit),
             Self::NoCamera { name, eyes } => texts::export_camera_missing(name, eyes.join(", ")),
             Self::Unplayable { source_name, cause } => texts::export_at(source_name.clone(), cause.message()),
             Self::NoKeyframe { source_name, index, last } => {
@@ -154,7 +164,9 @@ impl ExportError {
     #[must_use]
     pub const fn kind(&self) -> ErrorKind {
         match self {
-            Self::Format(_) | Self::Backwards { .. } | Self::TooManyFrames => ErrorKind::Usage,
+            Self::Format(_) | Self::Backwards { .. } | Self::TooManyFrames | Self::SheetTooLarge { .. } => {
+                ErrorKind::Usage
+            }
             Self::NoCamera { .. }
             | Self::Unplayable { .. }
             | Self::NoKeyframe { .. }

@@ -78,6 +78,22 @@ pub fn check_format(
     }
 }
 
+/// The most pixels of a contact sheet: all of them are in memory at once, twice.
+const MOST_SHEET_PIXELS: u64 = 1 << 26;
+
+/// Finds out, before any memory is taken, whether a contact sheet of pictures of a size can be made.
+///
+/// # Errors
+/// [`ExportError::SheetTooLarge`]
+pub fn check_sheet(grid: Grid, size: Size) -> Result<(), ExportError> {
+    let width = u64::from(grid.columns) * u64::from(size.width);
+    let height = u64::from(grid.rows) * u64::from(size.height);
+    if width.saturating_mul(height) > MOST_SHEET_PIXELS {
+        return Err(ExportError::SheetTooLarge { width, height, limit: MOST_SHEET_PIXELS });
+    }
+    Ok(())
+}
+
 impl<'a> RenderRequest<'a> {
     /// Finds the moments.
     ///

@@ -24,6 +24,7 @@ fn wrong_usage_is_status_2() {
         &["render", "a.json", "-o", "x.png", "--size", "640"],
         &["render", "a.json", "-o", "x.png", "--size", "0x480"],
         &["render", "a.json", "-o", "x.png", "--samples", "2"],
+        &["render", "a.json", "-o", "x.png", "--sheet", "32x32", "--size", "4000x4000"],
         &["render", "a.json", "-o", "x.png", "--fps", "2"],
         &["script"],
         &["script", "-", "--size", "640x"],
