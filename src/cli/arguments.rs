@@ -8,9 +8,9 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, ValueEnum};
 
 use crate::colour::Colour;
-use crate::compare::DEFAULT_TOLERANCE;
 use crate::export::{Size, Span};
 use crate::film::{Format, Grid, MOST_FRAMES_PER_SECOND, format_of_ending, stills};
+use crate::flip::DEFAULT_TOLERANCE;
 use crate::frame::MOST_GHOSTS;
 use crate::interpolation::Interpolation;
 use crate::render::Background;
