@@ -126,7 +126,7 @@ const SPLINE: Rules = Rules { is_spline: true, ..LINEAR };
 pub(super) const INTEGER_TICK_PACE: f64 = 16.0 * 60.0 / 1000.0;
 
 /// Every candidate. Of candidates that explain the samples equally well, the earlier one is named first. A mistake is one row here.
-pub(super) const MODELS: [Model; 16] = [
+pub(super) const MODELS: [Model; 17] = [
     Model {
         name: CORRECT,
         advice: Advice { what: "The samples show the right result of linear playback.", change: "" },
@@ -217,6 +217,16 @@ pub(super) const MODELS: [Model; 16] = [
             change: "Divide by six: d_i = (c_(i+1) - c_(i-1))/6 + c_i, and the power 1/6 for rotations; likewise in e_i.",
         },
         forms: &[Rules { tangent_divisor: 1.0, ..SPLINE }],
+        needs_ms: false,
+    },
+    Model {
+        name: "sixth-in-integers",
+        advice: Advice {
+            what: "The control points are the keyframes themselves: each spline piece is straight and stops at both ends.",
+            change: "In C++, 1/6 is 0 in whole numbers: write 1.0/6 in d_i and e_i, and in the exponents of the powers.",
+        },
+        // A tangent divided by infinity is 0.
+        forms: &[Rules { tangent_divisor: f64::INFINITY, ..SPLINE }],
         needs_ms: false,
     },
     Model {
