@@ -11,7 +11,7 @@
 
 #![expect(clippy::inline_always, reason = "what is not inlined is compiled for the oldest processor")]
 
-mod place;
+mod compose;
 mod weights;
 
 use fearless_simd::prelude::*;
@@ -19,8 +19,8 @@ use fearless_simd::{dispatch, f32x16};
 
 use crate::pose::RbtBlock;
 
+pub use compose::{AlignedAffine, MatrixBlock, compose, matrices};
 pub use fearless_simd::Level;
-pub use place::{AlignedAffine, MatrixBlock, matrices, place_below};
 pub use weights::Weights;
 
 /// The widest instructions that this processor has.

@@ -1,24 +1,22 @@
 //! Diagnosis: which known mistake explains what a student's own program showed.
 //!
-//! The samples of that program are compared with the right result and with what each known mistake would show, all in double
-//! precision and apart from [`crate::interpolation`], so that the two can be held against each other. Pure functions: text and
-//! keyframes in, names and residuals out; this module knows nothing of files, of the editor or of the command line.
+//! The samples of that program are compared with the right result and with the result of each known mistake. Everything is computed
+//! in double precision and without [`crate::interpolation`], so that each can be tested against the other. Pure functions: text and
+//! keyframes in, names and residuals out. This module does not know files, the editor or the command line.
 //!
-//! The *residual* of a candidate is the root mean square, over the rows, of the distance of translations (scene units) and of
-//! quaternions as printed: for each row the square of the one plus the square of the other, the nearer of q and −q, nothing
-//! renormalised. Where the sample or the prediction is no finite number, the distance of that part is 0 if both are so, and
-//! [`DISTANCE_OF_NO_NUMBER`] otherwise.
+//! The *residual* of a candidate is a root mean square over the rows. A row contributes the squared distance of translations (scene
+//! units) plus the squared distance of quaternions as printed: not renormalised, the nearer of q and −q. If the sample or the
+//! prediction is not finite, that part's distance is 0 if both are not finite, otherwise [`DISTANCE_OF_NO_NUMBER`].
 
-mod advice;
 mod model;
 mod play;
 mod samples;
 
-pub use advice::{Advice, advice};
+pub use model::Advice;
 pub use play::{Sequence, TooFewKeyframes};
 pub use samples::{LARGEST_SAMPLES_BYTES, Row, SampleRows, Samples, SamplesError, samples_from_csv};
 
-use model::{MODELS, Model, Rules};
+use model::{MODELS, Model};
 
 /// Residuals that differ by no more than this explain the samples equally well.
 pub const EQUAL_RESIDUALS: f64 = 1e-9;
@@ -26,7 +24,7 @@ pub const EQUAL_RESIDUALS: f64 = 1e-9;
 /// A residual up to this explains the samples: three decimals, as some programs print them, leave about a thousandth.
 pub const EXPLAINED_RESIDUAL: f64 = 5e-3;
 
-/// The distance of a number from what is none, in scene units or quaternion components: farther than rotations can be.
+/// The distance between a number and NaN, in scene units or quaternion components. Larger than any distance of two rotations.
 pub const DISTANCE_OF_NO_NUMBER: f64 = 10.0;
 
 /// The name of the right result, by lerp and slerp.
@@ -35,25 +33,39 @@ pub const CORRECT: &str = "correct";
 /// The name of the right result, by Catmull-Rom splines.
 pub const CORRECT_CATMULL_ROM: &str = "correct-catmull-rom";
 
-/// The name of playback that ends before its last pose.
+/// The name of playback that never shows its last pose.
 pub const LAST_SAMPLE_MISSING: &str = "last-sample-missing";
 
-/// Whether a candidate plays another part of the keyframes than it should: it begins with another one, or leaves out the end.
-#[must_use]
-pub fn is_about_range(name: &str) -> bool {
-    MODELS.iter().any(|model| model.name == name && model.forms.iter().all(Rules::changes_range))
+/// The names of all candidates in the table's order: the two right results, then the mistakes.
+pub fn names() -> impl Iterator<Item = &'static str> {
+    MODELS.iter().map(|model| model.name)
 }
 
 /// How well one candidate explains the samples.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Candidate {
-    /// Its name.
+    /// The name in kebab-case, such as `lerp-for-slerp`.
     pub name: &'static str,
-    /// Its residual, finite, at least 0.
+    /// The residual, finite, at least 0.
     pub residual: f64,
+    model: &'static Model,
 }
 
-/// Every candidate, and which of them explains the samples.
+impl Candidate {
+    /// The explanation for people.
+    #[must_use]
+    pub const fn advice(&self) -> Advice {
+        self.model.advice
+    }
+
+    /// Whether it plays another range of keyframes than it should: it begins at another keyframe, or leaves out the end.
+    #[must_use]
+    pub fn is_about_range(&self) -> bool {
+        self.model.is_about_range()
+    }
+}
+
+/// Every candidate with its residual, best first.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Diagnosis {
     /// Best first; never empty.
@@ -77,13 +89,13 @@ impl Diagnosis {
         &self.candidates[1..self.equals]
     }
 
-    /// Those that do not, nearest first.
+    /// The candidates that explain the samples less well, best first.
     #[must_use]
     pub fn runners_up(&self) -> &[Candidate] {
         &self.candidates[self.equals..]
     }
 
-    /// Whether the best one does explain the samples, and is not only the nearest of what does not.
+    /// Whether the best candidate explains the samples: its residual is at most [`EXPLAINED_RESIDUAL`].
     #[must_use]
     pub fn is_explained(&self) -> bool {
         self.best().residual <= EXPLAINED_RESIDUAL
@@ -96,25 +108,26 @@ impl Diagnosis {
     }
 }
 
-/// Compares samples with every candidate. `integer-tick` is one only where the samples carry milliseconds.
+/// Compares samples with every candidate. `integer-tick` takes part only if the samples have milliseconds.
 ///
-/// Every row's node must be one of the sequence's, which [`samples_from_csv`] sees to.
+/// Every row's node must exist in the sequence; [`samples_from_csv`] checks that.
 #[must_use]
 pub fn diagnose(sequence: &Sequence, samples: &Samples) -> Diagnosis {
     let mut rest: Vec<(usize, Candidate)> = MODELS
         .iter()
         .filter(|model| samples.has_ms || !model.needs_ms)
-        .map(|model| Candidate { name: model.name, residual: residual(sequence, samples, model) })
+        .map(|model| Candidate { name: model.name, residual: residual(sequence, samples, model), model })
         .enumerate()
         .collect();
     let mut candidates: Vec<Candidate> = Vec::with_capacity(rest.len());
     let mut equals = 0;
-    // Equals are a group from its least on: in the table's order within, one group after the other.
+    // Candidates within EQUAL_RESIDUALS of the smallest residual form a group. Groups come by residual, candidates of a group in the
+    // table's order.
     while let Some(least) = rest.iter().map(|(_, candidate)| candidate.residual).min_by(f64::total_cmp) {
         let (mut group, others): (Vec<_>, Vec<_>) =
             rest.into_iter().partition(|(_, candidate)| candidate.residual <= least + EQUAL_RESIDUALS);
         rest = others;
-        group.sort_by_key(|(place, _)| *place);
+        group.sort_by_key(|(index, _)| *index);
         if candidates.is_empty() {
             equals = group.len();
         }
@@ -123,9 +136,9 @@ pub fn diagnose(sequence: &Sequence, samples: &Samples) -> Diagnosis {
     let mut diagnosis = Diagnosis { candidates, equals, rows: samples.rows.len() };
     if diagnosis.is_correct()
         && !samples.reaches(sequence.last_key_time())
-        && let Some(place) = diagnosis.candidates[..equals].iter().position(|c| c.name == LAST_SAMPLE_MISSING)
+        && let Some(index) = diagnosis.candidates[..equals].iter().position(|c| c.name == LAST_SAMPLE_MISSING)
     {
-        diagnosis.candidates[..=place].rotate_right(1);
+        diagnosis.candidates[..=index].rotate_right(1);
     }
     diagnosis
 }

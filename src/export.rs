@@ -19,7 +19,7 @@ pub use crate::keyframe::Animation;
 pub use error::{ErrorKind, ExportError};
 pub use ffmpeg::FfmpegError;
 pub use job::Job;
-pub use moments::{Moment, Moments, Shown, Source, Span};
+pub use moments::{Moment, MomentPose, Moments, Source, Span};
 pub use painter::{Painter, Size};
 pub use pipeline::{Drawing, Watch};
 pub use request::{PlannedRender, RenderRequest, Subject, check_format, check_sheet, write_picture};

@@ -105,8 +105,8 @@ pub fn push_f64(text: &mut String, number: f64) {
 /// Appends numbers as an array: `[0, 0.25, 4]`.
 pub fn push_f32s(text: &mut String, numbers: &[f32]) {
     text.push('[');
-    for (place, &number) in numbers.iter().enumerate() {
-        if place > 0 {
+    for (index, &number) in numbers.iter().enumerate() {
+        if index > 0 {
             text.push_str(", ");
         }
         push_f32(text, number);
@@ -152,8 +152,8 @@ impl RbtText {
 
     #[inline]
     fn put_numbers<const N: usize>(&mut self, numbers: [f32; N]) {
-        for (place, number) in numbers.into_iter().enumerate() {
-            if place > 0 {
+        for (index, number) in numbers.into_iter().enumerate() {
+            if index > 0 {
                 self.put(b", ");
             }
             if let Some(shortest) = shortest(&mut zmij::Buffer::new(), number) {
@@ -203,7 +203,7 @@ mod tests {
             text.strip_suffix(".0").map(str::to_owned).unwrap_or(text)
         };
         // A step that is prime to the number of bit patterns passes through all sizes.
-        let spread = (0..400_000_u32).map(|place| f32::from_bits(place.wrapping_mul(2_654_435_761)));
+        let spread = (0..400_000_u32).map(|index| f32::from_bits(index.wrapping_mul(2_654_435_761)));
         let near = |number: f32| (-3..=3).map(move |step| f32::from_bits((number.to_bits() as i32 + step) as u32));
         let round = (-45..=38).flat_map(|power| near(format!("1e{power}").parse().expect("it is a number")));
         let whole = (0..70_000).map(|whole| whole as f32);

@@ -1,21 +1,21 @@
 //! Keyframes: the list that hotkeys manage, the pose at a key time, and the file.
 
 mod animation;
-mod compare;
 mod easing;
 mod file;
 mod list;
+mod other_blends;
 mod sample;
 mod timing;
 
 pub use animation::Animation;
-pub use compare::Blend;
 pub use easing::{Curve, Easing, Ends};
 pub use file::{
     KeyframeFile, KeyframeFileError, KeyframesJson, KeyframesText, LARGEST_FILE_BYTES, keyframes_from_json,
     keyframes_to_json,
 };
 pub use list::{DURATION_RANGE, Keyframe, KeyframeIndex, KeyframeList};
+pub use other_blends::Blend;
 pub use sample::{PlayRange, SampleError};
 pub use timing::{Timing, to_f64, whole};
 

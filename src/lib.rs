@@ -13,10 +13,10 @@
 //! | 0 | [`manual`] | pulldown-cmark |
 //! | 1 | [`timed`], [`pose`], [`blend`], [`scene`], [`camera`] | serde, in file formats |
 //! | 2 | [`keyframe`], [`clock`], [`settings`], [`text_layouts`], [`frame`], [`film`] | serde, in file formats; `Duration`, never `Instant` |
-//! | 3 | [`editor`], [`diagnosis`], [`difference`] | no wgpu, egui, winit, file system |
+//! | 3 | [`editor`], [`diagnosis`], [`animation_diff`] | no wgpu, egui, winit, file system |
 //! | 4 | [`view`] | |
 //! | 5 | [`render`], [`ui`] | wgpu; egui |
-//! | 6 | [`compare`] | pictures in, numbers out |
+//! | 6 | [`flip`] | pictures in, numbers out |
 //! | 6 | [`storage`] | the file system |
 //! | 7 | [`export`] | of the outside world only `ffmpeg` |
 //! | 8 | [`files`], [`script`] | named files to values; text to commands, run without a window |
@@ -25,18 +25,18 @@
 //!
 #![doc = include_str!("../assets/manual/glossary.md")]
 
+pub mod animation_diff;
 pub mod blend;
 pub mod camera;
 pub mod cli;
 pub mod clock;
 pub mod colour;
-pub mod compare;
 pub mod diagnosis;
-pub mod difference;
 pub mod editor;
 pub mod export;
 pub mod files;
 pub mod film;
+pub mod flip;
 pub mod frame;
 pub mod grading;
 pub mod interpolation;

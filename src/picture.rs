@@ -181,7 +181,7 @@ mod tests {
     #[test]
     fn memory_that_is_kept_leaves_nothing_of_one_png_in_the_next() {
         let image = |width: u32, height: u32, opacity: u8| {
-            let pixel = |place: u32| [place as u8, (place / 7) as u8, 90, opacity];
+            let pixel = |index: u32| [index as u8, (index / 7) as u8, 90, opacity];
             Image { width, height, rgba: (0..width * height).flat_map(pixel).collect() }
         };
         let mut room = PngRoom::new(8, 8);

@@ -15,8 +15,8 @@ pub struct RbtIndex(usize);
 impl RbtIndex {
     /// The node in that place; `place` must be below the number of RBT nodes of the scene it is used with.
     #[must_use]
-    pub const fn new(place: usize) -> Self {
-        Self(place)
+    pub const fn new(index: usize) -> Self {
+        Self(index)
     }
 
     /// Its place in poses and files, from 0.
@@ -76,7 +76,7 @@ impl Pose {
     /// All transforms, in the scene's order.
     #[must_use]
     pub fn iter(&self) -> impl ExactSizeIterator<Item = Rbt> + '_ {
-        (0..self.len).map(|place| self.get(RbtIndex(place)))
+        (0..self.len).map(|index| self.get(RbtIndex(index)))
     }
 
     /// All transforms, in the scene's order, as a list of their own.

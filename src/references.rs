@@ -7,9 +7,9 @@ use std::path::{Path, PathBuf};
 
 pub use list::{LIST_NAME, Shot, read_list};
 
-use crate::compare::{CompareError, Comparison, compare};
 use crate::export::{Animation, ErrorKind, Moment, Painter, Size, Source, Stage, Viewpoint};
 use crate::files::{self, FileError, LARGEST_IMAGE_BYTES, WorkError, scene};
+use crate::flip::{CompareError, Comparison, compare};
 use crate::render::Image;
 use crate::storage;
 

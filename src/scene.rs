@@ -5,12 +5,12 @@
 mod builder;
 mod built_in;
 mod channel;
+mod checks;
 mod edit;
 mod file;
 mod graph;
 mod keys;
 mod pick;
-mod place;
 mod shape;
 pub mod shapes;
 mod tracks;

@@ -1,7 +1,7 @@
 //! The file system: the only place that touches it.
 
+mod destination;
 mod draft;
-mod place;
 mod stamp;
 mod walk;
 
@@ -13,8 +13,8 @@ use thiserror::Error;
 
 use crate::words::{Message, display_by_message, texts};
 
+pub use destination::is_stream;
 pub use draft::{Committed, Draft, Foreign};
-pub use place::is_stream;
 pub use stamp::{Stamp, Stamping};
 pub use walk::{Entry, EntryKind, entries as list, inside, kind};
 

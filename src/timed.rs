@@ -153,7 +153,7 @@ impl<V: Copy> Track<V> {
     /// The value of the key at just this time, if there is one.
     #[must_use]
     pub fn key_at(&self, seconds: f64) -> Option<V> {
-        self.seconds.iter().position(|&key| key == seconds).map(|place| self.values[place])
+        self.seconds.iter().position(|&key| key == seconds).map(|index| self.values[index])
     }
 
     /// These keys and one more; one at the same time gives way to it.

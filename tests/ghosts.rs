@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use glam::Vec2;
 use inbetween::editor::{Command, Editor, FileCommand, ViewCommand};
-use inbetween::export::{Animation, Moment, Shown, Source, Stage, Viewpoint};
+use inbetween::export::{Animation, Moment, MomentPose, Source, Stage, Viewpoint};
 use inbetween::frame::{Frame, MOST_GHOSTS};
 use inbetween::keyframe::KeyframeIndex;
 use inbetween::scene::{DEFAULT_SCENE, built_in_scene};
@@ -24,7 +24,7 @@ fn editor(ghosts: u8) -> Editor {
     editor
 }
 
-fn film_frame(editor: &Editor, shown: Shown) -> Frame {
+fn film_frame(editor: &Editor, shown: MomentPose) -> Frame {
     let animation: Animation = editor.animation().expect("there are keyframes");
     let source = Source { scene: editor.scene(), animation: Some(&animation), file: None };
     let viewpoint = Viewpoint::named(None, editor.scene()).unwrap();
@@ -38,7 +38,7 @@ fn a_films_ghosts_are_the_windows() {
         let editor = editor(ghosts);
         let current = editor.document().keyframes.current().unwrap();
         let window = frame_of_editor(&editor, SIZE_PX).ghosts;
-        assert_eq!(film_frame(&editor, Shown::Keyframe(current)).ghosts, window);
+        assert_eq!(film_frame(&editor, MomentPose::Keyframe(current)).ghosts, window);
         assert_eq!(window.is_empty(), ghosts == 0);
     }
 }
@@ -46,8 +46,8 @@ fn a_films_ghosts_are_the_windows() {
 #[test]
 fn between_two_keyframes_both_are_ghosts() {
     let editor = editor(1);
-    let half = film_frame(&editor, Shown::KeyTime(1.5));
-    let at = |index: usize| film_frame(&editor, Shown::Keyframe(KeyframeIndex::new(index))).items;
+    let half = film_frame(&editor, MomentPose::KeyTime(1.5));
+    let at = |index: usize| film_frame(&editor, MomentPose::Keyframe(KeyframeIndex::new(index))).items;
     // Key time 1.5 lies between keyframes 2 and 3 of the list.
     for (keyframe, tint) in [(2, half.ghosts[0].item.colour), (3, half.ghosts.last().unwrap().item.colour)] {
         let items = at(keyframe);
@@ -64,7 +64,7 @@ fn between_two_keyframes_both_are_ghosts() {
 fn the_farther_the_fainter_and_the_ends_count() {
     let editor = editor(MOST_GHOSTS);
     let last = editor.document().keyframes.last().unwrap();
-    let frame = film_frame(&editor, Shown::Keyframe(last));
+    let frame = film_frame(&editor, MomentPose::Keyframe(last));
     // Only earlier ones: as many opacities as keyframes, the farthest first.
     let mut opacities: Vec<f32> = frame.ghosts.iter().map(|ghost| ghost.opacity).collect();
     opacities.dedup();

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 use glam::{Quat, Vec2, Vec3};
 use inbetween::camera::Camera;
-use inbetween::compare::{DEFAULT_TOLERANCE, compare};
+use inbetween::flip::{DEFAULT_TOLERANCE, compare};
 use inbetween::interpolation::Interpolation;
 use inbetween::keyframe::{Keyframe, KeyframeList, PlayRange};
 use inbetween::pose::Pose;

@@ -102,8 +102,8 @@ proptest! {
         curves in prop::collection::vec(any_rbt().prop_flat_map(|a| (Just(a), partner(a), partner(a), partner(a))), 0..40),
         alpha in 0.0f32..=1.0,
     ) {
-        let poses = [0, 1, 2, 3].map(|place| {
-            Pose::new(curves.iter().map(|&(a, b, c, d)| [a, b, c, d][place]).collect::<Vec<_>>())
+        let poses = [0, 1, 2, 3].map(|index| {
+            Pose::new(curves.iter().map(|&(a, b, c, d)| [a, b, c, d][index]).collect::<Vec<_>>())
         });
         let [start, after_start, before_end, end] = poses.each_ref().map(Pose::blocks);
         for level in levels() {
@@ -200,24 +200,24 @@ fn nodes_are_placed_below_their_parents_to_the_bit_as_by_the_simple_product() {
         matrices(level, pose.blocks(), &mut parent_from_nodes);
         // Below no parent: the matrices themselves.
         let mut alone = vec![AlignedAffine::IDENTITY; count];
-        place_below(level, &parent_from_nodes, 0, &vec![u32::MAX; count], &mut alone, 0);
+        compose(level, &parent_from_nodes, 0, &vec![u32::MAX; count], &mut alone, 0);
         for (rbt, alone) in pose.iter().zip(&alone) {
             assert!(alone.get().abs_diff_eq(rbt.to_affine(), 1e-6), "{level:?}: {alone:?} is not {rbt:?}");
         }
         // Below an earlier node, now near and now far; some of them first and the others after that.
         let parents: Vec<u32> =
-            (0..count as u32).map(|place| if place % 7 == 0 { u32::MAX } else { place / 3 }).collect();
+            (0..count as u32).map(|index| if index % 7 == 0 { u32::MAX } else { index / 3 }).collect();
         let mut placed = vec![AlignedAffine::IDENTITY; count];
         let (early, late) = parents.split_at(count / 3);
-        place_below(level, &parent_from_nodes, 0, early, &mut placed, 0);
-        place_below(level, &parent_from_nodes, early.len(), late, &mut placed, early.len());
-        for (place, parent) in parents.iter().enumerate() {
+        compose(level, &parent_from_nodes, 0, early, &mut placed, 0);
+        compose(level, &parent_from_nodes, early.len(), late, &mut placed, early.len());
+        for (index, parent) in parents.iter().enumerate() {
             let simple = match placed.get(*parent as usize) {
-                Some(above) => above.get() * alone[place].get(),
-                None => alone[place].get(),
+                Some(above) => above.get() * alone[index].get(),
+                None => alone[index].get(),
             };
-            assert_eq!(placed[place].get(), simple, "{level:?}: node {place} of {count}");
-            assert_eq!(AlignedAffine::from(simple), placed[place]);
+            assert_eq!(placed[index].get(), simple, "{level:?}: node {index} of {count}");
+            assert_eq!(AlignedAffine::from(simple), placed[index]);
         }
     }
 }

@@ -29,12 +29,12 @@ impl Weights {
         let fraction = f64::from(alpha);
         // What is left of each weight after its value at 0 is taken off and a power is divided out.
         let (mut from, mut to) = ([0.0; NODES], [0.0; NODES]);
-        for (place, node) in fit.nodes.iter().enumerate() {
+        for (index, node) in fit.nodes.iter().enumerate() {
             let (sine, cosine) = (fraction * node.theta).sin_cos();
             let to_weight = sine / node.sine;
             let from_weight = cosine - (1.0 - node.versine) * to_weight;
-            from[place] = (from_weight - (1.0 - fraction)) / node.versine;
-            to[place] = (to_weight - fraction) / node.versine;
+            from[index] = (from_weight - (1.0 - fraction)) / node.versine;
+            to[index] = (to_weight - fraction) / node.versine;
         }
         let mut weights = Self { alpha, from: [0.0; NODES + 1], to: [0.0; NODES + 1] };
         weights.from[0] = (1.0 - fraction) as f32;
@@ -69,17 +69,17 @@ struct Fit {
 /// Chebyshev's nodes on [0, 1] and Lagrange's polynomials through them.
 static FIT: LazyLock<Fit> = LazyLock::new(|| {
     let mut nodes = [Node::default(); NODES];
-    for (place, node) in (0..).zip(&mut nodes) {
-        let versine = 0.5 - 0.5 * (PI * (f64::from(2 * place) + 1.0) / (2.0 * NODES as f64)).cos();
+    for (index, node) in (0..).zip(&mut nodes) {
+        let versine = 0.5 - 0.5 * (PI * (f64::from(2 * index) + 1.0) / (2.0 * NODES as f64)).cos();
         let theta = (1.0 - versine).acos();
         *node = Node { versine, theta, sine: theta.sin() };
     }
     let mut coefficient_from_value = [[0.0; NODES]; NODES];
-    for (place, node) in nodes.iter().enumerate() {
+    for (index, node) in nodes.iter().enumerate() {
         // The product of all (x − x_j)/(x_i − x_j) but the node's own.
         let mut product = [0.0; NODES];
         product[0] = 1.0;
-        for (_, other) in nodes.iter().enumerate().filter(|(other, _)| *other != place) {
+        for (_, other) in nodes.iter().enumerate().filter(|(other, _)| *other != index) {
             let mut longer = [0.0; NODES];
             for (power, &coefficient) in product.iter().enumerate() {
                 longer[power] -= coefficient * other.versine;
@@ -90,7 +90,7 @@ static FIT: LazyLock<Fit> = LazyLock::new(|| {
             product = longer.map(|coefficient| coefficient / (node.versine - other.versine));
         }
         for (row, coefficient) in coefficient_from_value.iter_mut().zip(product) {
-            row[place] = coefficient;
+            row[index] = coefficient;
         }
     }
     Fit { nodes, coefficient_from_value }

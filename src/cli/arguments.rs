@@ -8,9 +8,9 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, ValueEnum};
 
 use crate::colour::Colour;
-use crate::compare::DEFAULT_TOLERANCE;
 use crate::export::{Size, Span};
 use crate::film::{Format, Grid, MOST_FRAMES_PER_SECOND, format_of_ending, stills};
+use crate::flip::DEFAULT_TOLERANCE;
 use crate::frame::MOST_GHOSTS;
 use crate::interpolation::Interpolation;
 use crate::render::Background;
@@ -65,7 +65,7 @@ pub enum Subcommand {
     #[command(long_about = script_help(), after_long_help = "Manual: inbetween help scripts")]
     Script(ScriptArguments),
     /// Name the mistake that explains what a program showed, from samples of its playback.
-    #[command(long_about = DIAGNOSE_HELP, after_long_help = "Manual: inbetween help grading")]
+    #[command(long_about = diagnose_help(), after_long_help = "Manual: inbetween help grading")]
     Diagnose(DiagnoseArguments),
     /// Tell how far two animations are apart, node by node, as they play. Exit status: 0 within tolerance, 1 beyond, 2 trouble.
     #[command(after_long_help = "Manual: inbetween help grading")]
@@ -85,7 +85,13 @@ name tells which playback they show), a hotkey script or a trace of it. Of each 
 links out of it are not followed. Bounds for a submission: 200 files, 16 MiB a file, 64 MiB in all, unpacked; 4 files of samples of \
 4 MiB; 2000 keyframes; a script of 2000 commands that waits for an hour. What is wrong with a submission is in its marks.";
 
-const DIAGNOSE_HELP: &str = "\
+fn diagnose_help() -> String {
+    let mut names = crate::diagnosis::names();
+    let mut next = || names.next().unwrap_or_default();
+    let (linear, catmull_rom) = (next(), next());
+    let mistakes: Vec<&str> = names.collect();
+    format!(
+        "\
 Name the mistake that explains what a program showed, from samples of its playback. The samples are CSV with the header \
 key_time,rbt_ind,tx,ty,tz,rw,rx,ry,rz and perhaps a column ms: a row for each node at each key time; nan, -nan(ind) and 1.#QNAN \
 are read as samples.
@@ -93,10 +99,10 @@ are read as samples.
 They are compared with the right result, linear and Catmull-Rom, and with what each known mistake would show. The residual is the \
 root mean square over the rows of the distance of translations and of quaternions as printed. Residuals within 1e-9 are equal.
 
-The names: correct (linear), correct-catmull-rom; no-conditional-negation, lerp-for-slerp, nlerp-for-slerp, nan-when-equal, \
-angle-not-halved, identity-when-equal, second-control-point-on-wrong-keyframe, no-division-by-six, \
-no-conditional-negation-in-control-points, all-keyframes-played, one-keyframe-early, last-sample-missing, \
-quaternion-order-swapped, integer-tick.";
+The names: {linear} (linear), {catmull_rom}; {}.",
+        mistakes.join(", ")
+    )
+}
 
 fn script_help() -> String {
     format!(

@@ -2,8 +2,8 @@
 
 use super::arguments::CompareArguments;
 use super::{CliError, Ended, output};
-use crate::compare::{Comparison, compare};
 use crate::files::{self, FileError};
+use crate::flip::{Comparison, compare};
 
 /// Compares two images, writes their difference where asked to, and prints the result.
 ///

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use super::arguments::DiagnoseArguments;
 use super::{CliError, output};
-use crate::diagnosis::{self, Candidate, Diagnosis, LARGEST_SAMPLES_BYTES, Sequence, advice, samples_from_csv};
+use crate::diagnosis::{self, Candidate, Diagnosis, LARGEST_SAMPLES_BYTES, Sequence, samples_from_csv};
 use crate::files::{self, FileError};
 use crate::keyframe::{DEFAULT_MS_BETWEEN_KEYFRAMES, LARGEST_FILE_BYTES};
 use crate::scene::SceneGraph;
@@ -38,7 +38,7 @@ fn to_json(diagnosis: &Diagnosis) -> String {
     let candidates: Vec<_> = diagnosis
         .candidates
         .iter()
-        .map(|Candidate { name, residual }| format!("{{\"name\": \"{name}\", \"residual\": {residual:?}}}"))
+        .map(|Candidate { name, residual, .. }| format!("{{\"name\": \"{name}\", \"residual\": {residual:?}}}"))
         .collect();
     let also: Vec<_> = diagnosis.also().iter().map(|candidate| format!("\"{}\"", candidate.name)).collect();
     let best = diagnosis.best();
@@ -63,7 +63,8 @@ fn sentences(diagnosis: &Diagnosis) -> String {
             best.name, best.residual
         )
     };
-    if let Some(advice) = advice(best.name).filter(|_| diagnosis.is_explained()) {
+    if diagnosis.is_explained() {
+        let advice = best.advice();
         let _ = writeln!(text, "{}", advice.what);
         if !advice.change.is_empty() {
             let _ = writeln!(text, "What to change: {}", advice.change);
@@ -77,7 +78,7 @@ fn sentences(diagnosis: &Diagnosis) -> String {
         .runners_up()
         .iter()
         .take(RUNNERS_UP)
-        .map(|Candidate { name, residual }| format!("{name} ({residual:.2e})"))
+        .map(|Candidate { name, residual, .. }| format!("{name} ({residual:.2e})"))
         .collect();
     if !runners_up.is_empty() {
         let _ = writeln!(text, "Runners-up: {}.", runners_up.join(", "));

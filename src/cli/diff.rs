@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use super::arguments::DiffArguments;
 use super::{CliError, Ended, output};
-use crate::difference::{Deviation, Difference, Played, Tolerances, compare, frame_times_ms};
+use crate::animation_diff::{Deviation, Difference, Played, Tolerances, compare, frame_times_ms};
 use crate::files::{self, FileError, scene};
 use crate::interpolation::Interpolation;
 use crate::keyframe::{KeyframeList, PlayRange, to_f64};

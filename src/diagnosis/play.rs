@@ -73,9 +73,9 @@ impl Sequence {
     }
 
     /// One node at a place of the list, kept within it.
-    fn at(&self, place: isize, node: usize, rules: &Rules) -> Transform {
+    fn at(&self, index: isize, node: usize, rules: &Rules) -> Transform {
         let last = self.keyframes.len() as isize - 1;
-        let Transform { translation, rotation } = self.keyframes[place.clamp(0, last) as usize][node];
+        let Transform { translation, rotation } = self.keyframes[index.clamp(0, last) as usize][node];
         Transform { translation, rotation: quaternion(reordered(rotation, rules.read)) }
     }
 }
@@ -114,24 +114,24 @@ pub(super) fn distance_squared(sequence: &Sequence, last_before_end: f64, row: &
     let first = rules.first_keyframe as f64;
     // Both ends of the list play where one of them does.
     let last = (sequence.keyframes.len() - if rules.first_keyframe == 1 { 2 } else { 1 }) as f64;
-    let place = (key_time * rules.pace + first).clamp(first, last);
+    let position = (key_time * rules.pace + first).clamp(first, last);
     let mut nearest = f64::INFINITY;
     let mut consider = |shown: Transform| nearest = nearest.min(distance_of(row, &shown, rules));
-    let is_end = place > last - WHOLE;
+    let is_end = position > last - WHOLE;
     if is_end {
         consider(sequence.at(last as isize, row.node, rules));
     }
-    let start = place.floor();
+    let start = position.floor();
     let mut starts = [Some(start), None];
-    if (place - place.round()).abs() < WHOLE {
-        let whole = place.round();
+    if (position - position.round()).abs() < WHOLE {
+        let whole = position.round();
         // The keyframe after the end has none after it to steer a spline; a blend that starts there needs only it.
         let follows = !(is_end && rules.is_spline);
         starts = [(whole > first).then_some(whole - 1.0), follows.then_some(whole)];
     }
     for start in starts.into_iter().flatten() {
         let corners = [-1, 0, 1, 2].map(|offset| sequence.at(start as isize + offset, row.node, rules));
-        let alpha = place - start;
+        let alpha = position - start;
         for ways in ways_worth_trying(&corners, rules) {
             for shown in shown(&corners, alpha, rules, ways) {
                 consider(shown);

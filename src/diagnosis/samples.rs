@@ -151,7 +151,7 @@ impl SampleRows {
         let text = std::str::from_utf8(bytes).map_err(|error| SamplesError::NotUtf8 { byte: error.valid_up_to() })?;
         let text = str_without_byte_order_mark(text);
         let mut lines =
-            text.lines().enumerate().map(|(place, line)| (place + 1, line.trim())).filter(|(_, l)| !l.is_empty());
+            text.lines().enumerate().map(|(index, line)| (index + 1, line.trim())).filter(|(_, l)| !l.is_empty());
         let (line, header) = lines.next().ok_or(SamplesError::Empty)?;
         let header = Header::read(line, header)?;
         let mut rows = Vec::new();
@@ -193,7 +193,7 @@ fn correct_key_times(rows: &mut [Row], times_ms: &[f64], ms_between_keyframes: f
 
 /// Where each column stands.
 struct Header {
-    places: [usize; COLUMNS.len()],
+    columns: [usize; COLUMNS.len()],
     ms: Option<usize>,
     fields: usize,
 }
@@ -206,16 +206,16 @@ impl Header {
     fn read(line: usize, text: &str) -> Result<Self, SamplesError> {
         let names: Vec<String> = fields(text).map(str::to_ascii_lowercase).collect();
         let find = |column: &str| names.iter().position(|name| name == column);
-        let mut places = [0; COLUMNS.len()];
-        for (place, column) in places.iter_mut().zip(COLUMNS) {
-            *place = find(column).ok_or(SamplesError::MissingColumn { line, column })?;
+        let mut columns = [0; COLUMNS.len()];
+        for (index, column) in columns.iter_mut().zip(COLUMNS) {
+            *index = find(column).ok_or(SamplesError::MissingColumn { line, column })?;
         }
         let ms = find(MS);
-        let extra = (0..names.len()).find(|place| !places.contains(place) && ms != Some(*place));
-        if let Some(place) = extra {
-            return Err(SamplesError::ExtraColumn { line, column: names[place].clone() });
+        let extra = (0..names.len()).find(|index| !columns.contains(index) && ms != Some(*index));
+        if let Some(index) = extra {
+            return Err(SamplesError::ExtraColumn { line, column: names[index].clone() });
         }
-        Ok(Self { places, ms, fields: names.len() })
+        Ok(Self { columns, ms, fields: names.len() })
     }
 
     fn row(&self, line: usize, text: &str, nodes: usize) -> Result<(Row, Option<f64>), SamplesError> {
@@ -223,27 +223,27 @@ impl Header {
         if found.len() != self.fields {
             return Err(SamplesError::Fields { line, found: found.len(), expected: self.fields });
         }
-        let number = |place: usize, column: &'static str| {
-            number(found[place]).ok_or_else(|| SamplesError::Number { line, column, found: found[place].to_owned() })
+        let number = |index: usize, column: &'static str| {
+            number(found[index]).ok_or_else(|| SamplesError::Number { line, column, found: found[index].to_owned() })
         };
-        let time = |place: usize, column: &'static str| {
-            let time = number(place, column)?;
+        let time = |index: usize, column: &'static str| {
+            let time = number(index, column)?;
             let is_time = time.is_finite() && time >= 0.0;
-            is_time.then_some(time).ok_or_else(|| SamplesError::Time { line, column, found: found[place].to_owned() })
+            is_time.then_some(time).ok_or_else(|| SamplesError::Time { line, column, found: found[index].to_owned() })
         };
         let mut values = [0.0; 7];
         for (at, value) in values.iter_mut().enumerate() {
-            *value = number(self.places[at + 2], COLUMNS[at + 2])?;
+            *value = number(self.columns[at + 2], COLUMNS[at + 2])?;
         }
         let [x, y, z, rotation_wxyz @ ..] = values;
-        let node = found[self.places[1]];
+        let node = found[self.columns[1]];
         let node = node.parse().ok().filter(|node| *node < nodes).ok_or_else(|| SamplesError::Node {
             line,
             found: node.to_owned(),
             last: nodes.saturating_sub(1),
         })?;
-        let ms = self.ms.map(|place| time(place, MS)).transpose()?;
-        let key_time = time(self.places[0], COLUMNS[0])?;
+        let ms = self.ms.map(|index| time(index, MS)).transpose()?;
+        let key_time = time(self.columns[0], COLUMNS[0])?;
         Ok((Row { key_time, node, translation: DVec3::new(x, y, z), rotation_wxyz }, ms))
     }
 }

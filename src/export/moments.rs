@@ -26,7 +26,7 @@ pub struct Source<'a> {
 
 /// Which pose a moment shows.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Shown {
+pub enum MomentPose {
     /// The scene's rest pose.
     Rest,
     /// A keyframe of the list.
@@ -50,7 +50,7 @@ pub struct Span {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Moment {
     /// Its pose.
-    pub shown: Shown,
+    pub shown: MomentPose,
     /// Seconds into the keys at their own times.
     pub seconds: f64,
     /// When it appears in a film, in milliseconds.
@@ -65,10 +65,10 @@ impl Moment {
     pub fn caption(&self) -> Vec<String> {
         let seconds = format!("{:.2} s", self.seconds);
         match self.shown {
-            Shown::KeyTime(key_time) => vec![format!("key {key_time:.2}"), seconds],
-            Shown::Keyframe(index) => vec![format!("key {}", index.get())],
-            Shown::Rest if self.seconds == 0.0 && self.turn > 0.0 => vec![format!("{:.0}°", 360.0 * self.turn)],
-            Shown::Rest => vec![seconds],
+            MomentPose::KeyTime(key_time) => vec![format!("key {key_time:.2}"), seconds],
+            MomentPose::Keyframe(index) => vec![format!("key {}", index.get())],
+            MomentPose::Rest if self.seconds == 0.0 && self.turn > 0.0 => vec![format!("{:.0}°", 360.0 * self.turn)],
+            MomentPose::Rest => vec![seconds],
         }
     }
 }
@@ -102,16 +102,16 @@ impl Source<'_> {
     ///
     /// # Errors
     /// [`ExportError`]: it is not there.
-    pub fn shown(&self, at: Option<f64>, keyframe: Option<i64>) -> Result<Shown, ExportError> {
-        let Some(animation) = self.animation else { return Ok(Shown::Rest) };
+    pub fn shown(&self, at: Option<f64>, keyframe: Option<i64>) -> Result<MomentPose, ExportError> {
+        let Some(animation) = self.animation else { return Ok(MomentPose::Rest) };
         if let Some(index) = keyframe {
             let known = usize::try_from(index).ok().filter(|&known| known < animation.keyframes.len());
-            let shown = known.map(|known| Shown::Keyframe(KeyframeIndex::new(known)));
+            let shown = known.map(|known| MomentPose::Keyframe(KeyframeIndex::new(known)));
             return shown.ok_or_else(|| self.no_keyframe(index, &animation.keyframes));
         }
         let key_time = at.unwrap_or(0.0);
         self.range(animation)?.check(key_time).map_err(|cause| self.unplayable(cause))?;
-        Ok(Shown::KeyTime(key_time))
+        Ok(MomentPose::KeyTime(key_time))
     }
 
     fn range<'b>(&self, animation: &'b Animation) -> Result<PlayRange<'b>, ExportError> {
@@ -136,7 +136,7 @@ impl Source<'_> {
 impl Moments {
     /// One picture.
     #[must_use]
-    pub fn of_picture(shown: Shown, seconds: f64) -> Self {
+    pub fn of_picture(shown: MomentPose, seconds: f64) -> Self {
         Self { all: vec![Moment { shown, seconds, start_ms: 0.0, turn: 0.0 }], end_ms: 0.0 }
     }
 
@@ -146,11 +146,11 @@ impl Moments {
     /// [`ExportError`]: a range that is not there, or nothing that moves.
     pub fn of_film(span: Span, source: Source<'_>, viewpoint: Viewpoint, fps: u32) -> Result<Self, ExportError> {
         let seconds_at = |ms: f64| span.seconds + ms / 1000.0;
-        let still = |start_ms| Moment { shown: Shown::Rest, seconds: seconds_at(start_ms), start_ms, turn: 0.0 };
+        let still = |start_ms| Moment { shown: MomentPose::Rest, seconds: seconds_at(start_ms), start_ms, turn: 0.0 };
         let mut all: Vec<Moment> = if let Some(animation) = source.animation {
             let [from, to] = source.key_times(span, animation)?;
             let (ms, timing) = (animation.ms_between_keyframes, source.range(animation)?.timing());
-            let moment = |key_time: f64, start_ms| Moment { shown: Shown::KeyTime(key_time), ..still(start_ms) };
+            let moment = |key_time: f64, start_ms| Moment { shown: MomentPose::KeyTime(key_time), ..still(start_ms) };
             if span.from.is_none() && span.to.is_none() {
                 frame_times(fps, ms, timing).map(|time| moment(time.key_time, time.ms)).collect()
             } else {
@@ -163,7 +163,7 @@ impl Moments {
                     starts(end - start, fps).map(|start_ms| moment(key_time(start_ms), start_ms)).collect();
                 // The ends as they were named, to the bit.
                 let last = all.len() - 1;
-                (all[last].shown, all[0].shown) = (Shown::KeyTime(to), Shown::KeyTime(from));
+                (all[last].shown, all[0].shown) = (MomentPose::KeyTime(to), MomentPose::KeyTime(from));
                 all
             }
         } else if let Some(last_second) = source.scene.last_second().filter(|&second| second > span.seconds) {
@@ -175,8 +175,8 @@ impl Moments {
             return Err(ExportError::NothingMoves { source_name: source.name() });
         };
         let count = to_f64(all.len());
-        for (place, moment) in all.iter_mut().enumerate() {
-            moment.turn = to_f64(place) / count;
+        for (index, moment) in all.iter_mut().enumerate() {
+            moment.turn = to_f64(index) / count;
         }
         let end_ms = all.last().map_or(0.0, |last| last.start_ms) + 1000.0 / f64::from(fps);
         Ok(Self { all, end_ms })
@@ -188,8 +188,8 @@ impl Moments {
     /// [`ExportError`]: a range that is not there, or nothing that moves.
     pub fn of_sheet(span: Span, source: Source<'_>, grid: Grid) -> Result<Self, ExportError> {
         let count = grid.columns * grid.rows;
-        let fractions = (0..count).map(|place| f64::from(place) / f64::from((count - 1).max(1)));
-        let still = Moment { shown: Shown::Rest, seconds: span.seconds, start_ms: 0.0, turn: 0.0 };
+        let fractions = (0..count).map(|index| f64::from(index) / f64::from((count - 1).max(1)));
+        let still = Moment { shown: MomentPose::Rest, seconds: span.seconds, start_ms: 0.0, turn: 0.0 };
         let all = if let Some(animation) = source.animation {
             let [from, to] = source.key_times(span, animation)?;
             let (ms, timing) = (animation.ms_between_keyframes, source.range(animation)?.timing());
@@ -197,7 +197,7 @@ impl Moments {
                 .map(|fraction| {
                     let key_time = (from + (to - from) * fraction).min(to);
                     let seconds = span.seconds + FrameTime::at_key_time(key_time, ms, timing).ms / 1000.0;
-                    Moment { shown: Shown::KeyTime(key_time), seconds, turn: fraction, ..still }
+                    Moment { shown: MomentPose::KeyTime(key_time), seconds, turn: fraction, ..still }
                 })
                 .collect()
         } else if let Some(last_second) = source.scene.last_second() {
@@ -206,15 +206,15 @@ impl Moments {
                 .map(|fraction| Moment { seconds: span.seconds + length * fraction, turn: fraction, ..still })
                 .collect()
         } else {
-            (0..count).map(|place| Moment { turn: f64::from(place) / f64::from(count), ..still }).collect()
+            (0..count).map(|index| Moment { turn: f64::from(index) / f64::from(count), ..still }).collect()
         };
         Ok(Self { all, end_ms: 0.0 })
     }
 
     /// When a picture disappears, in milliseconds.
     #[must_use]
-    pub fn end_ms(&self, place: usize) -> f64 {
-        self.all.get(place + 1).map_or(self.end_ms, |next| next.start_ms)
+    pub fn end_ms(&self, index: usize) -> f64 {
+        self.all.get(index + 1).map_or(self.end_ms, |next| next.start_ms)
     }
 
     /// What a film of these is.

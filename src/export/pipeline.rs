@@ -49,10 +49,10 @@ impl Drawing<'_> {
                 if gives_way {
                     give_way();
                 }
-                receiver.into_iter().enumerate().try_for_each(|(place, drawn)| take(place, drawn))
+                receiver.into_iter().enumerate().try_for_each(|(index, drawn)| take(index, drawn))
             });
-            let drawn = moments.all.iter().enumerate().try_for_each(|(place, moment)| -> Result<(), Stop> {
-                goes_on(place)?;
+            let drawn = moments.all.iter().enumerate().try_for_each(|(index, moment)| -> Result<(), Stop> {
+                goes_on(index)?;
                 match painter.next_drawn(Some(&stage.frame(moment)?))? {
                     // Where the other side is gone it has an error to tell.
                     Some(picture) => sender.send(picture).map_err(|_| Stop(None)),

@@ -2,7 +2,7 @@
 
 use glam::{Mat3, Quat, Vec2, Vec3};
 
-use super::{ExportError, Moment, Shown, Source};
+use super::{ExportError, Moment, MomentPose, Source};
 use crate::camera::Camera;
 use crate::frame::{DrawItem, Frame};
 use crate::keyframe::PlayRange;
@@ -76,20 +76,20 @@ impl<'a> Stage<'a> {
         Ok(frame)
     }
 
-    fn pose(&self, shown: Shown) -> Result<Pose, ExportError> {
+    fn pose(&self, shown: MomentPose) -> Result<Pose, ExportError> {
         let (Some(animation), scene) = (self.source.animation, self.source.scene) else {
             return Ok(self.source.scene.rest_pose().clone());
         };
         match shown {
-            Shown::Rest => Ok(scene.rest_pose().clone()),
-            Shown::Keyframe(index) => {
+            MomentPose::Rest => Ok(scene.rest_pose().clone()),
+            MomentPose::Keyframe(index) => {
                 let keyframe = animation.keyframes.get(index);
                 keyframe.map(|keyframe| keyframe.pose.clone()).ok_or_else(|| {
                     let index = i64::try_from(index.get()).unwrap_or(i64::MAX);
                     self.source.no_keyframe(index, &animation.keyframes)
                 })
             }
-            Shown::KeyTime(key_time) => PlayRange::new(&animation.keyframes)
+            MomentPose::KeyTime(key_time) => PlayRange::new(&animation.keyframes)
                 .and_then(|range| range.pose_at(key_time, animation.interpolation))
                 .map_err(|cause| self.source.unplayable(cause)),
         }
@@ -140,10 +140,10 @@ impl<'a> Stage<'a> {
         let Some(animation) = self.source.animation else { return };
         // Where the moment is in the list, whose first keyframe is not played.
         let here = match moment.shown {
-            Shown::Rest => return,
+            MomentPose::Rest => return,
             #[expect(clippy::cast_precision_loss, reason = "no list has 2^52 keyframes")]
-            Shown::Keyframe(index) => index.get() as f64,
-            Shown::KeyTime(key_time) => key_time + 1.0,
+            MomentPose::Keyframe(index) => index.get() as f64,
+            MomentPose::KeyTime(key_time) => key_time + 1.0,
         };
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it lies in the list")]
         let from = [here.ceil() as usize, here.floor() as usize];

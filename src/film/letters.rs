@@ -38,12 +38,12 @@ pub fn text_width(text: &str, scale: u32) -> u32 {
 
 /// Writes a text with its top left corner there; what lies outside the picture is left out.
 pub fn write_text(image: &mut Image, [left, top]: [u32; 2], text: &str, scale: u32, colour: [u8; 4]) {
-    for (place, letter) in (0_u32..).zip(text.chars()) {
+    for (index, letter) in (0_u32..).zip(text.chars()) {
         let Some((_, rows)) = LETTERS.iter().find(|(known, _)| *known == letter) else { continue };
         for y in 0..HEIGHT * scale {
             let row = rows[(y / scale) as usize];
             for x in 0..WIDTH * scale {
-                let at = [left + place * (WIDTH + 1) * scale + x, top + y];
+                let at = [left + index * (WIDTH + 1) * scale + x, top + y];
                 if row >> (WIDTH - 1 - x / scale) & 1 == 1 && at[0] < image.width && at[1] < image.height {
                     let start = 4 * (at[1] as usize * image.width as usize + at[0] as usize);
                     image.rgba[start..start + 4].copy_from_slice(&colour);
@@ -59,9 +59,9 @@ mod tests {
 
     #[test]
     fn letters_are_told_apart() {
-        for (place, (letter, rows)) in LETTERS.iter().enumerate() {
+        for (index, (letter, rows)) in LETTERS.iter().enumerate() {
             assert!(rows.iter().all(|row| *row < 32) && rows.iter().any(|row| *row > 0), "{letter}");
-            assert!(LETTERS[..place].iter().all(|(_, other)| other != rows), "{letter}");
+            assert!(LETTERS[..index].iter().all(|(_, other)| other != rows), "{letter}");
         }
     }
 

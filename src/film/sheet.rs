@@ -51,9 +51,9 @@ pub fn contact_sheet(grid: Grid, cells: &[Cell]) -> Image {
     };
     sheet.rgba = GAP_COLOUR.repeat(sheet.width as usize * sheet.height as usize);
     let row_bytes = 4 * width as usize;
-    for (place, cell) in (0..grid.columns * grid.rows).zip(cells) {
-        let left = GAP + place % grid.columns * (width + GAP);
-        let top = GAP + place / grid.columns * (height + caption_height + GAP);
+    for (cell_index, cell) in (0..grid.columns * grid.rows).zip(cells) {
+        let left = GAP + cell_index % grid.columns * (width + GAP);
+        let top = GAP + cell_index / grid.columns * (height + caption_height + GAP);
         for (y, row) in (top..).zip(cell.picture.rgba.chunks_exact(row_bytes.max(4))) {
             let start = 4 * (y as usize * sheet.width as usize + left as usize);
             sheet.rgba[start..start + row_bytes].copy_from_slice(row);

@@ -36,9 +36,9 @@ fn film(format: &Format, is_opaque: bool) -> Vec<u8> {
     let pictures: Vec<Image> = [2, 5, 5, 9].map(|left| picture(left, is_opaque)).into();
     let mut bytes = Vec::new();
     let mut film = Film::new(encoder(format), plan, &pictures, &mut bytes).unwrap();
-    for (place, picture) in pictures.iter().enumerate() {
-        let ms = |place: usize| f64::from(u32::try_from(place).unwrap()) * 1000.0 / 30.0;
-        film.push(picture, ms(place), ms(place + 1)).unwrap();
+    for (index, picture) in pictures.iter().enumerate() {
+        let ms = |index: usize| f64::from(u32::try_from(index).unwrap()) * 1000.0 / 30.0;
+        film.push(picture, ms(index), ms(index + 1)).unwrap();
     }
     film.finish().unwrap();
     bytes
@@ -52,8 +52,8 @@ fn gif_pictures(bytes: &[u8]) -> (Vec<Vec<u8>>, Vec<u16>) {
     let (width, height) = (usize::from(decoder.width()), usize::from(decoder.height()));
     let (mut canvas, mut pictures, mut delays) = (vec![0; 4 * width * height], Vec::new(), Vec::new());
     while let Some(frame) = decoder.read_next_frame().unwrap() {
-        for (place, pixel) in frame.buffer.chunks_exact(4).enumerate() {
-            let (x, y) = (place % usize::from(frame.width), place / usize::from(frame.width));
+        for (index, pixel) in frame.buffer.chunks_exact(4).enumerate() {
+            let (x, y) = (index % usize::from(frame.width), index / usize::from(frame.width));
             let at = 4 * ((y + usize::from(frame.top)) * width + x + usize::from(frame.left));
             if pixel[3] > 0 {
                 canvas[at..at + 4].copy_from_slice(pixel);
@@ -77,9 +77,9 @@ fn a_gif_shows_the_pictures_and_what_does_not_move_does_not_flicker() {
     assert_eq!(pictures[1], pictures[2]);
     for (found, left) in pictures.iter().zip([2, 5, 5, 9]) {
         let expected = picture(left, true);
-        for (place, (found, expected)) in found.chunks_exact(4).zip(expected.rgba.chunks_exact(4)).enumerate() {
+        for (index, (found, expected)) in found.chunks_exact(4).zip(expected.rgba.chunks_exact(4)).enumerate() {
             let is_near = found.iter().zip(expected).all(|(a, b)| a.abs_diff(*b) < 40);
-            assert!(is_near, "pixel {place}: {found:?}, expected {expected:?}");
+            assert!(is_near, "pixel {index}: {found:?}, expected {expected:?}");
         }
         let still = |picture: &[u8]| picture[..4 * 31 * 4].to_vec();
         assert_eq!(still(found), still(&pictures[0]));

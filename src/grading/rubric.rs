@@ -6,7 +6,7 @@ use serde::Deserialize;
 
 use super::folder::{self, Traced};
 use super::item::ItemKind;
-use crate::difference::Tolerances;
+use crate::animation_diff::Tolerances;
 use crate::files::{self, FileError};
 use crate::interpolation::Interpolation;
 use crate::keyframe::{KeyframeList, PlayRange};

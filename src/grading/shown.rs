@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use glam::Quat;
 
 use super::rubric::Rubric;
+use crate::animation_diff::distances;
 use crate::diagnosis::{Row, Samples};
-use crate::difference::distances;
 use crate::interpolation::Interpolation;
 use crate::keyframe::PlayRange;
 use crate::pose::{Pose, RbtIndex};

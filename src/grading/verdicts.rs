@@ -6,8 +6,8 @@ use super::parsed::{Parsed, ParsedFile};
 use super::rubric::Rubric;
 use super::samples::SamplesShow;
 use super::trace;
-use crate::diagnosis::{CORRECT, CORRECT_CATMULL_ROM, Diagnosis, advice, is_about_range};
-use crate::difference::{Played, compare, distances, frame_times_ms};
+use crate::animation_diff::{Played, compare, distances, frame_times_ms};
+use crate::diagnosis::{CORRECT, CORRECT_CATMULL_ROM, Candidate, Diagnosis};
 use crate::interpolation::Interpolation;
 use crate::keyframe::{KeyframeList, PlayRange};
 use crate::pose::Pose;
@@ -132,12 +132,12 @@ impl Marker<'_> {
         let explained = |show: &SamplesShow| {
             show.diagnosis.as_ref().ok().filter(|diagnosis| diagnosis.is_explained()).map(Diagnosis::best)
         };
-        let wrong = self.samples.iter().find_map(|show| {
-            explained(show).filter(|best| is_about_range(best.name)).map(|best| (best.name, &show.file))
-        });
-        if let Some((name, file)) = wrong {
-            let advice = advice(name).map_or("", |advice| advice.what);
-            return Verdict::unmet(format!("{file}: {name}. {advice}"));
+        let wrong = self
+            .samples
+            .iter()
+            .find_map(|show| explained(show).filter(Candidate::is_about_range).map(|best| (best, &show.file)));
+        if let Some((best, file)) = wrong {
+            return Verdict::unmet(format!("{file}: {}. {}", best.name, best.advice().what));
         }
         let Some(list) = self.list() else { return Verdict::unmet(UNREADABLE) };
         let (keyframes, expected) = (list.as_slice(), self.rubric.reference.as_slice());
@@ -201,12 +201,15 @@ fn playback_shown(show: &SamplesShow, interpolation: Interpolation) -> Verdict {
     if diagnosis.is_explained() && is_among(right) {
         return Verdict::met(found);
     }
-    Verdict::unmet(match advice(best.name).filter(|_| diagnosis.is_explained()) {
-        None => format!(
+    let advice = best.advice();
+    Verdict::unmet(if !diagnosis.is_explained() {
+        format!(
             "{}: no known mistake explains the samples; {} is nearest, residual {:.2e}.",
             show.file, best.name, best.residual
-        ),
-        Some(advice) if advice.change.is_empty() => format!("{found} {} Expected {right}.", advice.what),
-        Some(advice) => format!("{found} {} {}", advice.what, advice.change),
+        )
+    } else if advice.change.is_empty() {
+        format!("{found} {} Expected {right}.", advice.what)
+    } else {
+        format!("{found} {} {}", advice.what, advice.change)
     })
 }

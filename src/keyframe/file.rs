@@ -1,12 +1,12 @@
 //! The keyframe file: JSON text to a list and back, to the byte.
 //!
-//! [`exact`] reads any file and says everything that is wrong with one; [`swift`] reads what usually stands in one, on all cores, and
+//! [`strict`] reads any file and says everything that is wrong with one; [`fast`] reads what usually stands in one, on all cores, and
 //! leaves the rest to it.
 
 mod cursor;
-mod exact;
+mod fast;
 mod problems;
-mod swift;
+mod strict;
 #[cfg(test)]
 mod tests;
 mod too_large;
@@ -57,5 +57,5 @@ impl KeyframeFile {
 /// Everything that is wrong, each with its place, in the file's order: never empty.
 pub fn keyframes_from_json(bytes: &[u8], scene: &SceneGraph) -> Result<KeyframeFile, Vec<KeyframeFileError>> {
     let bytes = without_byte_order_mark(bytes);
-    swift::read(bytes, scene).map_or_else(|| exact::read(bytes, scene), Ok)
+    fast::read(bytes, scene).map_or_else(|| strict::read(bytes, scene), Ok)
 }

@@ -14,8 +14,8 @@ pub struct KeyframeIndex(usize);
 impl KeyframeIndex {
     /// The keyframe in that place.
     #[must_use]
-    pub const fn new(place: usize) -> Self {
-        Self(place)
+    pub const fn new(index: usize) -> Self {
+        Self(index)
     }
 
     /// Its place, from 0.
@@ -172,11 +172,11 @@ impl KeyframeList {
     }
 
     /// Inserts a keyframe in a place, at most the list's length, and makes it current.
-    pub fn insert(&mut self, place: usize, keyframe: Keyframe) -> KeyframeIndex {
+    pub fn insert(&mut self, index: usize, keyframe: Keyframe) -> KeyframeIndex {
         let mut keyframes = self.stored.keyframes.clone();
-        keyframes.insert(place, keyframe);
-        *self = Self::with_current(keyframes, Some(place));
-        KeyframeIndex(place)
+        keyframes.insert(index, keyframe);
+        *self = Self::with_current(keyframes, Some(index));
+        KeyframeIndex(index)
     }
 
     /// Replaces the keyframe in a place, which must exist. The current one stays current.
@@ -207,9 +207,9 @@ impl KeyframeList {
     /// Made once for each state of the list.
     pub(super) fn control_points(&self, start: usize) -> &IntervalControlPoints {
         self.stored.control_points[start].get_or_init(|| {
-            let pose = |place: usize| self.stored.keyframes[place].pose.to_vec();
+            let pose = |index: usize| self.stored.keyframes[index].pose.to_vec();
             let (before, from, to, after) = (pose(start - 1), pose(start), pose(start + 1), pose(start + 2));
-            let duration = |place: usize| self.stored.keyframes[place].duration;
+            let duration = |index: usize| self.stored.keyframes[index].duration;
             let divisors = TangentDivisors::of([duration(start - 1), duration(start), duration(start + 1)]);
             let points = |rbt: usize| rbt_control_points([before[rbt], from[rbt], to[rbt], after[rbt]], divisors);
             let (after_start, before_end): (Vec<_>, Vec<_>) =

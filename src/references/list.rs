@@ -5,8 +5,8 @@ use std::path::{Component, Path};
 
 use serde::Deserialize;
 
-use crate::compare::DEFAULT_TOLERANCE;
 use crate::files::{self, FileError};
+use crate::flip::DEFAULT_TOLERANCE;
 use crate::interpolation::Interpolation;
 
 /// The list's name in its folder.

@@ -4,7 +4,7 @@ use glam::Vec3;
 
 use crate::frame::{DrawItem, View};
 use crate::render::light::SunBox;
-use crate::render::mesh::{LEVELS, PLACES};
+use crate::render::mesh::{LEVELS, LEVELS_OF_KIND};
 use crate::scene::MeshKind;
 
 /// Allowed error of a silhouette, in distances between samples.
@@ -56,11 +56,11 @@ impl Detail {
 
     /// The index in [`LEVELS`] of the mesh for an item.
     pub fn mesh(self, item: &DrawItem) -> usize {
-        let places = PLACES[item.mesh as usize];
+        let (finest, coarsest) = LEVELS_OF_KIND[item.mesh as usize];
         let axes = item.world_from_shape.matrix3;
         let scale = || axes.x_axis.length().max(axes.y_axis.length()).max(axes.z_axis.length());
         let (per_unit, scale, distance) = match self.0 {
-            Seen::Finest => return places.0,
+            Seen::Finest => return finest,
             Seen::BySun { per_unit } => (per_unit, scale(), 1.0),
             Seen::ByEye { in_world, per_unit } => {
                 // Its nearest corner counts.
@@ -74,7 +74,7 @@ impl Detail {
             MeshKind::Box | MeshKind::Sphere | MeshKind::Capsule | MeshKind::Plane => item.rounding,
         };
         let wrong = scale * radius * per_unit;
-        (places.0..=places.1).rev().find(|&place| LEVELS[place].flattening * wrong <= distance).unwrap_or(places.0)
+        (finest..=coarsest).rev().find(|&index| LEVELS[index].flattening * wrong <= distance).unwrap_or(finest)
     }
 }
 
@@ -111,13 +111,13 @@ mod tests {
             for step in (1..200).rev() {
                 let away = 0.5 * step as f32;
                 let item = ball(0.2, away);
-                let place = detail.mesh(&item);
-                assert!(place <= before, "coarser when nearer, at {away}");
-                before = place;
-                let level = LEVELS[place];
+                let index = detail.mesh(&item);
+                assert!(index <= before, "coarser when nearer, at {away}");
+                before = index;
+                let level = LEVELS[index];
                 assert_eq!(level.kind, MeshKind::Sphere);
                 let radius_px = 240.0 / 0.5_f32.tan() * 0.2 / away;
-                let is_finest = place == Detail::FINEST.mesh(&item);
+                let is_finest = index == Detail::FINEST.mesh(&item);
                 assert!(is_finest || level.flattening * radius_px * samples_across <= WRONG_SAMPLES, "at {away}");
                 // So far may it reach beyond the ball, as the eye sees it.
                 let nearest = away - item.half_extents.length();
@@ -139,8 +139,8 @@ mod tests {
     #[test]
     fn each_kind_has_its_levels() {
         for kind in MeshKind::ALL {
-            let (first, last) = PLACES[kind as usize];
-            assert!((first..=last).all(|place| LEVELS[place].kind == kind), "{kind:?}");
+            let (first, last) = LEVELS_OF_KIND[kind as usize];
+            assert!((first..=last).all(|index| LEVELS[index].kind == kind), "{kind:?}");
         }
     }
 }

@@ -96,7 +96,7 @@ pub fn node_picture(gpu: &Gpu, frame: &Frame, width: u32, height: u32) -> Result
         pass.set_vertex_buffer(0, vertices.slice(..));
         pass.set_vertex_buffer(1, frame_buffer.slice(INSTANCES_START as u64..));
         pass.set_index_buffer(indices.slice(..), wgpu::IndexFormat::Uint16);
-        for (mesh, instances) in geometry.places.iter().zip(&packed.seen).filter(|(_, seen)| !seen.is_empty()) {
+        for (mesh, instances) in geometry.ranges.iter().zip(&packed.seen).filter(|(_, seen)| !seen.is_empty()) {
             pass.draw_indexed(mesh.indices.clone(), mesh.first_vertex, instances.clone());
         }
     }

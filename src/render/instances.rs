@@ -122,15 +122,15 @@ impl Packed {
                 self.by_mesh[detail.mesh(item)].push(index);
             }
         }
-        for (mesh, places) in self.by_mesh.iter().enumerate() {
-            self.casters[mesh] = instances.push(mesh, opaque(frame, places));
+        for (mesh, indices) in self.by_mesh.iter().enumerate() {
+            self.casters[mesh] = instances.push(mesh, opaque(frame, indices));
         }
         self.by_mesh.iter_mut().for_each(Vec::clear);
         for (ghost, index) in frame.ghosts.iter().zip(0..) {
             self.by_mesh[of_picture.mesh(&ghost.item)].push(index);
         }
-        for (mesh, places) in self.by_mesh.iter().enumerate() {
-            let ghosts = places.iter().map(|&place| &frame.ghosts[place as usize]);
+        for (mesh, indices) in self.by_mesh.iter().enumerate() {
+            let ghosts = indices.iter().map(|&index| &frame.ghosts[index as usize]);
             self.ghosts[mesh] = instances.push(mesh, ghosts.map(|ghost| (&ghost.item, ghost.opacity)));
         }
         self.strokes_start = self.bytes.len();
@@ -159,8 +159,8 @@ impl Packed {
 }
 
 /// A frame's items at some places.
-fn opaque<'a>(frame: &'a Frame, places: &'a [u32]) -> impl Iterator<Item = (&'a DrawItem, f32)> {
-    places.iter().map(|&place| (&frame.items[place as usize], 1.0))
+fn opaque<'a>(frame: &'a Frame, indices: &'a [u32]) -> impl Iterator<Item = (&'a DrawItem, f32)> {
+    indices.iter().map(|&index| (&frame.items[index as usize], 1.0))
 }
 
 /// Instances at the end of some bytes.

@@ -18,7 +18,7 @@ use std::sync::LazyLock;
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
 
-pub use levels::{LEVELS, Level, MESHES, PLACES, PLANE};
+pub use levels::{LEVELS, LEVELS_OF_KIND, Level, MESHES, PLANE};
 
 /// One corner of a mesh.
 #[repr(C)]
@@ -41,7 +41,7 @@ pub struct Mesh {
 
 /// Where a mesh lies in [`Geometry`].
 #[derive(Clone, Debug, Default)]
-pub struct Place {
+pub struct MeshRange {
     /// Its triangles' corners among all indices.
     pub indices: Range<u32>,
     /// The vertex that its index 0 means.
@@ -56,19 +56,19 @@ pub struct Geometry {
     /// Triangles' corners, three indices each, each counted from its mesh's first vertex.
     pub indices: Vec<u16>,
     /// Where each of [`LEVELS`] lies.
-    pub places: [Place; MESHES],
+    pub ranges: [MeshRange; MESHES],
 }
 
 /// All meshes, made once in a process for all renderers.
 pub fn geometry() -> &'static Geometry {
     static GEOMETRY: LazyLock<Geometry> = LazyLock::new(|| {
         let mut geometry = Geometry::default();
-        for (place, mesh) in geometry.places.iter_mut().zip(Mesh::all()) {
+        for (range, mesh) in geometry.ranges.iter_mut().zip(Mesh::all()) {
             let start = geometry.indices.len() as u32;
             let first_vertex = geometry.vertices.len() as i32;
             geometry.vertices.extend(mesh.vertices);
             geometry.indices.extend(mesh.indices);
-            *place = Place { indices: start..geometry.indices.len() as u32, first_vertex };
+            *range = MeshRange { indices: start..geometry.indices.len() as u32, first_vertex };
         }
         geometry
     });

@@ -17,7 +17,7 @@ use crate::render::gpu::Gpu;
 use crate::render::instances::{INSTANCES_START, Packed};
 use crate::render::light::{SunBox, most_texels};
 use crate::render::look;
-use crate::render::mesh::{PLANE, Place, geometry};
+use crate::render::mesh::{MeshRange, PLANE, geometry};
 use crate::render::pipelines::{Kind, Pipelines};
 use crate::render::targets::{SunMap, SunMaps, Targets};
 use crate::render::uniforms::Globals;
@@ -274,7 +274,7 @@ impl Renderer {
         pass.set_scissor_rect(1, 1, width - 2, height - 2);
         pass.set_pipeline(self.pipelines.get(device, *kind));
         self.bind_instances(&mut pass);
-        for (mesh, instances) in geometry().places.iter().zip(&self.uploaded.casters) {
+        for (mesh, instances) in geometry().ranges.iter().zip(&self.uploaded.casters) {
             draw_mesh(&mut pass, mesh, instances);
         }
     }
@@ -309,7 +309,7 @@ impl Renderer {
         self.bind_instances(&mut pass);
         pass.set_bind_group(1, &sun_map.bind_group, &[]);
         let device = &gpu.device;
-        let (meshes, items) = (&geometry().places, &self.uploaded.seen);
+        let (meshes, items) = (&geometry().ranges, &self.uploaded.seen);
         for kind in self.kinds_behind_lines() {
             pass.set_pipeline(self.pipelines.get(device, kind));
             match kind {
@@ -327,7 +327,7 @@ impl Renderer {
             self.bind_instances(&mut pass);
             for kind in [Kind::GhostDepth, Kind::Ghost] {
                 pass.set_pipeline(self.pipelines.get(device, kind));
-                for (mesh, instances) in geometry().places.iter().zip(&ghosts) {
+                for (mesh, instances) in geometry().ranges.iter().zip(&ghosts) {
                     draw_mesh(&mut pass, mesh, instances);
                 }
             }
@@ -376,7 +376,7 @@ fn changed<'a>(before: &'a [u8], after: &'a [u8]) -> impl Iterator<Item = Range<
     })
 }
 
-fn draw_mesh(pass: &mut wgpu::RenderPass<'_>, mesh: &Place, instances: &Range<u32>) {
+fn draw_mesh(pass: &mut wgpu::RenderPass<'_>, mesh: &MeshRange, instances: &Range<u32>) {
     if !instances.is_empty() {
         pass.draw_indexed(mesh.indices.clone(), mesh.first_vertex, instances.clone());
     }

@@ -64,7 +64,7 @@ impl SceneBuilder {
     /// Closes the innermost open node.
     pub fn close(&mut self) {
         if let Some(id) = self.open.pop() {
-            let end = NodeId::from_place(self.nodes.len());
+            let end = NodeId::from_index(self.nodes.len());
             self.nodes[id.get()].subtree_end = end;
         }
     }
@@ -81,7 +81,7 @@ impl SceneBuilder {
             });
         }
         let path = parent_path.map_or_else(|| name.to_owned(), |above| format!("{above}/{name}"));
-        let id = NodeId::from_place(self.nodes.len());
+        let id = NodeId::from_index(self.nodes.len());
         if self.by_path.insert(path.clone(), id).is_some() {
             return Err(SceneError::DuplicatePath { path });
         }
@@ -92,7 +92,7 @@ impl SceneBuilder {
             parent,
             kind,
             depth: self.open.len(),
-            subtree_end: NodeId::from_place(id.get() + 1),
+            subtree_end: NodeId::from_index(id.get() + 1),
         });
         Ok(id)
     }

@@ -7,9 +7,9 @@ use std::fmt;
 
 use glam::{Quat, Vec3, Vec4};
 
+use super::checks::NodeChecks;
 use super::file::SceneError;
 use super::graph::NodeKind;
-use super::place::Place;
 use super::write::{number, numbers};
 use crate::colour::Colour;
 use crate::timed::{Interpolate, rotation_from_euler_degrees};
@@ -68,7 +68,7 @@ struct Row {
     /// The value of four numbers of a track.
     value: fn(Vec4) -> KeyValue,
     /// The numbers of a track for a value that is allowed, with no -0.0: equal values give equal bytes.
-    checked: fn(Place<'_>, KeyValue) -> Result<Option<Vec4>, SceneError>,
+    checked: fn(NodeChecks<'_>, KeyValue) -> Result<Option<Vec4>, SceneError>,
     /// The value of a script's word, and of the numbers between its commas.
     parse: fn(&str, &[f32]) -> Option<KeyValue>,
     /// The numbers as a scene file writes them.
@@ -86,9 +86,9 @@ static ROWS: [Row; Channel::ALL.len()] = [
         interpolate: linear,
         rest: |_| Vec4::ZERO,
         value: |numbers| KeyValue::Translation(numbers.truncate()),
-        checked: |place, value| {
+        checked: |checks, value| {
             let KeyValue::Translation(value) = value else { return Ok(None) };
-            Ok(Some((place.coordinates("translation", value)? + Vec3::ZERO).extend(0.0)))
+            Ok(Some((checks.coordinates("translation", value)? + Vec3::ZERO).extend(0.0)))
         },
         parse: |_, numbers| match *numbers {
             [x, y, z] => Some(KeyValue::Translation(Vec3::new(x, y, z))),
@@ -106,9 +106,9 @@ static ROWS: [Row; Channel::ALL.len()] = [
         interpolate: |from, to, alpha| Quat::interpolate(Quat::from_vec4(from), Quat::from_vec4(to), alpha).into(),
         rest: |_| Quat::IDENTITY.into(),
         value: |numbers| KeyValue::Rotation(Quat::from_vec4(numbers)),
-        checked: |place, value| {
+        checked: |checks, value| {
             let KeyValue::Rotation(value) = value else { return Ok(None) };
-            Ok(Some(Vec4::from(place.rotation(value)?.to_array().map(|component| component + 0.0))))
+            Ok(Some(Vec4::from(checks.rotation(value)?.to_array().map(|component| component + 0.0))))
         },
         parse: |_, numbers| match *numbers {
             [yaw, pitch, roll] => Some(KeyValue::Rotation(rotation_from_euler_degrees([yaw, pitch, roll]).normalize())),
@@ -127,9 +127,9 @@ static ROWS: [Row; Channel::ALL.len()] = [
         interpolate: linear,
         rest: |_| Vec3::ONE.extend(0.0),
         value: |numbers| KeyValue::Scale(numbers.truncate()),
-        checked: |place, value| {
+        checked: |checks, value| {
             let KeyValue::Scale(value) = value else { return Ok(None) };
-            Ok(Some(place.scale(value)?.extend(0.0)))
+            Ok(Some(checks.scale(value)?.extend(0.0)))
         },
         parse: |_, numbers| match *numbers {
             [scale] => Some(KeyValue::Scale(Vec3::splat(scale))),
@@ -271,8 +271,8 @@ impl KeyValue {
     ///
     /// # Errors
     /// [`SceneError::Value`]: the value is out of its range.
-    pub(super) fn checked(self, place: Place<'_>) -> Result<Vec4, SceneError> {
-        let numbers = (self.channel().row().checked)(place, self)?;
+    pub(super) fn checked(self, checks: NodeChecks<'_>) -> Result<Vec4, SceneError> {
+        let numbers = (self.channel().row().checked)(checks, self)?;
         Ok(numbers.expect("a row checks the values of its channel"))
     }
 }
@@ -297,7 +297,7 @@ mod tests {
         for (channel, word) in Channel::ALL.into_iter().zip(["1,-2,3", "0,0,0.6,0.8", "1,2,0.5", "f39a3a"]) {
             let value = channel.parse(word).unwrap();
             assert_eq!(value.channel(), channel);
-            assert_eq!(channel.value(value.checked(Place { path: "a" }).unwrap()), value);
+            assert_eq!(channel.value(value.checked(NodeChecks { path: "a" }).unwrap()), value);
         }
     }
 }

@@ -6,9 +6,9 @@ use thiserror::Error;
 
 use super::builder::SceneBuilder;
 use super::channel::Channel;
+use super::checks::NodeChecks;
 use super::graph::SceneGraph;
 use super::keys::keys_error;
-use super::place::Place;
 use super::shape::{PlacedShape, Placement, Shape};
 use super::tracks::Tracks;
 use crate::colour::Colour;
@@ -220,9 +220,9 @@ pub fn scene_from_json(text: &str) -> Result<SceneGraph, SceneError> {
 /// `parent_path`: what the paths of the nodes under the same one begin with.
 fn add(builder: &mut SceneBuilder, node: &NodeText, parent_path: &str, version: u32) -> Result<(), SceneError> {
     let path = if parent_path.is_empty() { node.name.clone() } else { format!("{parent_path}/{}", node.name) };
-    let place = Place { path: &path };
-    let translation = place.coordinates("translation", Vec3::from(node.translation))?;
-    let rotation = rotation(place, node.rotation)?;
+    let checks = NodeChecks { path: &path };
+    let translation = checks.coordinates("translation", Vec3::from(node.translation))?;
+    let rotation = rotation(checks, node.rotation)?;
     let misplaced = |field, reason| Err(SceneError::Misplaced { path: path.clone(), field, reason });
     if node.in_paths.is_some() && version < 2 {
         return misplaced("in_paths", texts::SCENE_IN_PATHS_NEEDS_VERSION_2);
@@ -237,13 +237,13 @@ fn add(builder: &mut SceneBuilder, node: &NodeText, parent_path: &str, version: 
         if node.control.is_some() {
             return misplaced("control", texts::SCENE_CONTROL_BESIDE_SHAPE);
         }
-        let placement = Placement { translation, rotation, scale: scale(place, node.scale)? };
+        let placement = Placement { translation, rotation, scale: scale(checks, node.scale)? };
         let colour = node.colour.map_or(Colour::DEFAULT, |colour| colour.0);
         let mut tracks = Tracks::default();
-        set(&mut tracks, Channel::Colour, place, node.colour_keys.as_ref(), |colour| {
+        set(&mut tracks, Channel::Colour, checks, node.colour_keys.as_ref(), |colour| {
             Ok(colour.0.to_linear().extend(0.0))
         })?;
-        shape.solid().check(place)?;
+        shape.solid().check(checks)?;
         let placed = PlacedShape::new(*shape, colour, tracks, placement);
         builder.shape(&node.name, placed)?;
         return Ok(());
@@ -258,7 +258,7 @@ fn add(builder: &mut SceneBuilder, node: &NodeText, parent_path: &str, version: 
         if node.translation != [0.0; 3] || node.rotation.is_some() {
             return misplaced("control", texts::SCENE_CONTROL_HAS_KEYS);
         }
-        builder.open_control(&node.name, self::control(place, control)?, node.in_paths.unwrap_or(true))?;
+        builder.open_control(&node.name, self::control(checks, control)?, node.in_paths.unwrap_or(true))?;
     } else {
         builder.open_rbt(&node.name, Rbt::new(translation, rotation))?;
     }
@@ -274,29 +274,35 @@ fn add(builder: &mut SceneBuilder, node: &NodeText, parent_path: &str, version: 
 fn set<T: Copy>(
     tracks: &mut Tracks,
     channel: Channel,
-    place: Place<'_>,
+    checks: NodeChecks<'_>,
     texts: Option<&Vec<(f64, T)>>,
     numbers: impl Fn(T) -> Result<Vec4, SceneError>,
 ) -> Result<(), SceneError> {
     let Some(texts) = texts else { return Ok(()) };
     let pairs = texts.iter().map(|&(seconds, text)| Ok((seconds, numbers(text)?))).collect::<Result<Vec<_>, _>>()?;
-    tracks.set(channel, pairs).map_err(|error| keys_error(place, channel, error))
+    tracks.set(channel, pairs).map_err(|error| keys_error(checks, channel, error))
 }
 
-fn control(place: Place<'_>, control: &ControlText) -> Result<Tracks, SceneError> {
+fn control(checks: NodeChecks<'_>, control: &ControlText) -> Result<Tracks, SceneError> {
     let ControlText { translation, rotation, scale } = control;
     let mut tracks = Tracks::default();
-    set(&mut tracks, Channel::Translation, place, translation.as_ref(), |value| {
-        Ok(place.coordinates("control.translation", Vec3::from(value))?.extend(0.0))
+    set(&mut tracks, Channel::Translation, checks, translation.as_ref(), |value| {
+        Ok(checks.coordinates("control.translation", Vec3::from(value))?.extend(0.0))
     })?;
-    set(&mut tracks, Channel::Rotation, place, rotation.as_ref(), |value| {
-        self::rotation(place, Some(value)).map(Vec4::from)
+    set(&mut tracks, Channel::Rotation, checks, rotation.as_ref(), |value| {
+        self::rotation(checks, Some(value)).map(Vec4::from)
     })?;
-    set(&mut tracks, Channel::Scale, place, scale.as_ref(), |value| Ok(self::scale(place, Some(value))?.extend(0.0)))?;
+    set(
+        &mut tracks,
+        Channel::Scale,
+        checks,
+        scale.as_ref(),
+        |value| Ok(self::scale(checks, Some(value))?.extend(0.0)),
+    )?;
     Ok(tracks)
 }
 
-fn rotation(place: Place<'_>, value: Option<RotationText>) -> Result<Quat, SceneError> {
+fn rotation(checks: NodeChecks<'_>, value: Option<RotationText>) -> Result<Quat, SceneError> {
     let rotation = match value {
         None => Quat::IDENTITY,
         Some(RotationText::Quaternion(components)) => Quat::from_array(components),
@@ -304,11 +310,11 @@ fn rotation(place: Place<'_>, value: Option<RotationText>) -> Result<Quat, Scene
             rotation_from_euler_degrees(euler_degrees).normalize()
         }
     };
-    place.rotation(rotation)
+    checks.rotation(rotation)
 }
 
-fn scale(place: Place<'_>, value: Option<ScaleText>) -> Result<Vec3, SceneError> {
-    place.scale(match value {
+fn scale(checks: NodeChecks<'_>, value: Option<ScaleText>) -> Result<Vec3, SceneError> {
+    checks.scale(match value {
         None => Vec3::ONE,
         Some(ScaleText::Uniform(scale)) => Vec3::splat(scale),
         Some(ScaleText::PerAxis(scale)) => Vec3::from(scale),

@@ -24,8 +24,8 @@ impl NodeId {
         self.0 as usize
     }
 
-    pub(super) fn from_place(place: usize) -> Self {
-        Self(u32::try_from(place).expect("a scene has fewer than 2^32 nodes"))
+    pub(super) fn from_index(index: usize) -> Self {
+        Self(u32::try_from(index).expect("a scene has fewer than 2^32 nodes"))
     }
 }
 
@@ -132,7 +132,7 @@ impl SceneGraph {
 
     /// Every node with its id, parents before children.
     pub fn nodes_with_ids(&self) -> impl Iterator<Item = (NodeId, &Node)> {
-        self.nodes.iter().enumerate().map(|(place, node)| (NodeId::from_place(place), &**node))
+        self.nodes.iter().enumerate().map(|(index, node)| (NodeId::from_index(index), &**node))
     }
 
     /// Whether poses and keyframe files mean the same nodes by the same paths in both scenes.
@@ -255,7 +255,7 @@ impl SceneGraph {
     /// As [`SceneGraph::world_from_nodes`], in the storage of a list that is there already.
     pub fn world_from_nodes_into(&self, pose: &Pose, seconds: f64, into: &mut Vec<AlignedAffine>) {
         debug_assert_eq!(pose.len(), self.rbt_count(), "a pose of another scene");
-        let keys_of = |place: usize| match &self.nodes[place].kind {
+        let keys_of = |index: usize| match &self.nodes[index].kind {
             NodeKind::Control(tracks) => tracks.parent_from_node(seconds),
             NodeKind::Rbt(_) | NodeKind::Shape(_) => Affine3A::IDENTITY,
         };
@@ -265,7 +265,7 @@ impl SceneGraph {
     /// The id of a node by its index in the pre-order walk; `None` past the last.
     #[must_use]
     pub fn id_at(&self, index: usize) -> Option<NodeId> {
-        (index < self.nodes.len()).then(|| NodeId::from_place(index))
+        (index < self.nodes.len()).then(|| NodeId::from_index(index))
     }
 
     /// The same for any affine in place of each RBT node's transform: one forward loop, since parents come first.

@@ -3,9 +3,9 @@
 use glam::Vec4;
 
 use super::channel::{Channel, Holder, KeyValue};
+use super::checks::NodeChecks;
 use super::file::SceneError;
 use super::graph::{NodeId, NodeKind, SceneGraph};
-use super::place::Place;
 use super::tracks::Tracks;
 use crate::timed::{KeyError, Track};
 use crate::words::texts;
@@ -42,17 +42,17 @@ impl SceneGraph {
     /// # Errors
     /// [`SceneError`] where the node has no such channel, or the time or the value is out of range: as in a scene file.
     pub fn with_key(&self, id: NodeId, seconds: f64, value: KeyValue) -> Result<Self, SceneError> {
-        let (channel, place) = (value.channel(), Place { path: &self.node(id).path });
-        check_seconds(place, channel, seconds)?;
+        let (channel, checks) = (value.channel(), NodeChecks { path: &self.node(id).path });
+        check_seconds(checks, channel, seconds)?;
         // Normalise -0.0 to 0.0, so that equal times give equal bytes.
         let seconds = seconds + 0.0;
         self.with_track(id, channel, |track| {
-            let numbers = value.checked(place)?;
+            let numbers = value.checked(checks)?;
             let added = match track {
                 Some(track) => track.with_key(seconds, numbers),
                 None => Track::with_interpolation([(seconds, numbers)], channel.interpolate()),
             };
-            added.map(Some).map_err(|error| keys_error(place, channel, error))
+            added.map(Some).map_err(|error| keys_error(checks, channel, error))
         })
     }
 
@@ -69,13 +69,13 @@ impl SceneGraph {
     /// # Errors
     /// [`SceneError`] where the node has no such channel, or a key would leave the times that there can be.
     pub fn with_keys_moved(&self, id: NodeId, channel: Channel, times: &[f64], by: f64) -> Result<Self, SceneError> {
-        let place = Place { path: &self.node(id).path };
+        let checks = NodeChecks { path: &self.node(id).path };
         for &seconds in times {
-            check_seconds(place, channel, seconds + by)?;
+            check_seconds(checks, channel, seconds + by)?;
         }
         self.with_track(id, channel, |track| {
             let moved = track.map(|track| track.moved(times, |seconds| moved_seconds(seconds, by)));
-            moved.transpose().map_err(|error| keys_error(place, channel, error))
+            moved.transpose().map_err(|error| keys_error(checks, channel, error))
         })
     }
 
@@ -120,14 +120,14 @@ pub fn moved_seconds(seconds: f64, by: f64) -> f64 {
     if by == 0.0 { seconds } else { ((seconds + by) * 1e6).round() / 1e6 + 0.0 }
 }
 
-pub(super) fn keys_error(place: Place<'_>, channel: Channel, error: KeyError) -> SceneError {
-    SceneError::Keys { path: place.path.to_owned(), field: channel.field(), error }
+pub(super) fn keys_error(checks: NodeChecks<'_>, channel: Channel, error: KeyError) -> SceneError {
+    SceneError::Keys { path: checks.path.to_owned(), field: channel.field(), error }
 }
 
-fn check_seconds(place: Place<'_>, channel: Channel, seconds: f64) -> Result<(), SceneError> {
+fn check_seconds(checks: NodeChecks<'_>, channel: Channel, seconds: f64) -> Result<(), SceneError> {
     if seconds.abs() <= LATEST {
         Ok(())
     } else {
-        Err(place.error(channel.field(), texts::scene_found_time(seconds), texts::SCENE_EXPECTED_TIME))
+        Err(checks.error(channel.field(), texts::scene_found_time(seconds), texts::SCENE_EXPECTED_TIME))
     }
 }

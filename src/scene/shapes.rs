@@ -17,8 +17,8 @@ pub use sphere::Sphere;
 
 use glam::Vec3;
 
+use super::checks::NodeChecks;
 use super::file::SceneError;
-use super::place::Place;
 use super::shape::MeshKind;
 
 /// What every shape says of itself. Shape space has its origin at the centre, and the axis along Y.
@@ -33,7 +33,7 @@ pub(super) trait Solid {
     ///
     /// # Errors
     /// [`SceneError::Value`]: the first that is not.
-    fn check(&self, place: Place<'_>) -> Result<(), SceneError>;
+    fn check(&self, checks: NodeChecks<'_>) -> Result<(), SceneError>;
 
     /// Half the extents of the axis-aligned box around it, in shape space.
     fn half_extents(&self) -> Vec3;

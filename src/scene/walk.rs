@@ -64,7 +64,7 @@ impl Walk {
         let (mut next, mut end) = (0, 0);
         let mut fixed = self.fixed.iter();
         into.resize(self.parents.len(), AlignedAffine::IDENTITY);
-        let mut place = 0;
+        let mut node_index = 0;
         for run in &self.runs {
             match *run {
                 Run::Rbts(mut left) => {
@@ -75,29 +75,29 @@ impl Walk {
                             (next, end) = (0, BATCH * LANES);
                         }
                         let count = left.min(end - next);
-                        let parents = &self.parents[place..place + count];
-                        blend::place_below(level, &matrices, next, parents, into, place);
+                        let parents = &self.parents[node_index..node_index + count];
+                        blend::compose(level, &matrices, next, parents, into, node_index);
                         next += count;
-                        place += count;
+                        node_index += count;
                         left -= count;
                     }
                 }
                 Run::Shapes(count) => {
                     for parent_from_shape in fixed.by_ref().take(count) {
-                        into[place] = (self.world_from_parent(place, into) * *parent_from_shape).into();
-                        place += 1;
+                        into[node_index] = (self.world_from_parent(node_index, into) * *parent_from_shape).into();
+                        node_index += 1;
                     }
                 }
                 Run::Keys => {
-                    into[place] = (self.world_from_parent(place, into) * keys_of(place)).into();
-                    place += 1;
+                    into[node_index] = (self.world_from_parent(node_index, into) * keys_of(node_index)).into();
+                    node_index += 1;
                 }
             }
         }
     }
 
-    fn world_from_parent(&self, place: usize, world_from_node: &[AlignedAffine]) -> Affine3A {
-        world_from_node.get(self.parents[place] as usize).map_or(Affine3A::IDENTITY, AlignedAffine::get)
+    fn world_from_parent(&self, node_index: usize, world_from_node: &[AlignedAffine]) -> Affine3A {
+        world_from_node.get(self.parents[node_index] as usize).map_or(Affine3A::IDENTITY, AlignedAffine::get)
     }
 }
 
@@ -112,10 +112,10 @@ mod tests {
 
     /// A tree of so many RBT nodes, three below each.
     fn tree(count: usize) -> SceneGraph {
-        fn below(builder: &mut SceneBuilder, place: usize, count: usize) {
-            if place < count {
-                builder.open_rbt(&format!("n{place}"), Rbt::IDENTITY).unwrap();
-                (1..=3).for_each(|child| below(builder, 3 * place + child, count));
+        fn below(builder: &mut SceneBuilder, index: usize, count: usize) {
+            if index < count {
+                builder.open_rbt(&format!("n{index}"), Rbt::IDENTITY).unwrap();
+                (1..=3).for_each(|child| below(builder, 3 * index + child, count));
                 builder.close();
             }
         }

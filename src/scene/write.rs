@@ -39,16 +39,16 @@ fn push_line(text: &mut String, depth: usize) {
 }
 
 /// The nodes of a range of the arena that stand side by side, with all below them.
-fn push_siblings(text: &mut String, scene: &SceneGraph, places: std::ops::Range<usize>, depth: usize) {
+fn push_siblings(text: &mut String, scene: &SceneGraph, indices: std::ops::Range<usize>, depth: usize) {
     text.push('[');
-    let mut next = places.start;
-    let ids: Vec<NodeId> = scene.nodes_with_ids().map(|(id, _)| id).skip(next).take(places.len()).collect();
-    while next < places.end {
-        let id = ids[next - places.start];
+    let mut next = indices.start;
+    let ids: Vec<NodeId> = scene.nodes_with_ids().map(|(id, _)| id).skip(next).take(indices.len()).collect();
+    while next < indices.end {
+        let id = ids[next - indices.start];
         push_line(text, depth + 1);
         push_node(text, scene, id, depth + 1);
         next = scene.subtree(id).end;
-        if next < places.end {
+        if next < indices.end {
             text.push(',');
         }
     }
@@ -81,8 +81,8 @@ fn push_node(text: &mut String, scene: &SceneGraph, id: NodeId, depth: usize) {
         return;
     }
     text.push('{');
-    for (place, field) in fields.iter().enumerate() {
-        if place > 0 {
+    for (index, field) in fields.iter().enumerate() {
+        if index > 0 {
             text.push(',');
         }
         push_line(text, depth + 1);
@@ -150,8 +150,8 @@ fn control(tracks: &Tracks, depth: usize) -> String {
         .iter()
         .filter_map(|&channel| tracks.get(channel).map(|track| (channel.name(), key_list(track, channel, depth + 1))));
     let mut text = String::from("{");
-    for (place, (name, list)) in lists.enumerate() {
-        if place > 0 {
+    for (index, (name, list)) in lists.enumerate() {
+        if index > 0 {
             text.push(',');
         }
         push_line(&mut text, depth + 1);
@@ -170,8 +170,8 @@ fn control(tracks: &Tracks, depth: usize) -> String {
 /// The keys of a channel, one a line: `[seconds, value]`.
 fn key_list(track: &Track<Vec4>, channel: Channel, depth: usize) -> String {
     let mut text = String::from("[");
-    for (place, (seconds, key)) in track.keys().enumerate() {
-        if place > 0 {
+    for (index, (seconds, key)) in track.keys().enumerate() {
+        if index > 0 {
             text.push(',');
         }
         push_line(&mut text, depth + 1);

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use tempfile::NamedTempFile;
 
 use super::StorageError;
-use super::place::{Place, place_of};
+use super::destination::{Destination, destination_of};
 
 /// What every draft's name begins with.
 pub(super) const DRAFT_PREFIX: &str = ".inbetween-";
@@ -51,9 +51,9 @@ impl Draft {
     /// # Errors
     /// [`StorageError`]: the place is a folder, lies in none, is read-only, or the system refuses.
     pub fn new(path: &Path) -> Result<Self, StorageError> {
-        let file = match place_of(path)? {
-            Place::Stream(file) => Output::Stream(io::BufWriter::with_capacity(1 << 16, file)),
-            Place::File { target } => match Beside::new(&target) {
+        let file = match destination_of(path)? {
+            Destination::Stream(file) => Output::Stream(io::BufWriter::with_capacity(1 << 16, file)),
+            Destination::File { target } => match Beside::new(&target) {
                 Ok(beside) => Output::Beside(io::BufWriter::with_capacity(1 << 18, beside)),
                 Err(error) if is_folder_closed(&error) && target.exists() => {
                     // Opened now, so that a file that cannot be written is found out before the work.
@@ -139,9 +139,9 @@ impl Foreign {
     /// # Errors
     /// [`StorageError`]: the place is a folder, lies in none, is read-only, or the system refuses.
     pub fn new(path: &Path) -> Result<Self, StorageError> {
-        Ok(Self(match place_of(path)? {
-            Place::Stream(_) => ForeignOutput::Stream(path.to_owned()),
-            Place::File { target } => ForeignOutput::Beside(Beside::new(&target)?),
+        Ok(Self(match destination_of(path)? {
+            Destination::Stream(_) => ForeignOutput::Stream(path.to_owned()),
+            Destination::File { target } => ForeignOutput::Beside(Beside::new(&target)?),
         }))
     }
 

@@ -119,7 +119,7 @@ impl Planner<'_> {
     fn matrices(&self) -> Option<Result<Plan, TextError>> {
         let structure = self.structure;
         let first: &[f32; MATRIX] = structure.first.as_slice().try_into().ok()?;
-        let is_affine = [3, 7, 11].iter().all(|&place| first[place] == 0.0) && first[15] == 1.0;
+        let is_affine = [3, 7, 11].iter().all(|&index| first[index] == 0.0) && first[15] == 1.0;
         let is_unit = |column: usize| {
             let squares: f64 = first[column..column + 3].iter().map(|&number| f64::from(number).powi(2)).sum();
             (squares.sqrt() - 1.0).abs() <= RECOGNISED
@@ -169,22 +169,22 @@ impl Planner<'_> {
         let expected = nodes * ROW;
         let [first_at, second_at] = marks.first_blocks_at;
         let odd = if first != expected {
-            Some(Irregular { at: first_at, place: 0, found: first, expected })
+            Some(Irregular { at: first_at, index: 0, found: first, expected })
         } else if has_second && second != expected {
-            Some(Irregular { at: second_at, place: 1, found: second, expected })
+            Some(Irregular { at: second_at, index: 1, found: second, expected })
         } else {
             marks.irregular
         };
         let layout = if marks.frames > 0 { Layout::Frames } else { Layout::End };
         let mut plan = self.new_plan(layout, skip, nodes, marks.blocks);
-        if let Some(Irregular { at, place, found, expected }) = odd {
-            if !self.salvage || place == 0 {
-                return Err(self.error(at, TextProblem::KeyframeLength { keyframe: place, found, expected }));
+        if let Some(Irregular { at, index, found, expected }) = odd {
+            if !self.salvage || index == 0 {
+                return Err(self.error(at, TextProblem::KeyframeLength { keyframe: index, found, expected }));
             }
-            plan.keyframes = place;
+            plan.keyframes = index;
             plan.find(
                 Certainty::Warning,
-                format!("salvaged: keyframe {place} is not whole: it and those after it are left out"),
+                format!("salvaged: keyframe {index} is not whole: it and those after it are left out"),
             );
         }
         let wrong_header = self.header().filter(|&header| skip == 2 && header != (marks.blocks, nodes));

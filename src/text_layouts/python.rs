@@ -72,13 +72,13 @@ fn scene_text(keys: &Keys) -> String {
     );
     let fields = [("translation", &keys.translations), ("rotation", &keys.rotations), ("scale", &keys.scales)];
     let given = fields.into_iter().filter(|(_, keys)| !keys.is_empty());
-    for (place, (field, keys)) in given.enumerate() {
-        text.push_str(if place == 0 { "\n" } else { ",\n" });
+    for (index, (field, keys)) in given.enumerate() {
+        text.push_str(if index == 0 { "\n" } else { ",\n" });
         text.push_str("        \"");
         text.push_str(field);
         text.push_str("\": [");
-        for (place, (seconds, value)) in keys.iter().enumerate() {
-            text.push_str(if place == 0 { "\n          [" } else { ",\n          [" });
+        for (index, (seconds, value)) in keys.iter().enumerate() {
+            text.push_str(if index == 0 { "\n          [" } else { ",\n          [" });
             text.push_str(&seconds.to_string());
             text.push_str(", ");
             match value {

@@ -69,13 +69,13 @@ fn build<const WIDTH: usize>(
     decode: impl Fn([f32; WIDTH]) -> Rbt,
 ) -> Vec<Keyframe> {
     let first: Vec<Vec3> = rows(bytes, plan).take(plan.nodes).map(|(_, row)| decode(row).translation).collect();
-    let place_of_row = match_joints(&first, scene, options, plan);
+    let node_of_row = match_joints(&first, scene, options, plan);
     // So many were counted in the text.
     let mut keyframes: Vec<Keyframe> = Vec::with_capacity(plan.keyframes);
     let mut pose = scene.rest_pose().clone();
-    for (place, (_, row)) in rows(bytes, plan).enumerate() {
-        let row_of_keyframe = place % plan.nodes;
-        if let Some(node) = place_of_row[row_of_keyframe] {
+    for (row_index, (_, row)) in rows(bytes, plan).enumerate() {
+        let row_of_keyframe = row_index % plan.nodes;
+        if let Some(node) = node_of_row[row_of_keyframe] {
             pose.set(RbtIndex::new(node), decode(row));
         }
         if row_of_keyframe + 1 == plan.nodes {
@@ -195,8 +195,8 @@ fn salvage(plan: &mut Plan, broken: usize, error: TextError, options: &Options) 
 
 fn check_matrices(bytes: &[u8], plan: &mut Plan, options: &Options) -> Result<(), TextError> {
     let broken = rows::<16>(bytes, plan).enumerate().find(|(_, (_, matrix))| rigid(matrix).is_none());
-    let Some((place, (at, _))) = broken else { return Ok(()) };
-    let (keyframe, row) = (place / plan.nodes, place % plan.nodes);
+    let Some((row_index, (at, _))) = broken else { return Ok(()) };
+    let (keyframe, row) = (row_index / plan.nodes, row_index % plan.nodes);
     let error = TextError::new(bytes, at, TextProblem::NotRigid { keyframe, row });
     salvage(plan, keyframe, error, options)
 }
@@ -204,11 +204,11 @@ fn check_matrices(bytes: &[u8], plan: &mut Plan, options: &Options) -> Result<()
 /// The transform of a column-major matrix, if it is rigid to within the tolerance.
 fn rigid(matrix: &[f32; 16]) -> Option<Rbt> {
     let near = |number: f64, expected: f64| (number - expected).abs() <= RECOGNISED;
-    let bottom = [3, 7, 11, 15].map(|place| f64::from(matrix[place]));
+    let bottom = [3, 7, 11, 15].map(|index| f64::from(matrix[index]));
     if !bottom.into_iter().zip([0.0, 0.0, 0.0, 1.0]).all(|(number, expected)| near(number, expected)) {
         return None;
     }
-    let column = |place: usize| Vec3::new(matrix[place], matrix[place + 1], matrix[place + 2]);
+    let column = |index: usize| Vec3::new(matrix[index], matrix[index + 1], matrix[index + 2]);
     let [x, y, z] = [0, 4, 8].map(column);
     let exact = [x, y, z].map(|column: Vec3| column.as_dvec3());
     let is_unit = exact.iter().all(|column| near(column.length(), 1.0));

@@ -44,7 +44,7 @@ pub(super) struct Irregular {
     /// The byte at which it begins.
     pub(super) at: usize,
     /// Its place among its kind, from 0.
-    pub(super) place: usize,
+    pub(super) index: usize,
     /// How many numbers it has.
     pub(super) found: usize,
     /// How many it should have.
@@ -85,12 +85,12 @@ impl Marks {
     }
 
     fn close(&mut self) {
-        let (found, at, place) = (self.in_block, self.block_at, self.blocks);
-        if let Some(first) = self.first_blocks.get_mut(place) {
+        let (found, at, index) = (self.in_block, self.block_at, self.blocks);
+        if let Some(first) = self.first_blocks.get_mut(index) {
             *first = found;
-            self.first_blocks_at[place] = at;
+            self.first_blocks_at[index] = at;
         } else if found != self.first_blocks[1] && self.irregular.is_none() {
-            self.irregular = Some(Irregular { at, place, found, expected: self.first_blocks[1] });
+            self.irregular = Some(Irregular { at, index, found, expected: self.first_blocks[1] });
         }
         self.blocks += 1;
         self.in_block = 0;
@@ -225,7 +225,7 @@ impl Structure {
             // The header may take the first two lines; translations and quaternions may take turns.
             let expected = self.first_lines[2 + self.lines % 2];
             if line.numbers != expected && self.irregular_line.is_none() {
-                self.irregular_line = Some(Irregular { at: line.at, place: self.lines, found: line.numbers, expected });
+                self.irregular_line = Some(Irregular { at: line.at, index: self.lines, found: line.numbers, expected });
             }
         }
         self.every_line =

@@ -33,12 +33,12 @@ impl fmt::Display for KeyframeText<'_> {
             Layout::Csv => writeln!(out, "{}", csv::HEADER)?,
             Layout::Rows | Layout::Frames | Layout::End | Layout::Pairs | Layout::Endless => {}
         }
-        for (place, keyframe) in self.keyframes.iter().enumerate() {
+        for (index, keyframe) in self.keyframes.iter().enumerate() {
             if self.layout == Layout::Frames {
-                writeln!(out, "frame [{place}]")?;
+                writeln!(out, "frame [{index}]")?;
             }
             for (node, rbt) in keyframe.pose.iter().enumerate() {
-                self.row(out, place, node, &rbt)?;
+                self.row(out, index, node, &rbt)?;
             }
             match self.layout {
                 Layout::End => out.write_str("end\n")?,
@@ -110,8 +110,8 @@ impl KeyframeText<'_> {
     }
 
     fn numbers(&self, out: &mut fmt::Formatter<'_>, numbers: &[f32], separator: char) -> fmt::Result {
-        for (place, &number) in numbers.iter().enumerate() {
-            if place > 0 {
+        for (index, &number) in numbers.iter().enumerate() {
+            if index > 0 {
                 out.write_char(separator)?;
             }
             if self.is_exact { write!(out, "{}", Exact(number))? } else { write!(out, "{}", SixDigits(number))? }

@@ -36,7 +36,7 @@ fn check(mistake: &str, plays_splines: bool, seed: u64, has_ms: bool, decimals: 
     };
     assert_eq!(names(&found["also"]), expected_also, "{mistake}, {interpolation}");
     let candidates = found["candidates"].as_array().unwrap();
-    assert_eq!(candidates.len(), if has_ms { 16 } else { 15 });
+    assert_eq!(candidates.len(), if has_ms { 17 } else { 16 });
     assert_eq!(candidates[0]["name"], mistake);
     let residuals: Vec<f64> = candidates.iter().map(|candidate| candidate["residual"].as_f64().unwrap()).collect();
     assert!(residuals.is_sorted_by(|a, b| *a <= *b + 1e-9), "{residuals:?}");

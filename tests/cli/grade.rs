@@ -86,7 +86,7 @@ fn zipped(members: &[(&str, &[u8])]) -> Vec<u8> {
 }
 
 #[test]
-fn thirty_submissions_are_each_diagnosed_rightly() {
+fn every_mistake_of_a_submission_is_diagnosed_rightly() {
     let (sandbox, made) = course();
     let mut expected: Vec<(String, &str)> = Vec::new();
     for (mistakes, plays_splines) in [(&LINEAR[..], false), (&SPLINE[..], true)] {
@@ -114,10 +114,11 @@ fn thirty_submissions_are_each_diagnosed_rightly() {
     sandbox.write("all/broken.json", "{\"format\": ");
     sandbox.write("all/broken.zip", b"PK\x03\x04 and no more");
     sandbox.write("all/=1+1.json", "=2+2");
-    assert_eq!(std::fs::read_dir(sandbox.path("all")).unwrap().count(), 30);
+    let submissions = expected.len() + 4;
+    assert_eq!(std::fs::read_dir(sandbox.path("all")).unwrap().count(), submissions);
 
     let graded = graded(&sandbox);
-    assert_eq!(graded.len(), 30);
+    assert_eq!(graded.len(), submissions);
     for (name, mistake) in &expected {
         let graded = &graded[name];
         assert_eq!(graded["samples"][0]["best"], *mistake, "{name}");

@@ -25,7 +25,7 @@ pub const LINEAR: [&str; 12] = [
 ];
 
 /// Mistakes that can be made in Catmull-Rom playback.
-pub const SPLINE: [&str; 14] = [
+pub const SPLINE: [&str; 15] = [
     "correct-catmull-rom",
     "lerp-for-slerp",
     "nlerp-for-slerp",
@@ -34,6 +34,7 @@ pub const SPLINE: [&str; 14] = [
     "identity-when-equal",
     "second-control-point-on-wrong-keyframe",
     "no-division-by-six",
+    "sixth-in-integers",
     "no-conditional-negation-in-control-points",
     "all-keyframes-played",
     "one-keyframe-early",
@@ -180,7 +181,11 @@ impl Student<'_> {
             return (mix(from.0, to.0), self.slerp(from.1, to.1, alpha));
         }
         let (before, after) = (c(start.saturating_sub(1)), c(start + 2));
-        let share = if self.makes("no-division-by-six") { 1.0 } else { 1.0 / 6.0 };
+        let share = match self.mistake {
+            "no-division-by-six" => 1.0,
+            "sixth-in-integers" => f64::from(1 / 6),
+            _ => 1.0 / 6.0,
+        };
         let base = if self.makes("second-control-point-on-wrong-keyframe") { from } else { to };
         let short = !self.makes("no-conditional-negation-in-control-points");
         let d = (

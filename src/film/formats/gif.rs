@@ -61,7 +61,7 @@ impl<W: Write> GifFilm<W> {
 
 impl<W: Write + Send> FilmEncoder for GifFilm<W> {
     fn push(&mut self, image: &Image, _start_ms: f64, end_ms: f64) -> Result<(), FilmError> {
-        self.mapping.places(image, &mut self.next);
+        self.mapping.indices(image, &mut self.next);
         let transparent = u8::MAX;
         let (rectangle, buffer) = if self.shown.is_empty() || !self.plan.is_opaque {
             ([0, 0, self.sides[0], self.sides[1]], Cow::Borrowed(&self.next[..]))

@@ -91,8 +91,8 @@ impl Palette {
             let [r, g, b] = [0, 1, 2].map(|channel| i32::from(other[channel]) - colour[channel]);
             3 * r * r + 6 * g * g + 2 * b * b
         };
-        let place = (0..self.colours.len()).min_by_key(|&place| distance(&self.colours[place]));
-        place.and_then(|place| u8::try_from(place).ok()).unwrap_or_default()
+        let index = (0..self.colours.len()).min_by_key(|&index| distance(&self.colours[index]));
+        index.and_then(|index| u8::try_from(index).ok()).unwrap_or_default()
     }
 }
 
@@ -110,7 +110,7 @@ impl Mapping {
     }
 
     /// The places of a picture's pixels in the palette, and [`MOST_COLOURS`] for those more transparent than not.
-    pub fn places(&mut self, image: &Image, out: &mut Vec<u8>) {
+    pub fn indices(&mut self, image: &Image, out: &mut Vec<u8>) {
         out.clear();
         let width = image.width as usize;
         let transparent = u8::MAX;
@@ -120,17 +120,17 @@ impl Mapping {
                 out.push(if pixel[3] < 128 {
                     transparent
                 } else {
-                    self.place([pixel[0], pixel[1], pixel[2]], thresholds[x % 8])
+                    self.index([pixel[0], pixel[1], pixel[2]], thresholds[x % 8])
                 });
             }
         }
     }
 
-    fn place(&mut self, colour: [u8; 3], threshold: u8) -> u8 {
+    fn index(&mut self, colour: [u8; 3], threshold: u8) -> u8 {
         if self.palette.is_exact
-            && let Ok(place) = self.palette.colours.binary_search(&colour)
+            && let Ok(index) = self.palette.colours.binary_search(&colour)
         {
-            return place.to_le_bytes()[0];
+            return index.to_le_bytes()[0];
         }
         let moved = (2 * i32::from(threshold) - 63) * DITHER_LEVELS / 126;
         let shift = 8 - TABLE_BITS;

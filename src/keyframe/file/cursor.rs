@@ -96,8 +96,8 @@ impl<'a> Cursor<'a> {
     pub fn pass_numbers<const N: usize>(&mut self) -> Option<[f32; N]> {
         self.pass(b'[')?;
         let mut numbers = [0.0; N];
-        for (place, number) in numbers.iter_mut().enumerate() {
-            if place > 0 {
+        for (index, number) in numbers.iter_mut().enumerate() {
+            if index > 0 {
                 self.pass(b',')?;
             }
             self.pass_space();
@@ -134,19 +134,19 @@ impl<'a> Cursor<'a> {
         if whole == 0 || (whole > 1 && self.bytes[first] == b'0') {
             return None;
         }
-        let mut places = 0;
+        let mut decimals = 0;
         if self.bytes.get(self.at) == Some(&b'.') {
             self.at += 1;
-            places = self.pass_digits(&mut digits);
-            if places == 0 {
+            decimals = self.pass_digits(&mut digits);
+            if decimals == 0 {
                 return None;
             }
         }
-        let mut power = -(places as i64);
+        let mut power = -(decimals as i64);
         if let Some(b'e' | b'E') = self.bytes.get(self.at) {
             power += self.pass_exponent()?;
         }
-        let is_exact = whole + places <= MOST_DIGITS && digits <= LARGEST_WHOLE;
+        let is_exact = whole + decimals <= MOST_DIGITS && digits <= LARGEST_WHOLE;
         if is_exact && let Some(number) = to_single(digits, power) {
             return Some(if is_negative { -number } else { number });
         }

@@ -7,7 +7,7 @@ use glam::{Quat, Vec3};
 use proptest::prelude::*;
 
 use super::cursor::Cursor;
-use super::{KeyframesJson, exact, keyframes_to_json, swift};
+use super::{KeyframesJson, fast, keyframes_to_json, strict};
 use crate::interpolation::Interpolation;
 use crate::keyframe::easing::Easing;
 use crate::keyframe::list::{Keyframe, KeyframeList};
@@ -38,12 +38,12 @@ fn list(keyframes: usize, nodes: usize, names: &[Option<&str>]) -> KeyframeList 
             Rbt::new(Vec3::new(phase.sin(), phase, 1e6 * phase.cos()), Quat::from_rotation_y(phase))
         }
     };
-    let keyframe = |place: usize| {
-        let mut keyframe = Keyframe::new(Pose::new((0..nodes).map(|node| rbt(place, node)).collect()));
-        keyframe.name = names[place % names.len()].map(Arc::from);
+    let keyframe = |index: usize| {
+        let mut keyframe = Keyframe::new(Pose::new((0..nodes).map(|node| rbt(index, node)).collect()));
+        keyframe.name = names[index % names.len()].map(Arc::from);
         if keyframe.name.is_some() {
-            keyframe.duration = 0.5 * (place % 4 + 1) as f64;
-            keyframe.easing = Easing::from_name(["linear", "hold", "quad-in"][place % 3]).expect("it is one");
+            keyframe.duration = 0.5 * (index % 4 + 1) as f64;
+            keyframe.easing = Easing::from_name(["linear", "hold", "quad-in"][index % 3]).expect("it is one");
         }
         keyframe
     };
@@ -71,8 +71,8 @@ fn originals(scene: &SceneGraph) -> Vec<Vec<u8>> {
 /// Whether the quick reader reads a text, and then the same as the exact one, to the bit: `{:?}` tells all numbers apart.
 #[track_caller]
 fn is_read(bytes: &[u8], scene: &SceneGraph, piece_bytes: usize) -> bool {
-    let Some(quick) = swift::read_in_pieces(bytes, scene, piece_bytes) else { return false };
-    let exact = exact::read(bytes, scene);
+    let Some(quick) = fast::read_in_pieces(bytes, scene, piece_bytes) else { return false };
+    let exact = strict::read(bytes, scene);
     let exact = exact.unwrap_or_else(|problems| panic!("{problems:?}\n{}", String::from_utf8_lossy(bytes)));
     assert_eq!(format!("{quick:?}"), format!("{exact:?}"), "{}", String::from_utf8_lossy(bytes));
     true
@@ -81,10 +81,10 @@ fn is_read(bytes: &[u8], scene: &SceneGraph, piece_bytes: usize) -> bool {
 #[test]
 fn what_programs_write_is_read_quickly() {
     let scene = scene();
-    for (place, original) in originals(&scene).into_iter().enumerate() {
+    for (index, original) in originals(&scene).into_iter().enumerate() {
         for piece_bytes in [1, 1000, 10_000, 1 << 20] {
             // A name that looks like the end of a pose can be taken for one, and then the exact reader reads the file.
-            let is_misleading = place >= 8 && piece_bytes < original.len();
+            let is_misleading = index >= 8 && piece_bytes < original.len();
             let text = String::from_utf8_lossy(&original);
             assert!(is_read(&original, &scene, piece_bytes) || is_misleading, "{piece_bytes}: {text}");
         }
@@ -146,8 +146,8 @@ proptest! {
         let scene = scene();
         let mut text = originals(&scene).swap_remove(which);
         for Mutation(at, gone, word) in mutations {
-            let place = (at * text.len() as f64) as usize;
-            drop(text.splice(place..(place + gone).min(text.len()), word.bytes()));
+            let offset = (at * text.len() as f64) as usize;
+            drop(text.splice(offset..(offset + gone).min(text.len()), word.bytes()));
         }
         is_read(&text, &scene, piece_bytes);
     }
@@ -188,8 +188,8 @@ fn plain_text(keyframes: &[Keyframe]) -> String {
     };
     let joined = |numbers: &[f32]| numbers.iter().copied().map(number).collect::<Vec<_>>().join(", ");
     let mut text = String::new();
-    for (place, keyframe) in keyframes.iter().enumerate() {
-        text.push_str(if place == 0 { "\n    { \"pose\": [" } else { ",\n    { \"pose\": [" });
+    for (index, keyframe) in keyframes.iter().enumerate() {
+        text.push_str(if index == 0 { "\n    { \"pose\": [" } else { ",\n    { \"pose\": [" });
         for (node, rbt) in keyframe.pose.iter().enumerate() {
             let (translation, rotation) = (joined(&rbt.translation.to_array()), joined(&rbt.rotation.to_array()));
             let comma = if node == 0 { "" } else { "," };

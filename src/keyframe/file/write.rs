@@ -83,8 +83,8 @@ impl fmt::Display for KeyframesJson<'_> {
             self.interpolation.name(),
             self.ms_between_keyframes,
         )?;
-        for (place, path) in self.scene.rbt_paths().enumerate() {
-            write!(out, "{}    {}", if place == 0 { "\n" } else { ",\n" }, quoted(path))?;
+        for (index, path) in self.scene.rbt_paths().enumerate() {
+            write!(out, "{}    {}", if index == 0 { "\n" } else { ",\n" }, quoted(path))?;
         }
         out.write_str("\n  ],\n  \"keyframes\": [")?;
         write_keyframes(self.keyframes.as_slice(), |text| out.write_str(text))?;
@@ -103,19 +103,20 @@ struct Piece {
 fn pieces(keyframes: &[Keyframe]) -> Vec<Piece> {
     let mut pieces: Vec<Piece> = Vec::new();
     let mut held = PIECE_NODES;
-    for (place, Keyframe { pose, .. }) in keyframes.iter().enumerate() {
+    for (keyframe_index, Keyframe { pose, .. }) in keyframes.iter().enumerate() {
         let nodes = pose.len();
         if nodes > PIECE_NODES {
             let starts = (0..nodes).step_by(PIECE_NODES);
-            pieces.extend(
-                starts.map(|start| Piece { keyframes: place..place + 1, nodes: start..nodes.min(start + PIECE_NODES) }),
-            );
+            pieces.extend(starts.map(|start| Piece {
+                keyframes: keyframe_index..keyframe_index + 1,
+                nodes: start..nodes.min(start + PIECE_NODES),
+            }));
             held = PIECE_NODES;
         } else if let Some(last) = pieces.last_mut().filter(|_| held + nodes.max(1) <= PIECE_NODES) {
-            last.keyframes.end = place + 1;
+            last.keyframes.end = keyframe_index + 1;
             held += nodes.max(1);
         } else {
-            pieces.push(Piece { keyframes: place..place + 1, nodes: 0..PIECE_NODES });
+            pieces.push(Piece { keyframes: keyframe_index..keyframe_index + 1, nodes: 0..PIECE_NODES });
             held = nodes.max(1);
         }
     }
@@ -168,10 +169,10 @@ fn text_of(piece: &Piece, keyframes: &[Keyframe], storage: String) -> String {
     let mut text = storage.into_bytes();
     text.clear();
     let mut room = RbtText::default();
-    for place in piece.keyframes.clone() {
-        let keyframe = &keyframes[place];
+    for keyframe_index in piece.keyframes.clone() {
+        let keyframe = &keyframes[keyframe_index];
         if piece.nodes.start == 0 {
-            text.extend_from_slice(if place == 0 { b"\n    { " } else { b",\n    { " });
+            text.extend_from_slice(if keyframe_index == 0 { b"\n    { " } else { b",\n    { " });
             text.extend_from_slice(extras(keyframe).as_bytes());
             text.extend_from_slice(b"\"pose\": [");
         }

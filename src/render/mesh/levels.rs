@@ -43,7 +43,7 @@ impl Level {
 
     /// The finest mesh of a kind.
     pub fn finest(kind: MeshKind) -> Self {
-        LEVELS[PLACES[kind as usize].0]
+        LEVELS[LEVELS_OF_KIND[kind as usize].0]
     }
 
     /// Half extents and rounding of an instance that shows a shape with these.
@@ -85,12 +85,12 @@ pub const MESHES: usize = {
 /// All of them: kinds in their order, of each the finest first.
 pub const LEVELS: [Level; MESHES] = {
     let mut levels = [OF_KINDS[0][0]; MESHES];
-    let (mut place, mut kind) = (0, 0);
+    let (mut index, mut kind) = (0, 0);
     while kind < OF_KINDS.len() {
         let mut level = 0;
         while level < OF_KINDS[kind].len() {
-            levels[place] = OF_KINDS[kind][level];
-            place += 1;
+            levels[index] = OF_KINDS[kind][level];
+            index += 1;
             level += 1;
         }
         kind += 1;
@@ -98,18 +98,18 @@ pub const LEVELS: [Level; MESHES] = {
     levels
 };
 /// Where each kind's meshes are in [`LEVELS`]: the first and the last.
-pub const PLACES: [(usize, usize); MeshKind::ALL.len()] = {
-    let mut places = [(MESHES, 0); MeshKind::ALL.len()];
-    let mut place = 0;
-    while place < MESHES {
-        let of_kind = &mut places[LEVELS[place].kind as usize];
+pub const LEVELS_OF_KIND: [(usize, usize); MeshKind::ALL.len()] = {
+    let mut ranges = [(MESHES, 0); MeshKind::ALL.len()];
+    let mut index = 0;
+    while index < MESHES {
+        let of_kind = &mut ranges[LEVELS[index].kind as usize];
         if of_kind.0 == MESHES {
-            of_kind.0 = place;
+            of_kind.0 = index;
         }
-        of_kind.1 = place;
-        place += 1;
+        of_kind.1 = index;
+        index += 1;
     }
-    places
+    ranges
 };
 /// The plane's index in [`LEVELS`].
-pub const PLANE: usize = PLACES[MeshKind::Plane as usize].0;
+pub const PLANE: usize = LEVELS_OF_KIND[MeshKind::Plane as usize].0;

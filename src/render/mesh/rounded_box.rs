@@ -48,9 +48,9 @@ fn rounded(n: u16) -> Mesh {
         }
     }
     let at = |corner: u16, i: u16, j: u16| corner * patch_size + index_in_patch(i, j);
-    let places: Vec<Vec3> =
+    let positions: Vec<Vec3> =
         mesh.vertices.iter().map(|v| Vec3::from_array(v.core) + 0.5 * Vec3::from_array(v.normal)).collect();
-    let place = |index: u16| places[usize::from(index)];
+    let position = |index: u16| positions[usize::from(index)];
     let pole = |axis: u16, corner: u16| match axis {
         0 => at(corner, 0, 0),
         1 => at(corner, n, 0),
@@ -61,8 +61,8 @@ fn rounded(n: u16) -> Mesh {
         for side in [0, 1 << axis] {
             let [a, b, c, d] = [side, side | u, side | u | v, side | v].map(|corner| pole(axis, corner));
             let outwards = Vec3::from_array(mesh.vertices[usize::from(a)].normal);
-            mesh.triangle_facing(outwards, [a, b, c], place);
-            mesh.triangle_facing(outwards, [a, c, d], place);
+            mesh.triangle_facing(outwards, [a, b, c], position);
+            mesh.triangle_facing(outwards, [a, c, d], position);
         }
     }
     for corner in 0..8 {
@@ -71,13 +71,13 @@ fn rounded(n: u16) -> Mesh {
                 mesh.triangle_facing(
                     signs(corner),
                     [at(corner, i, j), at(corner, i + 1, j), at(corner, i + 1, j + 1)],
-                    place,
+                    position,
                 );
                 if j < i {
                     mesh.triangle_facing(
                         signs(corner),
                         [at(corner, i, j), at(corner, i + 1, j + 1), at(corner, i, j + 1)],
-                        place,
+                        position,
                     );
                 }
             }
@@ -96,8 +96,8 @@ fn rounded(n: u16) -> Mesh {
                 let [a, b] = [step, step + 1].map(|s| border(axis, corner, s));
                 let [c, d] = [step + 1, step].map(|s| border(axis, across, s));
                 let outwards = signs(corner) + signs(across);
-                mesh.triangle_facing(outwards, [a, b, c], place);
-                mesh.triangle_facing(outwards, [a, c, d], place);
+                mesh.triangle_facing(outwards, [a, b, c], position);
+                mesh.triangle_facing(outwards, [a, c, d], position);
             }
         }
     }

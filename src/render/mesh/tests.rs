@@ -29,10 +29,10 @@ fn corners(level: Level) -> (Shape, Mesh, Vec<Vec3>) {
     let shape = samples().into_iter().find(|shape| shape.mesh() == level.kind).expect("there is one of each kind");
     let (half_extents, rounding) = level.fitted(shape.half_extents(), shape.rounding());
     let mesh = level.mesh();
-    let place =
+    let position =
         |v: &Vertex| Vec3::from_array(v.core) * (half_extents - rounding) + Vec3::from_array(v.normal) * rounding;
-    let places = mesh.vertices.iter().map(place).collect();
-    (shape, mesh, places)
+    let positions = mesh.vertices.iter().map(position).collect();
+    (shape, mesh, positions)
 }
 
 /// The three edges of each triangle.
@@ -48,8 +48,8 @@ fn samples_cover_every_kind() {
 #[test]
 fn every_edge_of_a_solid_is_shared_by_two_triangles_that_run_opposite_ways() {
     for level in &LEVELS[..PLANE] {
-        let (_, mesh, places) = corners(*level);
-        let key = |index: usize| places[index].to_array().map(|c| (c * 1e4).round() as i32);
+        let (_, mesh, positions) = corners(*level);
+        let key = |index: usize| positions[index].to_array().map(|c| (c * 1e4).round() as i32);
         let mut counts: HashMap<_, i32> = HashMap::new();
         for [a, b] in edges(&mesh) {
             assert_ne!(key(a), key(b), "{level:?}: an edge of no length");
@@ -65,9 +65,9 @@ fn every_edge_of_a_solid_is_shared_by_two_triangles_that_run_opposite_ways() {
 #[test]
 fn triangles_face_outwards_and_agree_with_their_normals() {
     for level in LEVELS {
-        let (shape, mesh, places) = corners(level);
+        let (shape, mesh, positions) = corners(level);
         for t in mesh.indices.chunks_exact(3) {
-            let [a, b, c] = [t[0], t[1], t[2]].map(|i| places[usize::from(i)]);
+            let [a, b, c] = [t[0], t[1], t[2]].map(|i| positions[usize::from(i)]);
             let face = (b - a).cross(c - a);
             assert!(shape.mesh() == MeshKind::Plane || face.dot(a + b + c) > 0.0, "{level:?}: faces inwards");
             if shape.mesh() == MeshKind::Cone {
@@ -89,9 +89,9 @@ fn triangles_face_outwards_and_agree_with_their_normals() {
 #[test]
 fn meshes_fill_their_extents_but_for_their_error_and_stay_small() {
     for level in LEVELS {
-        let (shape, mesh, places) = corners(level);
+        let (shape, mesh, positions) = corners(level);
         let radius = if level.kind == MeshKind::Box { 0.0 } else { shape.half_extents().x };
-        let most = places.iter().fold(Vec3::ZERO, |most, place| most.max(place.abs()));
+        let most = positions.iter().fold(Vec3::ZERO, |most, position| most.max(position.abs()));
         let slack = shape.half_extents() - most;
         assert!(slack.min_element() > -1e-5 - level.flattening * radius, "{level:?}: {most}");
         assert!(slack.max_element() < 0.06, "{level:?}: {most}");
@@ -192,9 +192,9 @@ fn an_items_box_holds_its_finest_mesh() {
         };
         let [x, y, z] = Bounds::of(&item).half_edges_in_world;
         let half = Vec3::new(x.x, y.y, z.z);
-        let (_, _, places) = corners(Level::finest(item.mesh));
-        for place in places {
-            assert!(place.abs().cmple(half + 1e-6).all(), "{:?}: {place} outside {half}", shape.mesh());
+        let (_, _, positions) = corners(Level::finest(item.mesh));
+        for position in positions {
+            assert!(position.abs().cmple(half + 1e-6).all(), "{:?}: {position} outside {half}", shape.mesh());
         }
     }
 }

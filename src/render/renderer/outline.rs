@@ -29,7 +29,7 @@ impl Renderer {
         self.bind_instances(&mut pass);
         for kind in [Kind::MaskAll, Kind::MaskVisible] {
             pass.set_pipeline(self.pipelines.get(device, kind));
-            for (mesh, instances) in geometry().places.iter().zip(&self.uploaded.outlined) {
+            for (mesh, instances) in geometry().ranges.iter().zip(&self.uploaded.outlined) {
                 draw_mesh(&mut pass, mesh, instances);
             }
         }

@@ -5,8 +5,8 @@ use serde::Deserialize;
 
 use super::Solid;
 use super::ray::{enter_cylinder, enter_sphere};
+use crate::scene::checks::NodeChecks;
 use crate::scene::file::SceneError;
-use crate::scene::place::Place;
 use crate::scene::shape::MeshKind;
 use crate::scene::write::number;
 use crate::words::texts;
@@ -30,12 +30,12 @@ impl Solid for Capsule {
         MeshKind::Capsule
     }
 
-    fn check(&self, place: Place<'_>) -> Result<(), SceneError> {
-        place.length("radius", self.radius)?;
+    fn check(&self, checks: NodeChecks<'_>) -> Result<(), SceneError> {
+        checks.length("radius", self.radius)?;
         if self.height < 2.0 * self.radius {
-            return Err(place.error("height", self.height.to_string(), texts::SCENE_EXPECTED_HEIGHT));
+            return Err(checks.error("height", self.height.to_string(), texts::SCENE_EXPECTED_HEIGHT));
         }
-        place.length("height", self.height).map(|_| ())
+        checks.length("height", self.height).map(|_| ())
     }
 
     fn half_extents(&self) -> Vec3 {

@@ -4,8 +4,8 @@ use glam::{Vec3, Vec3Swizzles as _};
 use serde::Deserialize;
 
 use super::Solid;
+use crate::scene::checks::NodeChecks;
 use crate::scene::file::SceneError;
-use crate::scene::place::Place;
 use crate::scene::shape::MeshKind;
 use crate::scene::write::number;
 
@@ -28,9 +28,9 @@ impl Solid for Cone {
         MeshKind::Cone
     }
 
-    fn check(&self, place: Place<'_>) -> Result<(), SceneError> {
-        place.length("radius", self.radius)?;
-        place.length("height", self.height)?;
+    fn check(&self, checks: NodeChecks<'_>) -> Result<(), SceneError> {
+        checks.length("radius", self.radius)?;
+        checks.length("height", self.height)?;
         Ok(())
     }
 

@@ -5,8 +5,8 @@ use serde::Deserialize;
 
 use super::Solid;
 use super::ray::enter_cylinder;
+use crate::scene::checks::NodeChecks;
 use crate::scene::file::SceneError;
-use crate::scene::place::Place;
 use crate::scene::shape::MeshKind;
 use crate::scene::write::number;
 
@@ -29,9 +29,9 @@ impl Solid for Cylinder {
         MeshKind::Cylinder
     }
 
-    fn check(&self, place: Place<'_>) -> Result<(), SceneError> {
-        place.length("radius", self.radius)?;
-        place.length("height", self.height)?;
+    fn check(&self, checks: NodeChecks<'_>) -> Result<(), SceneError> {
+        checks.length("radius", self.radius)?;
+        checks.length("height", self.height)?;
         Ok(())
     }
 

@@ -4,8 +4,8 @@ use glam::Vec3;
 use serde::Deserialize;
 
 use super::Solid;
+use crate::scene::checks::NodeChecks;
 use crate::scene::file::SceneError;
-use crate::scene::place::Place;
 use crate::scene::shape::MeshKind;
 use crate::scene::write::numbers;
 
@@ -26,9 +26,9 @@ impl Solid for Plane {
         MeshKind::Plane
     }
 
-    fn check(&self, place: Place<'_>) -> Result<(), SceneError> {
+    fn check(&self, checks: NodeChecks<'_>) -> Result<(), SceneError> {
         for extent in self.size {
-            place.length("size", extent)?;
+            checks.length("size", extent)?;
         }
         Ok(())
     }

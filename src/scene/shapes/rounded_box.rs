@@ -5,8 +5,8 @@ use serde::{Deserialize, Deserializer};
 
 use super::Solid;
 use super::ray::{entering, within_slab};
+use crate::scene::checks::NodeChecks;
 use crate::scene::file::SceneError;
-use crate::scene::place::Place;
 use crate::scene::shape::MeshKind;
 use crate::scene::write::{number, numbers};
 use crate::words::texts;
@@ -32,12 +32,12 @@ impl Solid for RoundedBox {
         MeshKind::Box
     }
 
-    fn check(&self, place: Place<'_>) -> Result<(), SceneError> {
+    fn check(&self, checks: NodeChecks<'_>) -> Result<(), SceneError> {
         for extent in self.size.to_array() {
-            place.length("size", extent)?;
+            checks.length("size", extent)?;
         }
         if !(self.bevel >= 0.0 && self.bevel <= self.size.min_element() * 0.5) {
-            return Err(place.error("bevel", self.bevel.to_string(), texts::SCENE_EXPECTED_BEVEL));
+            return Err(checks.error("bevel", self.bevel.to_string(), texts::SCENE_EXPECTED_BEVEL));
         }
         Ok(())
     }

@@ -5,8 +5,8 @@ use serde::Deserialize;
 
 use super::Solid;
 use super::ray::enter_sphere;
+use crate::scene::checks::NodeChecks;
 use crate::scene::file::SceneError;
-use crate::scene::place::Place;
 use crate::scene::shape::MeshKind;
 use crate::scene::write::number;
 
@@ -27,8 +27,8 @@ impl Solid for Sphere {
         MeshKind::Sphere
     }
 
-    fn check(&self, place: Place<'_>) -> Result<(), SceneError> {
-        place.length("radius", self.radius).map(|_| ())
+    fn check(&self, checks: NodeChecks<'_>) -> Result<(), SceneError> {
+        checks.length("radius", self.radius).map(|_| ())
     }
 
     fn half_extents(&self) -> Vec3 {

@@ -42,14 +42,14 @@ pub(super) struct Arguments<'a> {
 
 impl Arguments<'_> {
     /// The argument with one of these names, or in this place.
-    fn get(&self, place: usize, name: &str) -> Option<Term> {
+    fn get(&self, position: usize, name: &str) -> Option<Term> {
         let named = self.terms.iter().find(|(given, _)| *given == Some(name));
-        let placed = self.terms.get(place).filter(|(given, _)| given.is_none());
+        let placed = self.terms.get(position).filter(|(given, _)| given.is_none());
         named.or(placed).map(|&(_, term)| term)
     }
 
-    fn number(&self, place: usize, name: &str) -> Option<f32> {
-        match self.get(place, name) {
+    fn number(&self, position: usize, name: &str) -> Option<f32> {
+        match self.get(position, name) {
             Some(Term::Number(number)) => Some(number),
             _ => None,
         }
@@ -70,7 +70,7 @@ fn vector(arguments: &Arguments<'_>) -> Option<Term> {
 
 /// Components x, y, z, w; the first three may be a vector, and all may be missing.
 fn quaternion(arguments: &Arguments<'_>) -> Option<Term> {
-    let component = |place, name| match arguments.get(place, name) {
+    let component = |position, name| match arguments.get(position, name) {
         None => Some(if name == "w" { 1.0 } else { 0.0 }),
         Some(Term::Number(number)) => Some(number),
         Some(_) => None,
@@ -90,7 +90,7 @@ fn from_euler(arguments: &Arguments<'_>) -> Option<Term> {
         Some(Term::Numbers([yaw, pitch, roll, _], 3)) => [yaw, pitch, roll].map(f32::to_degrees),
         Some(_) => return None,
         None => {
-            let angle = |place, name| match arguments.get(place, name) {
+            let angle = |position, name| match arguments.get(position, name) {
                 None => Some(0.0),
                 Some(Term::Number(number)) => Some(number),
                 Some(_) => None,

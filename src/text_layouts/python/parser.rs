@@ -102,7 +102,7 @@ impl<'a> Parser<'a> {
         let start = self.at;
         self.token(b'{', texts::TEXT_EXPECTED_DICTIONARY)?;
         let mut values = TimedValues::new();
-        let mut places = Vec::new();
+        let mut key_offsets = Vec::new();
         let mut purpose = named;
         loop {
             if self.takes(b'}') {
@@ -124,13 +124,13 @@ impl<'a> Parser<'a> {
                 Term::Rotation(_) => Purpose::Rotate,
             });
             values.push((seconds, self.value(at, wanted, term)?));
-            places.push(key_at);
+            key_offsets.push(key_at);
             if !self.takes(b',') {
                 self.token(b'}', texts::TEXT_EXPECTED_COMMA_OR_BRACE)?;
                 break;
             }
         }
-        self.check_times(&values, &places)?;
+        self.check_times(&values, &key_offsets)?;
         let held = match purpose {
             None => return Ok(()),
             Some(Purpose::Translate) => &mut self.keys.translations,
@@ -149,11 +149,13 @@ impl<'a> Parser<'a> {
         Ok(())
     }
 
-    fn check_times(&self, values: &TimedValues, places: &[usize]) -> Result<(), TextError> {
+    fn check_times(&self, values: &TimedValues, key_offsets: &[usize]) -> Result<(), TextError> {
         let mut order: Vec<usize> = (0..values.len()).collect();
         order.sort_by(|&a, &b| values[a].0.total_cmp(&values[b].0));
         match order.windows(2).find(|pair| values[pair[0]].0 == values[pair[1]].0) {
-            Some(pair) => Err(self.error(places[pair[1]], TextProblem::TwoAtOneTime { seconds: values[pair[1]].0 })),
+            Some(pair) => {
+                Err(self.error(key_offsets[pair[1]], TextProblem::TwoAtOneTime { seconds: values[pair[1]].0 }))
+            }
             None => Ok(()),
         }
     }
@@ -276,10 +278,10 @@ impl<'a> Parser<'a> {
         let length = rest
             .iter()
             .enumerate()
-            .take_while(|&(place, &byte)| {
+            .take_while(|&(index, &byte)| {
                 byte.is_ascii_digit()
                     || matches!(byte, b'.' | b'e' | b'E')
-                    || matches!(byte, b'+' | b'-') && (place == 0 || matches!(rest[place - 1], b'e' | b'E'))
+                    || matches!(byte, b'+' | b'-') && (index == 0 || matches!(rest[index - 1], b'e' | b'E'))
             })
             .count();
         self.at += length;

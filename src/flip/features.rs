@@ -1,7 +1,7 @@
 //! FLIP's second half: where edges and points differ, errors are noticed sooner.
 
 use super::filter::{Plane, kernel};
-use super::flip::PIXELS_PER_DEGREE;
+use super::pixel_error::PIXELS_PER_DEGREE;
 
 /// The width of a feature that is seen best, in degrees.
 const FEATURE_WIDTH: f32 = 0.082;

@@ -10,12 +10,12 @@ const LARGEST_COORDINATE: f32 = 1e6;
 
 /// A node's path.
 #[derive(Clone, Copy)]
-pub struct Place<'a> {
+pub struct NodeChecks<'a> {
     /// The path.
     pub path: &'a str,
 }
 
-impl Place<'_> {
+impl NodeChecks<'_> {
     /// A value that is out of its range.
     pub fn error(self, field: &'static str, found: impl Into<Argument>, expected: Phrase) -> SceneError {
         SceneError::Value { path: self.path.to_owned(), field, found: found.into(), expected }

@@ -57,15 +57,15 @@ pub fn matrices(level: Level, transforms: &[RbtBlock], into: &mut [MatrixBlock])
 /// Puts nodes that follow each other, the first at `place`, below their parents: `world_from_parent · parent_from_node`, the second
 /// from the transform `first` of the matrices on. A parent that is in no place is the world. Finite matrices become what glam's
 /// product is, but for the sign of zeros.
-pub fn place_below(
+pub fn compose(
     level: Level,
     matrices: &[MatrixBlock],
-    first: usize,
+    first_matrix: usize,
     parents: &[u32],
     world_from_node: &mut [AlignedAffine],
-    place: usize,
+    first_node: usize,
 ) {
-    dispatch!(level, simd => place_below_with(simd, matrices, first, parents, world_from_node, place));
+    dispatch!(level, simd => compose_with(simd, matrices, first_matrix, parents, world_from_node, first_node));
 }
 
 #[inline(always)]
@@ -99,19 +99,19 @@ fn store_quads<S: Simd>([a, b, c, d]: [Lanes<S>; 4], into: &mut [Quad; LANES]) {
 }
 
 #[inline(always)]
-fn place_below_with<S: Simd>(
+fn compose_with<S: Simd>(
     simd: S,
     matrices: &[MatrixBlock],
-    first: usize,
+    first_matrix: usize,
     parents: &[u32],
     world_from_node: &mut [AlignedAffine],
-    place: usize,
+    first_node: usize,
 ) {
     // Of four numbers that are there four times: the first four times, then the second, the third and the last.
     let each_four_times = u8x64::from_fn(simd, |byte| (byte / 16 * 4 + byte % 4) as u8);
     let of_translation = f32x16::from_fn(simd, |element| if element < 12 { 0.0 } else { 1.0 });
     for (offset, &parent) in parents.iter().enumerate() {
-        let (block, lane) = (&matrices[(first + offset) / LANES], (first + offset) % LANES);
+        let (block, lane) = (&matrices[(first_matrix + offset) / LANES], (first_matrix + offset) % LANES);
         let above = world_from_node.get(parent as usize).unwrap_or(&AlignedAffine::IDENTITY);
         macro_rules! term {
             ($axis:literal) => {
@@ -121,7 +121,7 @@ fn place_below_with<S: Simd>(
         }
         let linear = term!(0) + term!(1) + term!(2);
         let placed = of_translation.mul_add(four_times(simd, &above.columns[3]), linear);
-        placed.store_slice(world_from_node[place + offset].columns.as_flattened_mut());
+        placed.store_slice(world_from_node[first_node + offset].columns.as_flattened_mut());
     }
 }
 

@@ -12,8 +12,8 @@
 mod colour;
 mod features;
 mod filter;
-mod flip;
 mod heat;
+mod pixel_error;
 
 use thiserror::Error;
 
@@ -68,7 +68,7 @@ pub fn compare(first: &Image, second: &Image) -> Result<Comparison, CompareError
         return Ok(Comparison { width, height, errors, score: 0.0, mean: 0.0, largest: 0.0 });
     }
     let is_opaque = |image: &Image| image.rgba.chunks_exact(4).all(|pixel| pixel[3] == u8::MAX);
-    let over = |backdrop| flip::errors(size, &first.rgba, &second.rgba, backdrop);
+    let over = |backdrop| pixel_error::errors(size, &first.rgba, &second.rgba, backdrop);
     let errors = if is_opaque(first) && is_opaque(second) {
         over(0.0)
     } else {

@@ -10,8 +10,8 @@ use glam::{Quat, Vec3};
 
 use super::KeyframeFile;
 use super::cursor::Cursor;
-use super::exact::{self, FileText, Head, KeyframeText};
 use super::problems::Problems;
+use super::strict::{self, FileText, Head, KeyframeText};
 use crate::keyframe::list::Keyframe;
 use crate::parallel::map_in_order;
 use crate::pose::{LANES, Pose, RbtBlock};
@@ -21,7 +21,7 @@ use crate::scene::SceneGraph;
 /// Text that is read in one go, in bytes: some milliseconds.
 const PIECE_BYTES: usize = 1 << 20;
 
-/// Reads a keyframe file for a scene, as [`exact::read`] does; `None` where that is to read it.
+/// Reads a keyframe file for a scene, as [`strict::read`] does; `None` where that is to read it.
 pub fn read(bytes: &[u8], scene: &SceneGraph) -> Option<KeyframeFile> {
     read_in_pieces(bytes, scene, PIECE_BYTES)
 }
@@ -36,18 +36,18 @@ pub fn read_in_pieces(bytes: &[u8], scene: &SceneGraph, piece_bytes: usize) -> O
         return None;
     }
     let text: FileText = serde_json::from_slice(&around).ok()?;
-    if exact::header_problem(&text.format, text.version).is_some() {
+    if strict::header_problem(&text.format, text.version).is_some() {
         return None;
     }
     let mut problems = Problems::default();
-    let Head { interpolation, ms_between_keyframes, place_in_file } = exact::head_of(&text, scene, &mut problems);
+    let Head { interpolation, ms_between_keyframes, index_in_file } = strict::head_of(&text, scene, &mut problems);
     problems.into_result(()).ok()?;
-    let place_in_file = place_in_file?;
-    let mut place_in_scene = vec![0; place_in_file.len()];
-    for (in_scene, in_file) in place_in_file.into_iter().enumerate() {
-        *place_in_scene.get_mut(in_file)? = in_scene;
+    let index_in_file = index_in_file?;
+    let mut index_in_scene = vec![0; index_in_file.len()];
+    for (in_scene, in_file) in index_in_file.into_iter().enumerate() {
+        *index_in_scene.get_mut(in_file)? = in_scene;
     }
-    let keyframes = Keyframes { text: bytes, version: text.version, place_in_scene };
+    let keyframes = Keyframes { text: bytes, version: text.version, index_in_scene };
     Some(KeyframeFile {
         interpolation,
         ms_between_keyframes,
@@ -75,7 +75,7 @@ fn end_of_keyframes(bytes: &[u8]) -> Option<usize> {
 /// Places that seem to be those of keyframes, `piece_bytes` or more apart; the first is `start`, and the last `end`. Where one of
 /// them is something else, what is before it is no whole keyframe.
 fn pieces(bytes: &[u8], start: usize, end: usize, piece_bytes: usize) -> Vec<usize> {
-    let mut places = vec![start];
+    let mut boundaries = vec![start];
     let mut at = start + piece_bytes;
     while let Some(found) = bytes.get(at..end).and_then(|rest| rest.iter().position(|&byte| byte == b']')) {
         at += found + 1;
@@ -83,12 +83,12 @@ fn pieces(bytes: &[u8], start: usize, end: usize, piece_bytes: usize) -> Vec<usi
         let mut cursor = Cursor::new(&bytes[..end], at);
         if is_end_of_pose && cursor.pass(b'}').is_some() && cursor.pass(b',').is_some() {
             cursor.pass_space();
-            places.push(cursor.at());
+            boundaries.push(cursor.at());
             at = cursor.at() + piece_bytes;
         }
     }
-    places.push(end);
-    places
+    boundaries.push(end);
+    boundaries
 }
 
 /// What is needed to read keyframes.
@@ -96,14 +96,14 @@ struct Keyframes<'a> {
     text: &'a [u8],
     version: u64,
     /// For each place in `nodes`, the one in the scene's order.
-    place_in_scene: Vec<usize>,
+    index_in_scene: Vec<usize>,
 }
 
 impl Keyframes<'_> {
     /// The keyframes between these places, on as many cores as there are and pay.
-    fn read(&self, places: &[usize]) -> Option<Vec<Keyframe>> {
-        let last = places.last();
-        let pieces: Vec<&[usize]> = places.windows(2).collect();
+    fn read(&self, boundaries: &[usize]) -> Option<Vec<Keyframe>> {
+        let last = boundaries.last();
+        let pieces: Vec<&[usize]> = boundaries.windows(2).collect();
         let is_given_up = AtomicBool::new(false);
         let read = map_in_order(&pieces, |piece| {
             if is_given_up.load(Ordering::Relaxed) {
@@ -150,7 +150,7 @@ impl Keyframes<'_> {
             self.extras(&self.text[start.at()..cursor.at()])?
         };
         let mut is_read = false;
-        let nodes = self.place_in_scene.len();
+        let nodes = self.index_in_scene.len();
         keyframe.pose.fill(nodes, |blocks| is_read = self.pose(cursor, blocks).is_some());
         cursor.pass(b'}')?;
         is_read.then_some(keyframe)
@@ -160,20 +160,20 @@ impl Keyframes<'_> {
     fn extras(&self, before_pose: &[u8]) -> Option<Keyframe> {
         let text: KeyframeText = serde_json::from_slice(&[before_pose, b"]}"].concat()).ok()?;
         let mut problems = Problems::default();
-        let keyframe = exact::extras_of(&text, 0, self.version, &mut problems);
+        let keyframe = strict::extras_of(&text, 0, self.version, &mut problems);
         problems.into_result(keyframe).ok()
     }
 
     fn pose(&self, cursor: &mut Cursor<'_>, blocks: &mut [RbtBlock]) -> Option<()> {
-        for (entry, &place) in self.place_in_scene.iter().enumerate() {
+        for (entry, &index) in self.index_in_scene.iter().enumerate() {
             if entry > 0 {
                 cursor.pass(b',')?;
             }
             let mut rbt = rbt(cursor)?;
-            if exact::mend_rotation(&mut rbt, 0, "").is_some() {
+            if strict::mend_rotation(&mut rbt, 0, "").is_some() {
                 return None;
             }
-            blocks[place / LANES].set(place % LANES, rbt);
+            blocks[index / LANES].set(index % LANES, rbt);
         }
         cursor.pass(b']')
     }

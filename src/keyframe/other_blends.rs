@@ -28,8 +28,8 @@ impl Blend {
     pub fn others(playing: Interpolation) -> [Self; Self::OTHERS] {
         let mut others = [Self::Nlerp; Self::OTHERS];
         let interpolations = Interpolation::ALL.into_iter().filter(|&other| other != playing).map(Self::Played);
-        for (place, other) in others.iter_mut().zip(interpolations.chain([Self::Nlerp, Self::Matrices])) {
-            *place = other;
+        for (slot, other) in others.iter_mut().zip(interpolations.chain([Self::Nlerp, Self::Matrices])) {
+            *slot = other;
         }
         others
     }

@@ -11,7 +11,7 @@ const MOST_LINKS: usize = 40;
 
 /// What an output is written to.
 #[derive(Debug)]
-pub(super) enum Place {
+pub(super) enum Destination {
     /// A regular file that is replaced, or a name that is free.
     File {
         /// Its path, all links followed.
@@ -25,19 +25,19 @@ pub(super) enum Place {
 ///
 /// # Errors
 /// [`StorageError`]: a folder, a read-only file, too many links, or the system refuses.
-pub(super) fn place_of(path: &Path) -> Result<Place, StorageError> {
+pub(super) fn destination_of(path: &Path) -> Result<Destination, StorageError> {
     let target = followed(path)?;
     if let Some(file) = own_output(&target)? {
-        return Ok(Place::Stream(file));
+        return Ok(Destination::Stream(file));
     }
     match fs::metadata(&target) {
         Ok(metadata) if metadata.is_dir() => Err(io::Error::from(io::ErrorKind::IsADirectory).into()),
         Ok(metadata) if !metadata.is_file() || is_in_proc(&target) => {
-            Ok(Place::Stream(fs::OpenOptions::new().write(true).open(&target)?))
+            Ok(Destination::Stream(fs::OpenOptions::new().write(true).open(&target)?))
         }
         Ok(metadata) if metadata.permissions().readonly() => Err(StorageError::ReadOnly),
-        Ok(_) => Ok(Place::File { target }),
-        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(Place::File { target }),
+        Ok(_) => Ok(Destination::File { target }),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(Destination::File { target }),
         Err(error) => Err(error.into()),
     }
 }

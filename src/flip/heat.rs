@@ -23,12 +23,12 @@ pub fn picture(width: u32, height: u32, errors: &[f32]) -> Image {
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
-    reason = "the place is in the table, channels in 0 to 255"
+    reason = "the position is in the table, channels in 0 to 255"
 )]
 fn colour(error: f32) -> [u8; 4] {
-    let place = error.clamp(0.0, 1.0) * 8.0;
-    let step = (place as usize).min(7);
-    let fraction = place - place.floor().min(7.0);
+    let position = error.clamp(0.0, 1.0) * 8.0;
+    let step = (position as usize).min(7);
+    let fraction = position - position.floor().min(7.0);
     let channel = |channel: usize| {
         let (from, to) = (STEPS[step][channel], STEPS[step + 1][channel]);
         (from + (to - from) * fraction).round() as u8

@@ -107,7 +107,7 @@ pub fn read(bytes: &[u8], scene: &SceneGraph) -> Result<KeyframeFile, Vec<Keyfra
         return Err(vec![problem]);
     }
     let mut problems = Problems::default();
-    let Head { interpolation, ms_between_keyframes, place_in_file } = head_of(&text, scene, &mut problems);
+    let Head { interpolation, ms_between_keyframes, index_in_file } = head_of(&text, scene, &mut problems);
     let keyframes: Vec<Keyframe> = text
         .keyframes
         .into_iter()
@@ -125,7 +125,7 @@ pub fn read(bytes: &[u8], scene: &SceneGraph) -> Result<KeyframeFile, Vec<Keyfra
                     problems.push(problem);
                 }
             }
-            Some(Keyframe { pose: in_scene_order(pose, place_in_file.as_deref()?), ..extras })
+            Some(Keyframe { pose: in_scene_order(pose, index_in_file.as_deref()?), ..extras })
         })
         .collect();
     problems.into_result(KeyframeFile { interpolation, ms_between_keyframes, keyframes })
@@ -136,7 +136,7 @@ pub struct Head {
     pub interpolation: Option<Interpolation>,
     pub ms_between_keyframes: Option<u32>,
     /// For each RBT node of the scene, its place in `nodes`; `None` where they do not match.
-    pub place_in_file: Option<Vec<usize>>,
+    pub index_in_file: Option<Vec<usize>>,
 }
 
 /// What a file says beside its keyframes; what is wrong with that goes to the problems.
@@ -155,7 +155,7 @@ pub fn head_of(text: &FileText, scene: &SceneGraph, problems: &mut Problems) -> 
         }
         whole
     });
-    Head { interpolation, ms_between_keyframes, place_in_file: match_nodes(&text.nodes, scene, problems) }
+    Head { interpolation, ms_between_keyframes, index_in_file: match_nodes(&text.nodes, scene, problems) }
 }
 
 /// A keyframe's name, duration and easing, with no pose yet; what is wrong with them goes to the problems.
@@ -196,33 +196,33 @@ pub fn header_problem(format: &str, version: u64) -> Option<KeyframeFileError> {
 
 /// For each RBT node of the scene, its place in `nodes`; `None` where they do not match.
 fn match_nodes(nodes: &[String], scene: &SceneGraph, problems: &mut Problems) -> Option<Vec<usize>> {
-    let mut place_of: HashMap<&str, usize> = HashMap::with_capacity(nodes.len());
+    let mut index_of: HashMap<&str, usize> = HashMap::with_capacity(nodes.len());
     let problems_before = problems.count();
-    for (place, path) in nodes.iter().enumerate() {
-        if place_of.insert(path, place).is_some() {
+    for (index, path) in nodes.iter().enumerate() {
+        if index_of.insert(path, index).is_some() {
             problems.push(KeyframeFileError::DuplicateNode { path: path.clone() });
         } else if scene.find_rbt(path).is_none() {
             problems.push(KeyframeFileError::ExtraNode { path: path.clone(), scene: scene.name().to_owned() });
         }
     }
-    let places: Vec<usize> = scene
+    let indices: Vec<usize> = scene
         .rbt_paths()
         .filter_map(|path| {
-            let place = place_of.get(path).copied();
-            if place.is_none() {
+            let index = index_of.get(path).copied();
+            if index.is_none() {
                 problems.push(KeyframeFileError::MissingNode { path: path.to_owned(), scene: scene.name().to_owned() });
             }
-            place
+            index
         })
         .collect();
-    (problems.count() == problems_before).then_some(places)
+    (problems.count() == problems_before).then_some(indices)
 }
 
-fn in_scene_order(pose: Arc<[Rbt]>, place_in_file: &[usize]) -> Pose {
-    if place_in_file.iter().enumerate().all(|(place, &in_file)| place == in_file) {
+fn in_scene_order(pose: Arc<[Rbt]>, index_in_file: &[usize]) -> Pose {
+    if index_in_file.iter().enumerate().all(|(index, &in_file)| index == in_file) {
         Pose::from_slice(&pose)
     } else {
-        Pose::new(place_in_file.iter().map(|&place| pose[place]).collect())
+        Pose::new(index_in_file.iter().map(|&index| pose[index]).collect())
     }
 }
 
