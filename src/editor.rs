@@ -15,12 +15,12 @@ mod history;
 mod host;
 pub mod keymap;
 mod manipulate;
-mod path;
+mod motion_path;
 mod playback;
 mod playing;
 mod said;
 mod scene_edits;
-mod seconds;
+mod timed_key_clock;
 mod timeline;
 mod view;
 
@@ -28,14 +28,15 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 pub use command::{
-    Command, Edit, Effect, FileCommand, GestureCommand, PlaybackCommand, TimelineEdit, ViewCommand, WindowCommand,
+    ClipboardCommand, Command, Edit, Effect, FileCommand, GestureCommand, PlaybackCommand, SelectionCommand,
+    TimelineEdit, ViewCommand, WindowCommand,
 };
 pub use document::Document;
 pub use error::CommandError;
 pub use history::MOST_STEPS;
 pub use host::{FileAccess, FileOutcome, Host, PathQuestion};
 pub use manipulate::{DragKind, Manipulation};
-pub use path::PathDot;
+pub use motion_path::PathDot;
 pub use playback::PlayMode;
 pub use playing::SPEED_PERCENT_RANGE;
 pub use said::Said;
@@ -50,7 +51,7 @@ use gesture::Gesture;
 use history::History;
 use keymap::Keymap;
 use playback::Playback;
-use seconds::SecondsClock;
+use timed_key_clock::TimedKeyClock;
 use timeline::Clipboard;
 
 /// What the sky camera moves about, with the sky as eye and no node chosen.
@@ -77,7 +78,7 @@ pub struct Session {
     /// Whether the arcball is drawn.
     pub shows_arcball: bool,
     /// Whether the path of the chosen node is drawn.
-    pub shows_path: bool,
+    pub shows_motion_path: bool,
     /// Whether other interpolations are shown beside the one in force while playing.
     pub compares: bool,
     /// The keyframes that are selected in the timeline, in order.
@@ -123,7 +124,7 @@ pub struct Editor {
     history: History,
     session: Session,
     playback: Playback,
-    seconds_clock: SecondsClock,
+    timed_key_clock: TimedKeyClock,
     /// The drag that is going on.
     gesture: Option<Gesture>,
     /// The keys that sentences name.
@@ -134,7 +135,7 @@ pub struct Editor {
     /// What the status line shows.
     status: Option<Message>,
     said: Said,
-    path: PathBuf,
+    keyframe_file: PathBuf,
     /// The document as the file has it, where it was read or written; before that, the empty one.
     saved: Document,
     is_file_known: bool,
@@ -145,9 +146,9 @@ pub struct Editor {
 }
 
 impl Editor {
-    /// An editor of a scene at rest, with no keyframes, whose keyframe file is `path`.
+    /// An editor of a scene at rest, with no keyframes, whose keyframe file is `keyframe_file`.
     #[must_use]
-    pub fn new(scene: Arc<SceneGraph>, path: PathBuf) -> Self {
+    pub fn new(scene: Arc<SceneGraph>, keyframe_file: PathBuf) -> Self {
         let document = Document::new(Arc::clone(&scene));
         Self {
             saved_scene: scene,
@@ -161,7 +162,7 @@ impl Editor {
                 sky_mode: SkyMode::default(),
                 is_picking: false,
                 shows_arcball: true,
-                shows_path: true,
+                shows_motion_path: true,
                 compares: false,
                 selected: Vec::new(),
                 selected_keys: Vec::new(),
@@ -174,14 +175,14 @@ impl Editor {
                 shows_panels: true,
             },
             playback: Playback::default(),
-            seconds_clock: SecondsClock::default(),
+            timed_key_clock: TimedKeyClock::default(),
             gesture: None,
             keymap: Keymap::default(),
             clipboard: Clipboard::default(),
             message: None,
             status: None,
             said: Said::default(),
-            path,
+            keyframe_file,
             is_file_known: false,
         }
     }
@@ -236,8 +237,8 @@ impl Editor {
 
     /// The keyframe file: what `i` reads and `w` writes.
     #[must_use]
-    pub fn path(&self) -> &Path {
-        &self.path
+    pub fn keyframe_file(&self) -> &Path {
+        &self.keyframe_file
     }
 
     /// The file that the scene is saved in; `None` where it was not read from one and not saved yet.

@@ -6,7 +6,10 @@ use super::commands::{Row, row_of};
 use super::history::Run;
 use super::keymap::Keymap;
 use super::playback::Playback;
-use super::{Command, CommandError, Document, Edit, Editor, Effect, Message, PlaybackCommand, ViewCommand};
+use super::{
+    ClipboardCommand, Command, CommandError, Document, Edit, Editor, Effect, Message, PlaybackCommand,
+    SelectionCommand, ViewCommand,
+};
 use crate::keyframe::{Keyframe, KeyframeIndex, KeyframeList, MS_BETWEEN_KEYFRAMES_RANGE};
 use crate::pose::RbtIndex;
 use crate::rbt::Rbt;
@@ -17,7 +20,7 @@ use crate::words::{Argument, Phrase, texts};
 const MS_STEP: u32 = 100;
 
 /// What a command says, or nothing; or why it was refused.
-pub(super) type Outcome = Result<Option<Message>, CommandError>;
+pub(super) type CommandResult = Result<Option<Message>, CommandError>;
 
 impl Editor {
     /// Does a command, and returns what is to be done outside for it. What it says is the message afterwards, in either outcome. A drag
@@ -52,7 +55,7 @@ impl Editor {
     }
 
     fn dispatch(&mut self, command: Command) -> Result<(Option<Message>, Option<Effect>), CommandError> {
-        let silent = |outcome: Outcome| outcome.map(|said| (said, None));
+        let silent = |result: CommandResult| result.map(|said| (said, None));
         let row = row_of(&command);
         if let Some(what) = row.refused_while_playing {
             self.refuse_while_playing(what)?;
@@ -61,6 +64,10 @@ impl Editor {
             Command::Edit(edit) => silent(self.edit(edit, row)),
             Command::Playback(playback) => silent(self.play(playback)),
             Command::View(view) => silent(self.view(view)),
+            Command::Selection(SelectionCommand::Keyframes(selected)) => silent(self.select(selected)),
+            Command::Selection(SelectionCommand::TimedKeys(keys)) => silent(self.select_keys(keys)),
+            Command::Clipboard(ClipboardCommand::CopyKeyframes) => silent(self.copy_keyframes()),
+            Command::Clipboard(ClipboardCommand::CopyPose) => silent(self.copy_pose()),
             Command::File(file) => Ok((None, Some(self.file(file)))),
             Command::Gesture(gesture) => silent(self.gesture(gesture)),
             Command::Undo => silent(self.undo()),
@@ -105,7 +112,7 @@ impl Editor {
         Err(CommandError::WhilePlaying { what, stop, pause })
     }
 
-    fn edit(&mut self, edit: Edit, row: &Row) -> Outcome {
+    fn edit(&mut self, edit: Edit, row: &Row) -> CommandResult {
         if !row.is_continuous {
             self.commit_gesture();
         }
@@ -206,7 +213,7 @@ impl Editor {
         texts::at_position(self.where_we_are(), rest)
     }
 
-    fn display_current(&mut self) -> Outcome {
+    fn display_current(&mut self) -> CommandResult {
         let current = self.document.keyframes.current().ok_or_else(|| self.no_keyframe())?;
         self.show_keyframe(texts::ACT_DISPLAY_OF_A_KEYFRAME, current);
         Ok(Some(self.at_current(texts::KEYFRAME_COPIED)))
@@ -245,24 +252,24 @@ impl Editor {
         }
     }
 
-    fn step(&mut self, by: isize) -> Outcome {
+    fn step(&mut self, by: isize) -> CommandResult {
         let Some(current) = self.document.keyframes.current() else {
             return Ok(Some(self.at_current(texts::KEYFRAME_NOTHING_TO_GO_TO)));
         };
-        let target = current.get().checked_add_signed(by).filter(|&place| place < self.document.keyframes.len());
+        let target = current.get().checked_add_signed(by).filter(|&index| index < self.document.keyframes.len());
         match target {
-            Some(place) => self.go_to(KeyframeIndex::new(place)),
+            Some(index) => self.go_to(KeyframeIndex::new(index)),
             None if by > 0 => Ok(Some(texts::keyframe_is_last(current.get()))),
             None => Ok(Some(texts::keyframe_is_first(current.get()))),
         }
     }
 
-    fn go_to_end(&mut self, is_first: bool) -> Outcome {
+    fn go_to_end(&mut self, is_first: bool) -> CommandResult {
         let last = self.document.keyframes.last().ok_or_else(|| self.no_keyframe())?;
         self.go_to(if is_first { KeyframeIndex::new(0) } else { last })
     }
 
-    fn go_to(&mut self, index: KeyframeIndex) -> Outcome {
+    fn go_to(&mut self, index: KeyframeIndex) -> CommandResult {
         let count = self.document.keyframes.len();
         if index.get() >= count {
             return Err(CommandError::NoSuchKeyframe { index: index.get(), count });
@@ -275,7 +282,7 @@ impl Editor {
         Ok(Some(self.at_current(texts::KEYFRAME_COPIED)))
     }
 
-    fn delete_current(&mut self) -> Outcome {
+    fn delete_current(&mut self) -> CommandResult {
         self.end_scrub();
         let deleted = self.document.keyframes.current().ok_or(CommandError::NothingToDelete)?;
         self.session.selected.clear();
@@ -313,7 +320,7 @@ impl Editor {
         change: impl FnOnce(Rbt) -> Rbt,
         label: Phrase,
         run: Option<Run>,
-    ) -> Outcome {
+    ) -> CommandResult {
         if rbt.get() >= self.document.scene.rbt_count() {
             return Err(CommandError::NotInScene { what: texts::VALUE_NODE });
         }

@@ -24,6 +24,10 @@ pub enum Command {
     Playback(PlaybackCommand),
     /// Changes how the scene is looked at; not undone.
     View(ViewCommand),
+    /// Selects keyframes or timed keys; not undone.
+    Selection(SelectionCommand),
+    /// Copies, without a change of the document.
+    Clipboard(ClipboardCommand),
     /// Reads, writes, quits.
     File(FileCommand),
     /// A drag, which is one step of undo from its beginning to its end.
@@ -44,7 +48,7 @@ pub enum WindowCommand {
     /// Shows the list of commands.
     ShowCommands,
     /// Shows the keys, which can be changed there.
-    ShowKeys,
+    ShowHotkeys,
     /// Shows the manual.
     ShowManual,
     /// Asks what film to make of the keyframes.
@@ -64,11 +68,11 @@ pub enum WindowCommand {
     /// The language of the window's words.
     SetLanguage(Language),
     /// Gives the binding of this id other keys; none: it has no key.
-    SetKeys(&'static str, Vec<Chord>),
+    SetHotkeys(&'static str, Vec<Chord>),
     /// Gives the binding of this id the keys of the table.
-    ResetKeys(&'static str),
+    ResetHotkeys(&'static str),
     /// Gives every binding the keys of the table.
-    ResetAllKeys,
+    ResetAllHotkeys,
     /// Forgets the recent files.
     ForgetRecent,
     /// Asks for the name of the current keyframe.
@@ -127,7 +131,7 @@ pub enum Edit {
     TranslateChosen(Vec3),
     /// Edits the list as a timeline.
     Timeline(TimelineEdit),
-    /// Edits control nodes and keys at their own times, which are a part of the scene.
+    /// Edits control nodes and timed keys, which are part of the scene.
     Scene(SceneEdit),
     /// Moves the node at hand (the chosen one, or the eye) along the view, with respect to its auxiliary frame; a run of these is one step.
     Wheel(Rbt),
@@ -212,31 +216,41 @@ pub enum ViewCommand {
     /// Shows or hides all panels.
     TogglePanels,
     /// Shows or hides the path that the chosen node takes.
-    TogglePath,
+    ToggleMotionPath,
     /// Shows or hides, while playing, what the interpolations that are not in force would show.
     ToggleComparison,
-    /// Selects these keyframes in the timeline, and no others.
-    SelectKeyframes(Vec<KeyframeIndex>),
-    /// Copies the selected keyframes, or the current one.
-    CopyKeyframes,
-    /// Copies what is on screen of the chosen node and all below it.
-    CopyPose,
     /// Switches whether the end of each drag updates the current keyframe.
     ToggleAutoKeys,
     /// Whether the end of each drag updates the current keyframe.
     SetAutoKeys(bool),
     /// Shows so many neighbouring keyframes on each side as ghosts, at most [`crate::frame::MOST_GHOSTS`].
     SetGhosts(u8),
-    /// Selects these keys at their own times, and no others, and no keyframes.
-    SelectKeys(Vec<KeyAt>),
     /// Shows one more on each side, and after the most of them none.
     NextGhosts,
     /// Sets the clock of keys at their own times to zero.
-    RestartSeconds,
+    RestartTimedKeys,
     /// Holds that clock, or lets it go on.
-    HoldSeconds,
+    HoldTimedKeys,
     /// Sets that clock to so many seconds, and holds it until something plays.
-    ScrubSeconds(f64),
+    ScrubTimedKeys(f64),
+}
+
+/// The selection of the timeline. Keyframes and timed keys are never selected together.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SelectionCommand {
+    /// Selects these keyframes, and nothing else.
+    Keyframes(Vec<KeyframeIndex>),
+    /// Selects these timed keys, and nothing else.
+    TimedKeys(Vec<KeyAt>),
+}
+
+/// What is copied for a later paste. Cutting and pasting are edits: [`TimelineEdit`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ClipboardCommand {
+    /// Copies the selected keyframes, or the current one.
+    CopyKeyframes,
+    /// Copies the displayed pose of the chosen node and all nodes below it.
+    CopyPose,
 }
 
 /// Files and the program itself.

@@ -1,6 +1,6 @@
 //! Drags, which are one step of undo each, and undo itself.
 
-use super::apply::Outcome;
+use super::apply::CommandResult;
 use super::{CommandError, Document, Editor, GestureCommand};
 use crate::keyframe::{Keyframe, KeyframeList};
 use crate::words::{Message, Phrase, texts};
@@ -15,7 +15,7 @@ pub(super) struct Gesture {
 }
 
 impl Editor {
-    pub(super) fn gesture(&mut self, command: GestureCommand) -> Outcome {
+    pub(super) fn gesture(&mut self, command: GestureCommand) -> CommandResult {
         match command {
             GestureCommand::Begin => {
                 self.commit_gesture();
@@ -64,7 +64,7 @@ impl Editor {
         self.history.record(before, &self.document, label, None);
     }
 
-    pub(super) fn undo(&mut self) -> Outcome {
+    pub(super) fn undo(&mut self) -> CommandResult {
         if self.gesture.is_some() {
             return Err(CommandError::DuringDrag);
         }
@@ -75,7 +75,7 @@ impl Editor {
         Ok(Some(texts::undone(label)))
     }
 
-    pub(super) fn redo(&mut self) -> Outcome {
+    pub(super) fn redo(&mut self) -> CommandResult {
         if self.gesture.is_some() {
             return Err(CommandError::DuringDrag);
         }

@@ -121,7 +121,7 @@ pub struct KeyPress {
     /// What the layout in force makes of it, whatever Ctrl and Alt do.
     pub typed: Option<Key>,
     /// What a US board has in the same place, Shift taken into account.
-    pub placed: Option<Key>,
+    pub on_us_layout: Option<Key>,
     /// What is held with it.
     pub modifiers: Modifiers,
     /// Whether it comes from holding the key down.
@@ -224,7 +224,7 @@ impl Key {
 /// A repeated press means only what repeats.
 #[must_use]
 pub fn binding_for(table: &[Binding], press: KeyPress) -> Option<&Binding> {
-    [press.typed, press.placed]
+    [press.typed, press.on_us_layout]
         .into_iter()
         .flatten()
         .find_map(|key| {
@@ -238,7 +238,7 @@ pub fn binding_for(table: &[Binding], press: KeyPress) -> Option<&Binding> {
 #[must_use]
 pub fn press_from_word(word: &str) -> Option<KeyPress> {
     let Chord { key, modifiers } = Chord::parse(word)?;
-    Some(KeyPress { typed: Some(key), placed: None, modifiers, is_repeat: false })
+    Some(KeyPress { typed: Some(key), on_us_layout: None, modifiers, is_repeat: false })
 }
 
 /// The table as Markdown, for the README.

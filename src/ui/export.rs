@@ -7,7 +7,7 @@ use egui::{
     Response, RichText, Role, TextEdit, Ui, WidgetInfo, vec2,
 };
 
-use super::Shown;
+use super::PanelInput;
 use super::dialogs::primary;
 use super::icons::was_pressed;
 use super::theme::{CORNER, GRID, ROW, Tokens};
@@ -65,11 +65,11 @@ impl ExportDialog {
     }
 
     /// Shows it. Says whether it is over.
-    pub fn show(&mut self, ui: &mut Ui, shown: Shown<'_>, is_busy: bool, commands: &mut Vec<Command>) -> bool {
+    pub fn show(&mut self, ui: &mut Ui, shown: PanelInput<'_>, is_busy: bool, commands: &mut Vec<Command>) -> bool {
         let words = Words::of(ui);
         let tokens = Tokens::of(ui);
         let Self { last, options, typed, has_begun } = self;
-        let options = options.get_or_insert_with(|| proposed(last.take(), shown.editor.path()));
+        let options = options.get_or_insert_with(|| proposed(last.take(), shown.editor.keyframe_file()));
         if typed.is_empty() && !*has_begun {
             *typed = options.path.to_string_lossy().into_owned();
         }

@@ -63,9 +63,9 @@ pub fn show(ui: &mut Ui, editor: &Editor, angles: &mut ShownAngles, keymap: &Key
         if let Some(changed) =
             numbers(ui, words.say(texts::QUATERNION), &names, &mut parts, UNITS_PER_POINT, 3, commands)
         {
-            let component = (0..4).find(|&place| parts[place].to_bits() != before[place].to_bits());
-            let rotation = component.map_or(parent_from_node.rotation, |place| {
-                with_component(parent_from_node.rotation, place, parts[place])
+            let component = (0..4).find(|&index| parts[index].to_bits() != before[index].to_bits());
+            let rotation = component.map_or(parent_from_node.rotation, |index| {
+                with_component(parent_from_node.rotation, index, parts[index])
             });
             finish(&changed, Command::Edit(Edit::SetRotation(rbt, rotation)), commands);
         }

@@ -2,12 +2,12 @@
 
 use super::dialogs::Dialog;
 use super::export::ExportDialog;
-use super::keys::KeysDialog;
+use super::hotkeys::HotkeysDialog;
 use super::palette::Palette;
 use super::statistics::Statistics;
 use super::timeline::Ask;
 use super::words::Words;
-use super::{PanelSize, Ui};
+use super::{PanelSize, Panels};
 use crate::editor::WindowCommand;
 use crate::editor::keymap::{Chord, Keymap, KeymapError, chords_of_table};
 use crate::settings::{Settings, ThemeChoice};
@@ -16,7 +16,7 @@ use crate::words::{Argument, Message, texts};
 /// After so many frames without a button held, a panel has the size that its drag gave it.
 const SETTLED: u8 = 2;
 
-impl Ui {
+impl Panels {
     /// Puts settings in force. What is wrong with the keys in them comes back.
     pub fn adopt(&mut self, settings: &Settings) -> Vec<KeymapError> {
         let mut errors = Vec::new();
@@ -46,7 +46,7 @@ impl Ui {
         let mut said = None;
         match command {
             WindowCommand::ShowCommands => self.dialog = Some(Dialog::Commands(Palette::default())),
-            WindowCommand::ShowKeys => self.dialog = Some(Dialog::Keys(KeysDialog::default())),
+            WindowCommand::ShowHotkeys => self.dialog = Some(Dialog::Hotkeys(HotkeysDialog::default())),
             WindowCommand::ShowManual => self.manual.open(),
             WindowCommand::ShowExport => {
                 self.dialog = Some(Dialog::Export(Box::new(ExportDialog::new(self.exported.clone()))));
@@ -60,9 +60,9 @@ impl Ui {
             WindowCommand::SetScale(percent) => settings.scale_percent = *percent,
             WindowCommand::SetTheme(theme) => settings.theme = *theme,
             WindowCommand::SetLanguage(language) => settings.language = *language,
-            WindowCommand::SetKeys(id, chords) => said = Some(self.set_keys(id, chords.clone(), settings)?),
-            WindowCommand::ResetKeys(id) => said = Some(self.set_keys(id, chords_of_table(id), settings)?),
-            WindowCommand::ResetAllKeys => {
+            WindowCommand::SetHotkeys(id, chords) => said = Some(self.set_keys(id, chords.clone(), settings)?),
+            WindowCommand::ResetHotkeys(id) => said = Some(self.set_keys(id, chords_of_table(id), settings)?),
+            WindowCommand::ResetAllHotkeys => {
                 settings.keys.clear();
                 said = Some(texts::HOTKEYS_RESET.into());
             }

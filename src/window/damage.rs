@@ -38,8 +38,8 @@ impl Areas {
             return;
         }
         let mut area = area;
-        while let Some(place) = self.0.iter().position(|one| one.intersect(area).is_positive()) {
-            area |= self.0.swap_remove(place);
+        while let Some(index) = self.0.iter().position(|one| one.intersect(area).is_positive()) {
+            area |= self.0.swap_remove(index);
         }
         self.0.push(area);
         if self.0.len() > MOST
@@ -168,9 +168,9 @@ mod tests {
     #[test]
     fn areas_never_overlap_and_are_few() {
         let (mut before, mut after) = (Vec::new(), Vec::new());
-        for place in 0..60_u8 {
+        for index in 0..60_u8 {
             let at = |shift: u32| {
-                let step = u32::from(place) * 37 + shift;
+                let step = u32::from(index) * 37 + shift;
                 rect((step * 13 % 190) as f32, (step * 7 % 90) as f32, 3.0, 3.0)
             };
             before.push(filled(at(0)));
@@ -178,8 +178,8 @@ mod tests {
         }
         let areas: Vec<_> = between(&before, &after, 1.0).iter().collect();
         assert!(!areas.is_empty() && areas.len() <= MOST, "{}", areas.len());
-        for (place, one) in areas.iter().enumerate() {
-            assert!(areas[..place].iter().all(|other| !other.intersect(*one).is_positive()));
+        for (index, one) in areas.iter().enumerate() {
+            assert!(areas[..index].iter().all(|other| !other.intersect(*one).is_positive()));
         }
         for shape in before.iter().chain(&after) {
             let extent = extent(shape, 1.0);

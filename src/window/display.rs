@@ -4,11 +4,11 @@
 
 use winit::event_loop::EventLoopBuilder;
 
-use super::Happening;
+use super::UserEvent;
 
 /// Has the builder ask the window system that answers, where the variables name one that does not.
 #[cfg(all(unix, not(target_os = "macos")))]
-pub fn choose(builder: &mut EventLoopBuilder<Happening>) {
+pub fn choose(builder: &mut EventLoopBuilder<UserEvent>) {
     use winit::platform::wayland::EventLoopBuilderExtWayland as _;
     use winit::platform::x11::EventLoopBuilderExtX11 as _;
 
@@ -21,7 +21,7 @@ pub fn choose(builder: &mut EventLoopBuilder<Happening>) {
 
 /// Elsewhere there is one window system.
 #[cfg(not(all(unix, not(target_os = "macos"))))]
-pub fn choose(_: &mut EventLoopBuilder<Happening>) {}
+pub fn choose(_: &mut EventLoopBuilder<UserEvent>) {}
 
 /// A sentence's part on the variables that name a display, for where none answers: `WAYLAND_DISPLAY is "wayland-0", DISPLAY is not set`.
 #[must_use]

@@ -5,8 +5,8 @@ use glam::Vec2;
 use winit::dpi::PhysicalPosition;
 use winit::event::{ElementState, MouseButton, MouseScrollDelta};
 
-use super::keys::KeyInput;
-use super::path::{PathDrag, REACH};
+use super::hotkeys::KeyInput;
+use super::motion_path::{PathDrag, REACH};
 use super::pointer::{Action, Button};
 use super::shell::Shell;
 use crate::editor::keymap::{Key, binding_for};

@@ -20,19 +20,19 @@ pub struct Screen {
 }
 
 /// A picture to draw on and to show then.
-pub enum Picture {
+pub enum DrawTarget {
     /// The surface's next one.
     OfSurface(wgpu::SurfaceTexture),
     /// One that stays.
-    Kept(wgpu::Texture),
+    Shared(wgpu::Texture),
 }
 
-impl Picture {
+impl DrawTarget {
     /// What it is drawn on.
     pub const fn texture(&self) -> &wgpu::Texture {
         match self {
             Self::OfSurface(shown) => &shown.texture,
-            Self::Kept(texture) => texture,
+            Self::Shared(texture) => texture,
         }
     }
 }
@@ -104,10 +104,10 @@ impl Screen {
 
     /// The picture to draw on, where there is one now; a surface that went out of date is configured anew once. Where pictures can no
     /// longer be shared the window is to be drawn anew: on the surface other things may be possible.
-    pub fn next(&mut self, gpu: &Gpu) -> Option<Picture> {
+    pub fn next(&mut self, gpu: &Gpu) -> Option<DrawTarget> {
         if let Some(shared) = &mut self.shared {
             match shared.texture(gpu, &self.configuration) {
-                Ok(texture) => return Some(Picture::Kept(texture)),
+                Ok(texture) => return Some(DrawTarget::Shared(texture)),
                 Err(error) => {
                     self.give_up_sharing(&error);
                     return None;
@@ -120,10 +120,10 @@ impl Screen {
                 self.is_configured = true;
             }
             match self.surface.get_current_texture() {
-                wgpu::CurrentSurfaceTexture::Success(texture) => return Some(Picture::OfSurface(texture)),
+                wgpu::CurrentSurfaceTexture::Success(texture) => return Some(DrawTarget::OfSurface(texture)),
                 wgpu::CurrentSurfaceTexture::Suboptimal(texture) => {
                     self.is_configured = false;
-                    return Some(Picture::OfSurface(texture));
+                    return Some(DrawTarget::OfSurface(texture));
                 }
                 wgpu::CurrentSurfaceTexture::Lost => {
                     self.is_configured = false;
@@ -144,24 +144,24 @@ impl Screen {
     pub fn show(
         &mut self,
         gpu: &Gpu,
-        picture: Picture,
+        picture: DrawTarget,
         mut before: Vec<wgpu::CommandBuffer>,
         encoder: wgpu::CommandEncoder,
     ) {
         match (picture, &mut self.shared) {
-            (Picture::OfSurface(texture), _) => {
+            (DrawTarget::OfSurface(texture), _) => {
                 before.push(encoder.finish());
                 gpu.queue.submit(before);
                 self.window.pre_present_notify();
                 gpu.queue.present(texture);
             }
-            (Picture::Kept(_), Some(shared)) => {
+            (DrawTarget::Shared(_), Some(shared)) => {
                 if let Err(error) = shared.show(gpu, &self.window, before, encoder) {
                     self.give_up_sharing(&error);
                 }
             }
             // Sharing is given up where there is no picture.
-            (Picture::Kept(_), None) => {}
+            (DrawTarget::Shared(_), None) => {}
         }
     }
 

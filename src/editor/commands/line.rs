@@ -206,8 +206,8 @@ impl<'a> Arguments<'a> {
     pub(super) fn then_text<const N: usize>(&self) -> Option<([&'a str; N], &'a str)> {
         let mut words = [""; N];
         let mut text = self.text;
-        for place in &mut words {
-            (*place, text) = word_and_rest(text)?;
+        for word in &mut words {
+            (*word, text) = word_and_rest(text)?;
         }
         (!text.is_empty()).then_some((words, text))
     }

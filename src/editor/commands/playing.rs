@@ -212,8 +212,8 @@ fn ghosts() -> Vec<Row> {
 
 /// The clock of timed keys; `timed_keys` has the line that sets it.
 fn clock() -> Vec<Row> {
-    let restart = binding("timed-keys-restart", Command::View(ViewCommand::RestartSeconds));
-    let hold = binding("timed-keys-hold", Command::View(ViewCommand::HoldSeconds));
+    let restart = binding("timed-keys-restart", Command::View(ViewCommand::RestartTimedKeys));
+    let hold = binding("timed-keys-hold", Command::View(ViewCommand::HoldTimedKeys));
     vec![
         Row::listed(Changes::Session, restart.hotkeys(&["Home"])),
         Row::listed(Changes::Session, hold.hotkeys(&["Shift+Home"])),

@@ -8,7 +8,7 @@ use super::line::{ArgumentError, Arguments, Ending, Line};
 use super::row::{Changes, Row};
 use super::values::{double, node_text, number_text, numbers_text, quoted_prefix, token_text, tokens, word_and_rest};
 use crate::colour::Colour;
-use crate::editor::{Command, Edit, KeyAt, SceneEdit, ViewCommand};
+use crate::editor::{Command, Edit, KeyAt, SceneEdit, SelectionCommand, ViewCommand};
 use crate::scene::{Channel, KeyValue};
 use crate::timed::rotation_from_euler_degrees;
 use crate::words::texts;
@@ -194,30 +194,32 @@ fn many_keys() -> Vec<Row> {
                 },
             )),
         Row::of(Changes::Session, "select-keys", |command| {
-            matches!(command, Command::View(ViewCommand::SelectKeys(_)))
+            matches!(command, Command::Selection(SelectionCommand::TimedKeys(_)))
         })
         .line(many(
             "select-keys CHANNEL SECONDS PATH…|none",
             "selects keys, and no keyframes",
-            |arguments| Ok(key_list(arguments)?.map(|keys| Command::View(ViewCommand::SelectKeys(keys)))),
+            |arguments| Ok(key_list(arguments)?.map(|keys| Command::Selection(SelectionCommand::TimedKeys(keys)))),
             |command, _| {
-                let Command::View(ViewCommand::SelectKeys(keys)) = command else { return None };
+                let Command::Selection(SelectionCommand::TimedKeys(keys)) = command else { return None };
                 Some(key_list_text(keys))
             },
         )),
-        Row::of(Changes::Session, "seconds", |command| matches!(command, Command::View(ViewCommand::ScrubSeconds(_))))
-            .line(Line::new(
-                "seconds SECONDS",
-                "shows the keys at their own times at so many seconds, and holds them there",
-                |arguments| {
-                    let &[at] = arguments.words else { return Ok(None) };
-                    Ok(Some(Command::View(ViewCommand::ScrubSeconds(seconds(at)?))))
-                },
-                |command, _| {
-                    let Command::View(ViewCommand::ScrubSeconds(seconds)) = command else { return None };
-                    Some(number_text(seconds))
-                },
-            )),
+        Row::of(Changes::Session, "seconds", |command| {
+            matches!(command, Command::View(ViewCommand::ScrubTimedKeys(_)))
+        })
+        .line(Line::new(
+            "seconds SECONDS",
+            "shows the keys at their own times at so many seconds, and holds them there",
+            |arguments| {
+                let &[at] = arguments.words else { return Ok(None) };
+                Ok(Some(Command::View(ViewCommand::ScrubTimedKeys(seconds(at)?))))
+            },
+            |command, _| {
+                let Command::View(ViewCommand::ScrubTimedKeys(seconds)) = command else { return None };
+                Some(number_text(seconds))
+            },
+        )),
     ]
 }
 

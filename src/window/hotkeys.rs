@@ -8,8 +8,8 @@ use crate::editor::keymap::{Key, KeyPress, Modifiers};
 /// What of a key event matters, as plain data.
 #[derive(Clone, Debug, PartialEq)]
 pub struct KeyInput {
-    /// The key's place on the board.
-    pub place: Option<KeyCode>,
+    /// The key's physical on the board.
+    pub physical: Option<KeyCode>,
     /// What the layout in force makes of it.
     pub logical: LogicalKey,
     /// Whether it went down, not up.
@@ -27,7 +27,7 @@ impl KeyInput {
     #[must_use]
     pub fn new(event: &KeyEvent, is_synthetic: bool, modifiers: ModifiersState) -> Self {
         Self {
-            place: match event.physical_key {
+            physical: match event.physical_key {
                 PhysicalKey::Code(code) => Some(code),
                 PhysicalKey::Unidentified(_) => None,
             },
@@ -54,7 +54,7 @@ impl KeyInput {
     pub fn press(&self) -> Option<KeyPress> {
         (!self.is_synthetic).then(|| KeyPress {
             typed: typed(&self.logical),
-            placed: self.place.and_then(|place| placed(place, self.modifiers.shift)),
+            on_us_layout: self.physical.and_then(|physical| on_us_layout(physical, self.modifiers.shift)),
             modifiers: self.modifiers,
             is_repeat: self.is_repeat,
         })
@@ -104,10 +104,10 @@ const fn without_character(named: NamedKey) -> Option<Key> {
     })
 }
 
-/// What a US board has in a place.
-fn placed(place: KeyCode, shift: bool) -> Option<Key> {
+/// What a US board has in a physical.
+fn on_us_layout(physical: KeyCode, shift: bool) -> Option<Key> {
     let with_shift = |plain, shifted| if shift { shifted } else { plain };
-    Some(Key::Character(match place {
+    Some(Key::Character(match physical {
         KeyCode::KeyA => 'a',
         KeyCode::KeyB => 'b',
         KeyCode::KeyC => 'c',
@@ -213,9 +213,9 @@ mod tests {
     const CTRL: Modifiers = Modifiers { ctrl: true, ..PLAIN };
     const CTRL_SHIFT: Modifiers = Modifiers { shift: true, ..CTRL };
 
-    fn input(logical: &str, place: KeyCode, modifiers: Modifiers) -> KeyInput {
+    fn input(logical: &str, physical: KeyCode, modifiers: Modifiers) -> KeyInput {
         KeyInput {
-            place: Some(place),
+            physical: Some(physical),
             logical: LogicalKey::Character(logical.into()),
             is_pressed: true,
             is_repeat: false,
@@ -229,8 +229,12 @@ mod tests {
     }
 
     #[track_caller]
-    fn check(logical: &str, place: KeyCode, modifiers: Modifiers, expected: Option<&str>) {
-        assert_eq!(name(&input(logical, place, modifiers)), expected, "{logical} on {place:?} with {modifiers:?}");
+    fn check(logical: &str, physical: KeyCode, modifiers: Modifiers, expected: Option<&str>) {
+        assert_eq!(
+            name(&input(logical, physical, modifiers)),
+            expected,
+            "{logical} on {physical:?} with {modifiers:?}"
+        );
     }
 
     #[test]
@@ -287,7 +291,7 @@ mod tests {
 
     #[test]
     fn named_keys() {
-        let named = |key, place| KeyInput { logical: LogicalKey::Named(key), ..input("", place, PLAIN) };
+        let named = |key, physical| KeyInput { logical: LogicalKey::Named(key), ..input("", physical, PLAIN) };
         assert_eq!(name(&named(NamedKey::Escape, KeyCode::Escape)), Some("Cancel"));
         assert_eq!(name(&named(NamedKey::F11, KeyCode::F11)), Some("Panels"));
         assert_eq!(name(&named(NamedKey::Space, KeyCode::Space)), Some("Display keyframe"));
