@@ -1,4 +1,4 @@
-//! The editor: the one owner of all state, and the one door to it.
+//! The editor owns all state and is the only way to change it.
 //!
 //! [`Command`]s go in through [`Editor::apply`], ticks through [`Editor::tick`]; what is to be done outside comes out as an [`Effect`],
 //! which a [`Host`] performs. The editor knows no window, no GPU, no file system and no clock, so it cannot fail because of them.
@@ -64,12 +64,12 @@ pub enum SkyMode {
     Eye,
 }
 
-/// How the scene is looked at and handled: not in the file, and not undone.
+/// State of viewing, selecting and playing. It is in no file, and undo leaves it alone.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Session {
     /// The node that drags move; `None`: the eye.
     pub chosen: Option<RbtIndex>,
-    /// The place of the eye in the scene's eyes.
+    /// The index of the eye in [`SceneGraph::eyes`].
     pub eye: usize,
     /// What the sky camera moves about.
     pub sky_mode: SkyMode,
@@ -79,11 +79,11 @@ pub struct Session {
     pub shows_arcball: bool,
     /// Whether the path of the chosen node is drawn.
     pub shows_motion_path: bool,
-    /// Whether other interpolations are shown beside the one in force while playing.
+    /// Whether playback also shows the robot under the other interpolations.
     pub compares: bool,
     /// The keyframes that are selected in the timeline, in order.
     pub selected: Vec<KeyframeIndex>,
-    /// The keys at their own times that are selected there; where some are, no keyframe is.
+    /// The selected timed keys. If there are any, no keyframe is selected.
     pub selected_keys: Vec<KeyAt>,
     /// What happens at the end of what plays.
     pub play_mode: PlayMode,
@@ -101,7 +101,7 @@ pub struct Session {
     pub shows_panels: bool,
 }
 
-/// All state of the program but the window's.
+/// All state of the program except that of the window.
 ///
 /// ```
 /// use std::path::PathBuf;
@@ -127,21 +127,21 @@ pub struct Editor {
     timed_key_clock: TimedKeyClock,
     /// The drag that is going on.
     gesture: Option<Gesture>,
-    /// The keys that sentences name.
+    /// The hotkeys that messages name.
     keymap: Keymap,
     clipboard: Clipboard,
-    /// What the last command or tick said.
+    /// The message of the last command or tick.
     message: Option<Message>,
     /// What the status line shows.
     status: Option<Message>,
     said: Said,
     keyframe_file: PathBuf,
-    /// The document as the file has it, where it was read or written; before that, the empty one.
+    /// The document as last read or written; an empty one before that. Used to detect unsaved changes.
     saved: Document,
     is_file_known: bool,
-    /// The scene's file; `None` as long as it has none.
+    /// The scene's file; `None` if it has none yet.
     scene_path: Option<PathBuf>,
-    /// The scene as its file has it, or as it was at first.
+    /// The scene as last read or written, or as it was at the start.
     saved_scene: Arc<SceneGraph>,
 }
 
@@ -259,7 +259,7 @@ impl Editor {
         !self.document.same_file_as(&self.saved)
     }
 
-    /// Whether control nodes or keys at their own times differ from what the scene's file holds.
+    /// Whether control nodes or timed keys differ from those in the scene's file.
     #[must_use]
     pub fn has_unsaved_scene(&self) -> bool {
         !Arc::ptr_eq(&self.document.scene, &self.saved_scene) && self.document.scene != self.saved_scene

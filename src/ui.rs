@@ -85,7 +85,7 @@ impl Default for UiOutput {
     }
 }
 
-/// What panels read.
+/// What all panels read.
 #[derive(Clone, Copy)]
 struct PanelInput<'a> {
     editor: &'a Editor,
@@ -104,7 +104,7 @@ struct PanelSize {
     rests: u8,
 }
 
-/// The panels' own state.
+/// The panels and their own state.
 #[derive(Debug, Default)]
 pub struct Panels {
     keymap: Keymap,
@@ -255,7 +255,7 @@ impl Panels {
     }
 }
 
-/// The keys of a command, for people; empty where it has none.
+/// The hotkeys of a command as text; empty if it has none.
 fn key_of(keymap: &Keymap, command: &Command) -> String {
     binding_of(keymap.bindings(), command).map(Binding::menu_key).unwrap_or_default()
 }

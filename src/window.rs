@@ -61,7 +61,7 @@ pub enum WindowError {
     },
 }
 
-/// What happens to the window from elsewhere than the window system.
+/// Events that threads of this program send to the window's event loop.
 #[derive(Clone, Debug)]
 pub(crate) enum UserEvent {
     /// The system's dialog was answered, or is not there.
@@ -73,7 +73,7 @@ pub(crate) enum UserEvent {
         /// How long it took.
         took: Duration,
     },
-    /// So many frames of an export are drawn.
+    /// An export has made progress.
     ExportAt {
         /// Frames that are drawn.
         done: usize,
@@ -133,7 +133,7 @@ fn event_loop() -> Result<EventLoop<UserEvent>, WindowError> {
     Err(WindowError::NoDisplay { reason, variables: display::variables() })
 }
 
-/// The clock on the wall.
+/// The wall clock.
 #[must_use]
 pub(crate) fn now() -> Instant {
     Instant::now()

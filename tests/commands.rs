@@ -206,7 +206,7 @@ fn any_view() -> impl Strategy<Value = Command> {
         prop::option::of(any_node()).prop_map(ViewCommand::Choose),
         any::<bool>().prop_map(ViewCommand::SetAutoKeys),
         any::<u8>().prop_map(ViewCommand::SetGhosts),
-        any_f64().prop_map(ViewCommand::ScrubTimedKeys),
+        any_f64().prop_map(ViewCommand::ScrubSeconds),
     ]
     .prop_map(Command::View)
 }
@@ -361,7 +361,7 @@ fn what_the_editor_always_refuses_has_no_line() {
         Command::Edit(Edit::Wheel(Rbt::from_translation(Vec3::INFINITY))),
         Command::View(ViewCommand::Choose(Some(RbtIndex::new(usize::MAX)))),
         Command::View(ViewCommand::SetEye(9)),
-        Command::View(ViewCommand::ScrubTimedKeys(f64::NAN)),
+        Command::View(ViewCommand::ScrubSeconds(f64::NAN)),
         Command::Edit(Edit::Scene(SceneEdit::RemoveControl("nowhere".into()))),
     ] {
         assert_eq!(script::print(&command, &SCENE), None, "{command:?}");

@@ -29,7 +29,7 @@ type Panel = Harness<'static, App>;
 fn panel(scene: &str) -> Panel {
     let scene = Arc::new(built_in_scene(scene).unwrap());
     let mut editor = Editor::new(scene, PathBuf::from("animation.json"));
-    apply(&mut editor, Command::View(ViewCommand::ScrubTimedKeys(1.0)));
+    apply(&mut editor, Command::View(ViewCommand::ScrubSeconds(1.0)));
     let app = App { editor, ui: Panels::new(), commands: Vec::new(), is_dressed: false, cursor: CursorIcon::Default };
     let mut harness =
         Harness::builder().with_size(vec2(1280.0, 900.0)).with_max_steps(60).with_step_dt(1.0 / 60.0).build_ui_state(

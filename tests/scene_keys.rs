@@ -260,14 +260,14 @@ fn a_scene_is_saved_and_opened_again() {
 #[test]
 fn a_scrubbed_time_is_held_until_something_plays() {
     let mut editor = cylinder();
-    let scrub = |editor: &mut Editor, seconds| apply(editor, Command::View(ViewCommand::ScrubTimedKeys(seconds)));
+    let scrub = |editor: &mut Editor, seconds| apply(editor, Command::View(ViewCommand::ScrubSeconds(seconds)));
     editor.tick(30);
     scrub(&mut editor, 1.25);
     editor.tick(60);
     assert_eq!((editor.seconds(), editor.holds_timed_keys()), (1.25, true));
     scrub(&mut editor, -3.0);
     assert_eq!(editor.seconds(), 0.0);
-    apply(&mut editor, Command::View(ViewCommand::ScrubTimedKeys(f64::NAN)));
+    apply(&mut editor, Command::View(ViewCommand::ScrubSeconds(f64::NAN)));
     assert_eq!((editor.seconds(), editor.message_text().as_str()), (0.0, "That is not a time: nothing was changed."));
     press(&mut editor, "n n n n");
     scrub(&mut editor, 1.0);

@@ -1,4 +1,4 @@
-//! What each command does.
+//! The handlers of commands.
 
 use glam::Quat;
 
@@ -16,18 +16,18 @@ use crate::rbt::Rbt;
 use crate::rotation_rules::unit;
 use crate::words::{Argument, Phrase, texts};
 
-/// How much `+` and `-` change the ms between keyframes.
+/// Change of the ms between keyframes by one `+` or `-`, in milliseconds.
 const MS_STEP: u32 = 100;
 
-/// What a command says, or nothing; or why it was refused.
+/// The message of a command, if it has one, or the reason why it was refused.
 pub(super) type CommandResult = Result<Option<Message>, CommandError>;
 
 impl Editor {
-    /// Does a command, and returns what is to be done outside for it. What it says is the message afterwards, in either outcome. A drag
-    /// says nothing of its movements: the status line keeps what it shows. What else says nothing clears it.
+    /// Runs a command, and returns the effect that the host must perform. Its message, or its refusal, is [`Editor::message`] afterwards. A drag's
+    /// movements have no message and leave the status line alone. Every other command without a message clears it.
     ///
     /// # Errors
-    /// Why the command was refused; nothing has changed then.
+    /// Why the command was refused. The document is then unchanged, except that a running drag may have been committed.
     pub fn apply(&mut self, command: Command) -> Result<Option<Effect>, CommandError> {
         let is_drag = matches!(command, Command::Gesture(_));
         self.message = None;
@@ -42,7 +42,7 @@ impl Editor {
         outcome.map(|(_, effect)| effect)
     }
 
-    /// Says something, for the log and the status line.
+    /// Reports a message: it goes to the log and the status line.
     pub fn say(&mut self, message: impl Into<Message>) {
         let message = message.into();
         self.said.push(message.clone());
@@ -77,12 +77,12 @@ impl Editor {
         }
     }
 
-    /// Puts other keys in force: what is said names those.
+    /// Replaces the keymap. Messages name hotkeys by it.
     pub fn set_keymap(&mut self, keymap: Keymap) {
         self.keymap = keymap;
     }
 
-    /// The key of a command as a sentence names it; where it has none, its name.
+    /// The hotkey of a command for use in a message; its name if it has no hotkey.
     pub(super) fn key_of(&self, command: &Command) -> Argument {
         match self.keymap.bindings().iter().find(|binding| binding.command == *command) {
             Some(binding) if binding.chords.is_empty() => texts::hotkeys_command_without_key(binding.title()).into(),
@@ -208,7 +208,7 @@ impl Editor {
         }
     }
 
-    /// What was done at the current keyframe, said after it.
+    /// A message about the current keyframe: where it is, then what was done.
     pub(super) fn at_current(&self, rest: impl Into<Argument>) -> Message {
         texts::at_position(self.where_we_are(), rest)
     }
@@ -275,7 +275,7 @@ impl Editor {
             return Err(CommandError::NoSuchKeyframe { index: index.get(), count });
         }
         self.show_keyframe(texts::ACT_STEP_TO_ANOTHER_KEYFRAME, index);
-        // A selection is what the next edit is for: one that was left behind would surprise.
+        // The next edit applies to the selection. Clear it, because the user expects the new current keyframe.
         if !self.session.selected.contains(&index) {
             self.session.selected.clear();
         }

@@ -1,4 +1,4 @@
-//! What file commands ask of the shell, and what becomes of the outcome.
+//! File commands: the effects they need, and the handling of their results.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -59,7 +59,7 @@ impl Editor {
         Effect::WriteScene { path, text: scene_to_json(&self.document.scene), is_known }
     }
 
-    /// Where the scene is to be saved, as long as nobody says otherwise: its own file, or one of its name beside the keyframe file.
+    /// The default path for saving the scene: its own file, or a file named after the scene beside the keyframe file.
     #[must_use]
     pub fn proposed_scene_path(&self) -> PathBuf {
         self.scene_path
@@ -126,7 +126,7 @@ impl Editor {
             document.ms_between_keyframes = file.ms_between_keyframes.unwrap_or(document.ms_between_keyframes);
             Self::list_with_first_current(document, KeyframeList::new(file.keyframes));
         });
-        // What a student wrote is not written over without a copy.
+        // A file that was imported from another layout is copied before it is overwritten.
         let is_known = report.is_none();
         let said = match report {
             None => texts::file_imported(what, path.display()),

@@ -111,20 +111,20 @@ pub struct Modifiers {
 pub struct Chord {
     /// The key.
     pub key: Key,
-    /// What is held with it. For a sign, such as `>`, Shift does not matter: boards differ in what types it.
+    /// The modifiers. Shift is ignored for signs such as `>`, because keyboards differ in how they type them.
     pub modifiers: Modifiers,
 }
 
 /// A press of a key, as the window or a script gives it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct KeyPress {
-    /// What the layout in force makes of it, whatever Ctrl and Alt do.
+    /// The key by the current keyboard layout, regardless of Ctrl and Alt.
     pub typed: Option<Key>,
-    /// What a US board has in the same place, Shift taken into account.
+    /// The key at the same position on a US keyboard, with Shift applied.
     pub on_us_layout: Option<Key>,
-    /// What is held with it.
+    /// The modifiers that are held.
     pub modifiers: Modifiers,
-    /// Whether it comes from holding the key down.
+    /// Whether it repeats because the key is held down.
     pub is_repeat: bool,
 }
 

@@ -58,7 +58,7 @@ impl Editor {
             .map(|(_, dot)| dot)
     }
 
-    /// Where a node goes in a keyframe, in its parent's space, when its dot is moved by so many pixels (y down) in the plane through it
+    /// Where a node goes in a keyframe, in its parent's space, when its dot is moved by `by_px` pixels (y down) in the plane through it
     /// that is parallel to the view. `None` where the dot is behind the eye, or its parent has no inverse.
     #[must_use]
     pub fn path_dot_moved(&self, camera: &Camera, dot: PathDot, by_px: Vec2) -> Option<Vec3> {

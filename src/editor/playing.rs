@@ -67,7 +67,7 @@ impl Editor {
         Pace { ms_between_keyframes: self.document.ms_between_keyframes, speed_percent: self.session.speed_percent }
     }
 
-    /// A running playback goes on at the pace in force.
+    /// Applies the current pace to a running playback.
     pub(super) fn refit_pace(&mut self) {
         let pace = self.pace();
         if let Playback::Playing(position) = &mut self.playback {
@@ -75,7 +75,7 @@ impl Editor {
         }
     }
 
-    /// A running playback goes on in the range and the mode in force.
+    /// Applies the current range and mode to a running playback.
     fn refit_playing(&mut self) {
         if let (Playback::Playing(position), Ok(span)) = (&self.playback, self.span()) {
             self.playback = Playback::Playing(position.in_span(span));

@@ -1,4 +1,4 @@
-//! Editing what is keyed at its own times: keys, and the control nodes that have them. They are a part of the scene, which the
+//! Edits of timed keys and of the control nodes that have them. Both are part of the scene, which the
 //! document holds, so that all of it is undone.
 
 use std::sync::Arc;
@@ -34,7 +34,7 @@ impl KeyAt {
     }
 }
 
-/// Edits of control nodes and of keys at their own times. Nodes are named by their paths, which hold when other nodes come and go.
+/// Edits of control nodes and of timed keys. Nodes are named by their paths, which hold when other nodes come and go.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SceneEdit {
     /// Adds keys with the values that are there at their times; a key that stands there already stays. They are selected then.

@@ -1,4 +1,4 @@
-//! The clock of keys at their own times, apart from the keyframe list.
+//! The clock of the timed keys. It is independent of keyframe playback.
 
 use super::apply::CommandResult;
 use super::{CommandError, Editor};
@@ -12,7 +12,7 @@ pub struct TimedKeyClock {
     from: f64,
     ticks: u64,
     is_held: bool,
-    /// Whether it is held since somebody scrubbed: until something plays.
+    /// Whether it is held only because of a scrub. Playback then releases it.
     is_scrubbed: bool,
 }
 
@@ -24,19 +24,19 @@ impl TimedKeyClock {
 }
 
 impl Editor {
-    /// How far the keys at their own times are, in seconds; 0 in a scene that has none.
+    /// The time at which timed keys are sampled, in seconds from 0. A scene without timed keys stays at 0.
     #[must_use]
     pub fn seconds(&self) -> f64 {
         self.timed_key_clock.seconds()
     }
 
-    /// Whether the clock of the keys at their own times is held.
+    /// Whether the clock of the timed keys is held.
     #[must_use]
     pub const fn holds_timed_keys(&self) -> bool {
         self.timed_key_clock.is_held
     }
 
-    /// Whether something moves with time, so that ticks are wanted: something plays, or keys at their own times are not over.
+    /// Whether the picture changes with time, so that the host must deliver ticks: playback runs, or timed keys remain.
     #[must_use]
     pub fn wants_ticks(&self) -> bool {
         self.is_playing() || self.moves_by_itself()
@@ -72,7 +72,7 @@ impl Editor {
         }
     }
 
-    /// Shows a time and holds it, until something plays or the clock is told to go on; while something plays it goes on from there.
+    /// Shows a time and holds it until playback starts or the clock is released. During playback the clock runs on from that time.
     pub(super) fn scrub_timed_keys(&mut self, seconds: f64) -> CommandResult {
         if !seconds.is_finite() {
             return Err(CommandError::NotAValue { what: texts::VALUE_TIME });
@@ -84,7 +84,7 @@ impl Editor {
         Ok(None)
     }
 
-    /// Playing begins at so many seconds after the first played keyframe: what was scrubbed to goes on with it.
+    /// Playback starts, `seconds` after the first played keyframe. A clock that is held by a scrub follows it.
     pub(super) fn end_scrub_of_timed_keys(&mut self, seconds: f64) {
         if self.timed_key_clock.is_scrubbed {
             self.timed_key_clock = TimedKeyClock { from: seconds.max(0.0), ..TimedKeyClock::default() };

@@ -239,7 +239,7 @@ impl Editor {
         Ok(Some(texts::keyframes_deleted(texts::count_keyframes(indices.len()), self.where_we_are())))
     }
 
-    /// Inserts keyframes after those at hand; says how many, and where the first of them is now.
+    /// Inserts keyframes after the selected ones. Returns their number and the index of the first.
     fn insert_after_hand(&mut self, label: Phrase, inserted: Vec<Keyframe>) -> (Message, usize) {
         let at = self.keyframes_at_hand().last().map_or(0, |last| last + 1);
         let mut keyframes = self.document.keyframes.as_slice().to_vec();

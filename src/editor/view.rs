@@ -1,4 +1,4 @@
-//! How the scene is looked at and handled: session state, which is not undone.
+//! View commands: changes of the session, which undo leaves alone.
 
 use super::apply::CommandResult;
 use super::{Command, CommandError, Editor, Message, SkyMode, ViewCommand};
@@ -52,7 +52,7 @@ impl Editor {
             }
             ViewCommand::RestartTimedKeys => Ok(Some(self.restart_timed_keys())),
             ViewCommand::HoldTimedKeys => Ok(Some(self.hold_timed_keys())),
-            ViewCommand::ScrubTimedKeys(seconds) => self.scrub_timed_keys(seconds),
+            ViewCommand::ScrubSeconds(seconds) => self.scrub_timed_keys(seconds),
             ViewCommand::ToggleMotionPath => {
                 self.session.shows_motion_path = !self.session.shows_motion_path;
                 let said =
@@ -106,7 +106,7 @@ impl Editor {
         }))
     }
 
-    /// What the eye is and how a drag moves, in a few words: `sky view · world-sky`.
+    /// The eye and how a drag moves, in short: `sky view · world-sky`.
     #[must_use]
     pub fn view_sentence(&self) -> Message {
         let eye = self.document.scene.node(self.document.scene.rbt_node(self.eye())).name.as_str();

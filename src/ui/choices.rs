@@ -1,4 +1,4 @@
-//! What can be chosen among: recent files, eyes, interpolations, colours, languages, sizes. Menus and the list of commands show the same.
+//! Choices with a value: recent files, eyes, interpolations, colours, languages, sizes. Menus and the command list show the same.
 
 use super::words::Words;
 use crate::editor::{Command, Edit, Editor, FileCommand, ViewCommand, WindowCommand};

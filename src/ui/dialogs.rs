@@ -1,4 +1,4 @@
-//! Questions that wait for an answer: a path, and what to do with unsaved work.
+//! Modal dialogs: a path, unsaved work, the command list, hotkeys, export.
 
 use std::path::{Path, PathBuf};
 
@@ -13,7 +13,7 @@ use super::{PanelInput, PathPurpose, QuitAnswer, UiOutput};
 use crate::editor::{Command, FileCommand};
 use crate::words::texts;
 
-/// The question at hand.
+/// The dialog that is open.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Dialog {
     /// Which file?

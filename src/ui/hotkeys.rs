@@ -1,4 +1,4 @@
-//! The keys of every command, which are changed by pressing others.
+//! The dialog that lists and changes hotkeys.
 
 use egui::{Align, Button, Event, Layout, RichText, ScrollArea, Ui, vec2};
 
@@ -13,21 +13,21 @@ use crate::words::texts;
 /// Width of the dialog, in points.
 const WIDTH: f32 = 560.0;
 
-/// What is going on in the dialog.
+/// The state of the dialog.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct HotkeysDialog {
-    /// Which key of which binding waits for a press.
+    /// The id of the binding and the index of its hotkey that wait for a press.
     waiting: Option<(&'static str, usize)>,
     /// Why the last press was refused.
     refused: Option<String>,
 }
 
-/// What came of showing it.
+/// Whether the dialog stays open.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DialogState {
     /// It stays.
     Stays,
-    /// It stays, and Escape was for what waits in it.
+    /// It stays open: Escape ended the wait for a press.
     TookEscape,
     /// It is over.
     IsOver,
@@ -66,7 +66,7 @@ impl HotkeysDialog {
             }
         });
         ui.add_space(2.0 * GRID);
-        // There is always room for the sentence, so that nothing jumps.
+        // Reserve the space for the message, so that nothing moves when it appears.
         let refused = self.refused.clone().unwrap_or_default();
         ui.add_sized(
             vec2(WIDTH, ROW),
@@ -114,7 +114,7 @@ impl HotkeysDialog {
         });
     }
 
-    /// The cap of a key, or of one more.
+    /// Draws one hotkey as a key cap, or the cap that adds one.
     fn cap(&mut self, ui: &mut Ui, binding: &Binding, index: usize, label: &str, is_fixed: bool, words: Words) {
         let tokens = Tokens::of(ui);
         let is_waiting = self.waiting == Some((binding.id, index));
@@ -175,7 +175,7 @@ impl HotkeysDialog {
     }
 }
 
-/// What a press means to a key that waits.
+/// What a press does to the hotkey that waits for it.
 enum Pressed {
     /// Leave it as it is.
     Nothing,
@@ -194,7 +194,7 @@ fn press(ui: &Ui) -> Option<Pressed> {
         input.events = others;
         keyboard
     });
-    // A sign is what the layout types, wherever it stands on the board.
+    // Signs are matched by the character that the layout types.
     let typed = events.iter().find_map(|event| match event {
         Event::Text(text) => text.chars().next().filter(|sign| !sign.is_alphanumeric() && !sign.is_whitespace()),
         _ => None,
@@ -220,7 +220,7 @@ fn chord(key: egui::Key, typed: Option<char>, modifiers: Modifiers) -> Option<Ch
         let mut characters = name.chars();
         characters.next().filter(|_| characters.next().is_none()).map(Key::typing)
     };
-    // Its sign is the one for people.
+    // Show the sign that is printed on the key.
     let minus = (key == egui::Key::Minus).then_some(Key::Character('-'));
     let key = named.or(minus).or_else(|| one(key.name())).or_else(|| one(key.symbol_or_name()))?;
     Some(Chord { key, modifiers })

@@ -1,4 +1,4 @@
-//! The list of commands: it narrows as one types, arrows move in it, Enter runs.
+//! The command list: typing filters it, arrows move in it, Enter runs a command.
 
 use egui::{Align2, Key, Modifiers, Response, Role, ScrollArea, Sense, TextEdit, Ui, WidgetInfo, vec2};
 

@@ -1,4 +1,4 @@
-//! What is asked of the window itself: the lists and dialogs that it shows, and its settings.
+//! Commands of the window itself: lists, dialogs and settings.
 
 use super::dialogs::Dialog;
 use super::export::ExportDialog;
@@ -17,7 +17,7 @@ use crate::words::{Argument, Message, texts};
 const SETTLED: u8 = 2;
 
 impl Panels {
-    /// Puts settings in force. What is wrong with the keys in them comes back.
+    /// Applies settings. Returns what is wrong with the hotkeys in them.
     pub fn adopt(&mut self, settings: &Settings) -> Vec<KeymapError> {
         let mut errors = Vec::new();
         if self.settings.keys != settings.keys {
@@ -27,17 +27,17 @@ impl Panels {
         errors
     }
 
-    /// The keys in force.
+    /// The current keymap.
     #[must_use]
     pub const fn keymap(&self) -> &Keymap {
         &self.keymap
     }
 
-    /// Does what is asked of the window: shows what is wanted, and changes the settings, which are put in force.
-    /// Says what was done, where that cannot be seen.
+    /// Performs a command of the window: shows a dialog or list, or changes the settings and applies them.
+    /// Returns a message if the result cannot be seen.
     ///
     /// # Errors
-    /// Why keys were not changed.
+    /// Why hotkeys were not changed.
     pub fn perform(
         &mut self,
         command: &WindowCommand,
@@ -90,7 +90,7 @@ impl Panels {
         })
     }
 
-    /// Puts the settings in force that the panels' memory has to know of.
+    /// Applies the settings that egui's context holds: language, theme and scale.
     pub(super) fn dress(&self, context: &egui::Context) {
         let words = Words::new(self.settings.language);
         let theme = match self.settings.theme {

@@ -40,7 +40,7 @@ impl std::fmt::Debug for Thumbnails {
 }
 
 impl Thumbnails {
-    /// Begins a frame: nothing is wanted until it is in sight, and pictures of poses that nobody else holds are dropped.
+    /// Begins a frame: nothing is wanted until it is in sight, and pictures of poses that are held nowhere else are dropped.
     pub fn begin(&mut self) {
         self.wanted.clear();
         self.frame += 1;

@@ -58,19 +58,19 @@ pub enum Ask {
     Rename,
     /// All keyframes in sight.
     FitAll,
-    /// Those at hand in sight.
+    /// The selected keyframes in sight.
     FitSelection,
 }
 
-/// Zoom, scroll, what is folded, and the drag that goes on.
+/// The timeline's own state: zoom, scroll, folded rows, and the current drag.
 #[derive(Clone, Debug, Default)]
 pub struct Timeline {
     tab: Tab,
     columns: Columns,
     rows: Rows,
-    /// What is in sight; `None` until somebody zooms or pans.
+    /// The visible part of time; `None` until the user zooms or pans.
     view: Option<View>,
-    /// What is in sight as long as nobody does: kept while a drag goes on, so that nothing moves under the pointer.
+    /// The visible part of time until then. It stays the same during a drag, so that nothing moves under the pointer.
     untouched: Option<View>,
     /// For how many keyframes and what width that is.
     fitted_to: (usize, f32),
@@ -208,14 +208,14 @@ impl Timeline {
         ui.painter().hline(side.x_range(), layout.header.bottom() - 0.5, line);
     }
 
-    /// The view in force, moved where the current keyframe or the playhead has left it.
+    /// The current view, moved if the current keyframe or the playhead is out of sight.
     fn choose_view(&mut self, editor: &Editor, layout: &Layout, columns: &Columns) {
         let width = layout.tracks.width();
         let (first, last) = columns.ends();
         let is_still = self.drag.is_none() && !self.graphs.is_dragging() && !self.keys.is_dragging();
         let fitted_to = (columns.len(), width);
         if is_still && self.fitted_to != fitted_to {
-            // More keyframes, or another width: what nobody zoomed fits itself. Retiming leaves it alone.
+            // More keyframes, or another width: a view that was never zoomed fits itself again. A change of durations does not move it.
             self.fitted_to = fitted_to;
             let fresh = View::at_first(first, last, width);
             let same_zoom = self.untouched.filter(|view| view.points_per_unit == fresh.points_per_unit);
@@ -306,7 +306,7 @@ impl Timeline {
         self.view = Some(View::fitting(first, last, layout.tracks.width()));
     }
 
-    /// Brings the keyframes at hand into sight, with their neighbours where it is one.
+    /// Scrolls the selected keyframes into sight; a single one with its neighbours.
     fn fit_selection(&mut self, editor: &Editor, layout: &Layout, columns: &Columns) {
         if let Some((first, last)) = timed_key_view::ends_of_selection(editor) {
             self.view = Some(View::fitting(first, last.max(first + 0.1), layout.tracks.width()));

@@ -1,13 +1,13 @@
-//! What of the panels is to be filled anew: the areas in which the shapes of two layouts differ.
+//! Damage tracking: the areas in which the shapes of two layouts differ.
 //!
-//! Filling is what panels cost where the CPU draws, and from one picture to the next little of them changes.
+//! When the CPU draws, filling dominates the cost of panels, and little changes between two pictures.
 
 use std::sync::Arc;
 
 use egui::epaint::ClippedShape;
 use egui::{Rect, Shape, pos2};
 
-/// So many areas at most: beyond, those that lie nearest to each other are filled as one.
+/// The most areas that are kept. Beyond that, the two nearest are merged.
 const MOST: usize = 16;
 /// How far beyond its outline a shape may colour pixels: soft edges and the points of mitred corners.
 const BEYOND_PX: f32 = 3.0;

@@ -13,7 +13,7 @@ use crate::ui::PathPurpose;
 use crate::ui::words::Words;
 use crate::words::texts;
 
-/// An answer of "nothing" within this time is no user's: the system has no dialog.
+/// If a dialog is cancelled faster than this, it was not the user: the system has no dialog.
 pub const TOO_FAST_FOR_A_USER: Duration = Duration::from_millis(150);
 
 /// What the system is asked for.

@@ -1,6 +1,6 @@
-//! Which window system is asked on Linux: one that answers, whatever variables are left over from other sessions.
+//! Chooses between Wayland and X11 on Linux: the one that answers, even if variables of other sessions are left over.
 //!
-//! winit makes one event loop in a process, and goes by the variables alone, so that this has to be known before.
+//! winit allows one event loop per process and decides by the variables alone, so the choice is made first.
 
 use winit::event_loop::EventLoopBuilder;
 
@@ -83,7 +83,7 @@ mod linux {
         Wayland,
     }
 
-    /// Whoever knows whether a display answers.
+    /// Checks whether a display answers.
     pub trait Answers {
         /// Whether a Wayland compositor listens on a socket.
         fn wayland(&self, socket: &std::path::Path) -> bool;

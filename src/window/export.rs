@@ -51,7 +51,7 @@ impl Shell {
             let mut watch = |done: usize, count: usize| {
                 let now = done * MOST_NEWS / count.max(1);
                 if news.replace(now) != Some(now) {
-                    // Without a window nobody wants to know.
+                    // If the window is gone, nothing receives it.
                     let _ = proxy.send_event(UserEvent::ExportAt { done, count });
                 }
                 !asked.load(Ordering::Relaxed)
@@ -64,7 +64,7 @@ impl Shell {
         self.export_at(0, 0);
     }
 
-    /// So many frames of so many are drawn.
+    /// Reports the export's progress in frames.
     pub(super) fn export_at(&mut self, done: usize, count: usize) {
         self.ui.exporting = self.export.as_ref().map(|export| Exporting {
             path: export.path.clone(),

@@ -1,29 +1,29 @@
-//! From the window system's key events to presses that the table of bindings knows.
+//! Translates key events of the window system to [`KeyPress`]es of the keymap.
 
 use winit::event::{ElementState, KeyEvent};
 use winit::keyboard::{Key as LogicalKey, KeyCode, ModifiersState, NamedKey, PhysicalKey};
 
 use crate::editor::keymap::{Key, KeyPress, Modifiers};
 
-/// What of a key event matters, as plain data.
+/// The relevant part of a key event, as plain data.
 #[derive(Clone, Debug, PartialEq)]
 pub struct KeyInput {
-    /// The key's physical on the board.
+    /// The position of the key on the keyboard.
     pub physical: Option<KeyCode>,
-    /// What the layout in force makes of it.
+    /// The key by the current keyboard layout.
     pub logical: LogicalKey,
     /// Whether it went down, not up.
     pub is_pressed: bool,
-    /// Whether it comes from holding the key down.
+    /// Whether it repeats because the key is held down.
     pub is_repeat: bool,
-    /// Whether no finger did it: the window got the focus while the key was down.
+    /// Whether the window system made it up because the focus changed while the key was down.
     pub is_synthetic: bool,
-    /// What is held with it.
+    /// The modifiers that are held.
     pub modifiers: Modifiers,
 }
 
 impl KeyInput {
-    /// What of an event matters.
+    /// From a window system's event.
     #[must_use]
     pub fn new(event: &KeyEvent, is_synthetic: bool, modifiers: ModifiersState) -> Self {
         Self {
@@ -49,7 +49,7 @@ impl KeyInput {
         typed(&self.logical) == Some(Key::Space)
     }
 
-    /// The press that it is, whether the key goes down or up; `None` where no finger did it.
+    /// The press that it is, whether the key goes down or up; `None` if it is synthetic.
     #[must_use]
     pub fn press(&self) -> Option<KeyPress> {
         (!self.is_synthetic).then(|| KeyPress {
@@ -104,7 +104,7 @@ const fn without_character(named: NamedKey) -> Option<Key> {
     })
 }
 
-/// What a US board has in a physical.
+/// The key at a position of a US keyboard.
 fn on_us_layout(physical: KeyCode, shift: bool) -> Option<Key> {
     let with_shift = |plain, shifted| if shift { shifted } else { plain };
     Some(Key::Character(match physical {

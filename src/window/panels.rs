@@ -1,5 +1,5 @@
-//! The panels on the GPU. What is beside the scene is kept in a texture and filled again only where it changed; each picture takes a
-//! copy of it. What lies over the scene is drawn each time.
+//! Draws the panels on the GPU. Panels beside the scene are kept in a texture, which is redrawn only where it changed; each picture
+//! copies it. Shapes over the scene are drawn for each picture.
 
 use std::time::Instant;
 
@@ -11,7 +11,7 @@ use super::damage::{self, Areas};
 use super::now;
 use crate::render::Gpu;
 
-/// Draws panels, and keeps what it drew.
+/// Draws the panels, and keeps them in a texture.
 pub struct PanelPainter {
     renderer: egui_wgpu::Renderer,
     format: wgpu::TextureFormat,
@@ -23,7 +23,7 @@ pub struct PanelPainter {
     is_over_uploaded: bool,
 }
 
-/// The panels as they were filled last.
+/// The texture with the panels as they were drawn last.
 struct Canvas {
     texture: wgpu::Texture,
     view: wgpu::TextureView,
@@ -32,7 +32,7 @@ struct Canvas {
     is_fresh: bool,
 }
 
-/// How the window is divided.
+/// How the window is divided into scene and panels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WindowLayout {
     /// The window's width and height, in pixels.
@@ -51,12 +51,12 @@ impl WindowLayout {
         Rect::from_min_max(Pos2::ZERO, pos2(width, height))
     }
 
-    /// What is drawn each time.
+    /// The area that is drawn for each picture.
     fn over(&self) -> Rect {
         if self.can_copy { self.scene_px.intersect(self.window()) } else { self.window() }
     }
 
-    /// What is beside it: above, below, left and right. Some may be empty.
+    /// The areas around it: above, below, left and right. Some may be empty.
     fn beside(&self) -> [Rect; 4] {
         let (window, over) = (self.window(), self.over());
         [

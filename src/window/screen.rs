@@ -1,4 +1,4 @@
-//! How pictures get to the window: through the driver's surface, or through memory that is shared with the display server.
+//! Presents pictures: through the driver's surface, or through memory shared with the X server.
 
 use std::sync::Arc;
 
@@ -19,16 +19,16 @@ pub struct Screen {
     shared: Option<Shared>,
 }
 
-/// A picture to draw on and to show then.
+/// The texture that the next picture is drawn on.
 pub enum DrawTarget {
-    /// The surface's next one.
+    /// The next texture of the surface.
     OfSurface(wgpu::SurfaceTexture),
-    /// One that stays.
+    /// A texture that is copied to memory shared with the X server.
     Shared(wgpu::Texture),
 }
 
 impl DrawTarget {
-    /// What it is drawn on.
+    /// The texture.
     pub const fn texture(&self) -> &wgpu::Texture {
         match self {
             Self::OfSurface(shown) => &shown.texture,
@@ -89,7 +89,7 @@ impl Screen {
         self.shared.is_some() || self.configuration.usage.contains(wgpu::TextureUsages::COPY_DST)
     }
 
-    /// Pictures are so many pixels large from now on.
+    /// Sets the size of pictures in pixels.
     pub fn resize(&mut self, size_px: [u32; 2]) {
         if size_px != self.size_px() {
             [self.configuration.width, self.configuration.height] = size_px;

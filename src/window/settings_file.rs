@@ -1,4 +1,4 @@
-//! The settings between one start and the next: read once, written when they change.
+//! The settings file: read at the start, written when a setting changes.
 
 use std::path::PathBuf;
 
@@ -12,14 +12,14 @@ use crate::words::{Language, Message, texts};
 pub struct SettingsFile {
     /// The settings.
     pub settings: Settings,
-    /// Where they are kept; `None` where the system has no place for them.
+    /// The file's path; `None` if the system has no folder for settings.
     path: Option<PathBuf>,
-    /// Whether the file holds what was not understood, and must not be lost.
+    /// Whether the file could not be understood. It is then copied before it is overwritten.
     is_foreign: bool,
 }
 
 impl SettingsFile {
-    /// What was kept, and what to say where that could not be read; the usual settings are in force then.
+    /// Reads the settings. If they cannot be read, returns the defaults and a message.
     pub fn read() -> (Self, Option<Message>) {
         let usual = Settings { language: system_language(), ..Settings::default() };
         Self::read_from(storage::settings_path(), usual)
@@ -47,7 +47,7 @@ impl SettingsFile {
         }
     }
 
-    /// Writes the settings. Says where the file is that stood there, if it was not understood.
+    /// Writes the settings. Returns a message with the copy's path if a file that was not understood was copied.
     pub fn write(&mut self) -> Result<Option<Message>, Message> {
         let Some(path) = &self.path else { return Ok(None) };
         let failed = |error: storage::StorageError| {

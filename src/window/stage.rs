@@ -1,4 +1,4 @@
-//! What the picture is made on: window, surface, device, the scene's renderer and the panels'. All of it can be lost and made again.
+//! The window's GPU resources: surface, device, and the renderers of scene and panels. All can be lost and made again.
 
 use std::sync::Arc;
 use std::time::Duration;

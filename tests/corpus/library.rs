@@ -51,7 +51,7 @@ pub fn editor() -> String {
             ripple_free: false,
         })),
         Command::Playback(PlaybackCommand::Scrub(f64::NAN)),
-        Command::View(ViewCommand::ScrubTimedKeys(f64::INFINITY)),
+        Command::View(ViewCommand::ScrubSeconds(f64::INFINITY)),
         Command::Edit(Edit::Scene(SceneEdit::DeleteKeys(Vec::new()))),
         Command::Edit(Edit::Scene(SceneEdit::MoveKeys { keys: Vec::new(), by: 1.0 })),
         Command::Edit(Edit::Scene(SceneEdit::AddKeys(Vec::new()))),

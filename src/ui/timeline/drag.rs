@@ -17,7 +17,7 @@ pub enum Drag {
     Scrub,
     /// Selects what it surrounds, on top of what was selected.
     Box { from_time: f64, from_y: f32, before: Vec<KeyframeIndex>, mode: Mode },
-    /// Moves the keyframes at hand to another place in the list.
+    /// Moves the selected keyframes in the list.
     Move { grabbed: usize },
     /// Changes the length of the interval that begins at a keyframe.
     Retime(Retime),
@@ -52,7 +52,7 @@ pub struct Retime {
 }
 
 impl Retime {
-    /// The length that the interval has under a pointer that moved by so many units.
+    /// The interval's length after the pointer moved by this many units.
     #[must_use]
     pub fn duration(&self, moved: f64, snap: f64) -> f64 {
         let moved = if self.index == 0 { -moved } else { moved };
@@ -312,7 +312,7 @@ impl Timeline {
             }
             Mode::Toggle => {
                 self.anchor = Some(index);
-                // The current keyframe is at hand as long as none is selected: it stays so.
+                // While nothing is selected, edits apply to the current keyframe. Keep that.
                 let current = editor.document().keyframes.current();
                 let before: Vec<_> = match (selected.is_empty(), current) {
                     (true, Some(current)) if current != keyframe_index => vec![current],

@@ -1,4 +1,4 @@
-//! Graphs of the chosen node over time: the interpolation in force strong, the other faint. Dots of the translation can be dragged.
+//! Graphs of the chosen node over time: the current interpolation strong, the other faint. Dots of the translation can be dragged.
 
 use egui::{
     Align2, Color32, CursorIcon, FontFamily, FontId, Key, Painter, PointerButton, Pos2, Rect, Response, Role, Sense,
@@ -280,7 +280,7 @@ impl Graphs {
         let axes = if quantity == Quantity::Translation { 3 } else { 1 };
         let in_force = document.interpolation;
         let mut curves = Vec::new();
-        // The one in force is drawn last, over the others.
+        // The current interpolation is drawn last, over the others.
         let others = Interpolation::ALL.into_iter().filter(|&other| other != in_force);
         for interpolation in others.chain([in_force]) {
             let movement =

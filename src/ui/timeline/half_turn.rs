@@ -1,4 +1,4 @@
-//! Intervals in which a node turns by nearly half a turn: which way round it goes hangs on the last digits.
+//! Intervals in which a node turns by nearly 180 degrees: rounding decides the direction of the turn.
 
 use std::ops::Range;
 
@@ -7,9 +7,9 @@ use glam::Quat;
 use crate::keyframe::{Easing, Keyframe};
 use crate::pose::RbtIndex;
 
-/// Beyond this angle in degrees, which way round a turn goes is a matter of luck.
+/// The least angle in degrees at which the direction of a turn counts as ambiguous.
 pub const AMBIGUOUS_DEGREES: f32 = 170.0;
-/// The cosine of half of that: below it, quaternions are that far apart. A test holds it to [`AMBIGUOUS_DEGREES`].
+/// cos([`AMBIGUOUS_DEGREES`] / 2): quaternions with a smaller absolute dot product are at least that far apart. A test checks the value.
 const HALF_COSINE: f32 = 0.087_155_74;
 
 /// The angle from one rotation to another in degrees, the short way: exact for small angles too.

@@ -1,4 +1,4 @@
-//! Where the parts of the timeline stand, and which of them is at a point.
+//! Layout and hit tests of the timeline.
 
 use egui::{Pos2, Rect, pos2, vec2};
 
@@ -105,7 +105,7 @@ pub enum Hit {
     Empty,
 }
 
-/// What finding something needs to know.
+/// Everything that hit tests need.
 #[derive(Clone, Copy, Debug)]
 pub struct Target<'a> {
     /// The areas.
@@ -205,7 +205,7 @@ impl Target<'_> {
         })
     }
 
-    /// The keyframe whose column is at a place.
+    /// The keyframe whose column is at a horizontal position.
     #[must_use]
     pub fn diamond_at(&self, x: f32) -> Option<usize> {
         let index = self.columns.nearest(self.scale.time_at(x))?;

@@ -1,4 +1,4 @@
-//! What the timeline shows beside diamonds: small pictures of keyframes, and warnings on intervals.
+//! Thumbnails of keyframes and half turn warnings on the timeline.
 
 use egui::{Painter, Rect, Shape, Stroke, StrokeKind, pos2, vec2};
 

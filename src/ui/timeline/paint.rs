@@ -1,4 +1,4 @@
-//! How the timeline looks: ruler, rows, diamonds, playhead. Nothing here takes part in what the pointer does.
+//! Painting of the timeline: ruler, rows, diamonds, playhead. Input is handled elsewhere.
 
 use egui::text::{LayoutJob, TextWrapping};
 use egui::{Align2, Color32, FontFamily, FontId, Painter, Pos2, Rect, Shape, Stroke, pos2, vec2};
@@ -26,9 +26,9 @@ pub struct Look<'a> {
     pub editor: &'a Editor,
     /// Where everything is.
     pub target: &'a Target<'a>,
-    /// The colours in force.
+    /// The current colours.
     pub tokens: &'a Tokens,
-    /// The words in force.
+    /// The current language's words.
     pub words: Words,
     /// What the pointer is over.
     pub hovered: Option<Hit>,

@@ -1,4 +1,4 @@
-//! How the rows of keys at their own times look: names, diamonds, the playhead of their clock.
+//! Drawing of the timed key rows: names, diamonds, the playhead of their clock.
 
 use egui::{Align2, Color32, Painter, Rect, Response, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
 

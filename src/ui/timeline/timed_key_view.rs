@@ -1,4 +1,4 @@
-//! Where keys at their own times stand on the timeline, and which of them is at a point.
+//! Positions of timed keys on the timeline, and hit tests for them.
 
 use std::sync::Arc;
 
@@ -78,7 +78,7 @@ pub(super) fn scrubbing(target: &Target<'_>, editor: &Editor, x: f32) -> Option<
     let view = KeyView { editor, target, rows: &[] };
     let seconds = view.tidy_at(x).max(0.0);
     let is_there = editor.holds_timed_keys() && (editor.seconds() - seconds).abs() < 1e-9;
-    (has_key_rows(editor.scene()) && !is_there).then_some(Command::View(ViewCommand::ScrubTimedKeys(seconds)))
+    (has_key_rows(editor.scene()) && !is_there).then_some(Command::View(ViewCommand::ScrubSeconds(seconds)))
 }
 
 impl KeyView<'_> {
@@ -92,7 +92,7 @@ impl KeyView<'_> {
         self.target.scale.units(points) * seconds_per_unit(self.editor)
     }
 
-    /// The time that stands at a place.
+    /// The time at a horizontal position, in points.
     pub fn seconds_at(&self, x: f32) -> f64 {
         self.target.scale.time_at(x) * seconds_per_unit(self.editor)
     }

@@ -1,4 +1,4 @@
-//! What clicks and drags do in the rows of keys at their own times.
+//! Clicks and drags in the rows of timed keys.
 
 use egui::{CursorIcon, Key, Modifiers, PointerButton, Pos2, Rect, Response, Ui, pos2};
 
@@ -202,7 +202,7 @@ pub(super) fn pick(view: &KeyView<'_>, hit: KeyHit, modifiers: Modifiers, comman
     let keys = combined(selected, view.keys_at(hit.row, seconds), mode);
     commands.push(Command::Selection(SelectionCommand::TimedKeys(keys)));
     if mode == Mode::Replace && seconds >= 0.0 && !view.editor.is_playing() {
-        commands.push(Command::View(ViewCommand::ScrubTimedKeys(seconds)));
+        commands.push(Command::View(ViewCommand::ScrubSeconds(seconds)));
     }
 }
 

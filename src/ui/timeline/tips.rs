@@ -1,4 +1,4 @@
-//! What is said of the thing under the pointer.
+//! Tooltips of the timeline.
 
 use egui::{Response, RichText, Ui};
 
