@@ -14,7 +14,7 @@ use inbetween::keyframe::{Keyframe, KeyframeList, keyframes_to_json};
 use inbetween::pose::{Pose, RbtIndex};
 use inbetween::rbt::Rbt;
 use inbetween::scene::{DEFAULT_SCENE, built_in_scene};
-use inbetween::ui::{Ui, theme};
+use inbetween::ui::{Panels, theme};
 
 const KEYFRAMES: usize = 10_000;
 const SIZE: egui::Vec2 = vec2(1280.0, 800.0);
@@ -38,17 +38,17 @@ fn editor() -> Editor {
     editor
 }
 
-struct Panels {
+struct Bench {
     context: Context,
-    ui: Ui,
+    ui: Panels,
     editor: Editor,
 }
 
-impl Panels {
+impl Bench {
     fn new() -> Self {
         let context = Context::default();
         theme::install(&context);
-        let mut panels = Self { context, ui: Ui::new(), editor: editor() };
+        let mut panels = Self { context, ui: Panels::new(), editor: editor() };
         for _ in 0..4 {
             panels.frame(Vec::new());
         }
@@ -93,7 +93,7 @@ fn panels(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("10000 keyframes of 22 nodes");
     group.sample_size(40);
 
-    let mut panels = Panels::new();
+    let mut panels = Bench::new();
     group.bench_function("a still frame", |bencher| bencher.iter(|| black_box(panels.frame(Vec::new()))));
 
     // The button that fits all stands over the names of the rows.

@@ -1,4 +1,4 @@
-//! The editor: the one owner of all state, and the one door to it.
+//! The editor owns all state and is the only way to change it.
 //!
 //! [`Command`]s go in through [`Editor::apply`], ticks through [`Editor::tick`]; what is to be done outside comes out as an [`Effect`],
 //! which a [`Host`] performs. The editor knows no window, no GPU, no file system and no clock, so it cannot fail because of them.
@@ -15,12 +15,12 @@ mod history;
 mod host;
 pub mod keymap;
 mod manipulate;
-mod path;
+mod motion_path;
 mod playback;
 mod playing;
 mod said;
 mod scene_edits;
-mod seconds;
+mod timed_key_clock;
 mod timeline;
 mod view;
 
@@ -28,14 +28,15 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 pub use command::{
-    Command, Edit, Effect, FileCommand, GestureCommand, PlaybackCommand, TimelineEdit, ViewCommand, WindowCommand,
+    ClipboardCommand, Command, Edit, Effect, FileCommand, GestureCommand, PlaybackCommand, SelectionCommand,
+    TimelineEdit, ViewCommand, WindowCommand,
 };
 pub use document::Document;
 pub use error::CommandError;
 pub use history::MOST_STEPS;
 pub use host::{FileAccess, FileOutcome, Host, PathQuestion};
 pub use manipulate::{DragKind, Manipulation};
-pub use path::PathDot;
+pub use motion_path::PathDot;
 pub use playback::PlayMode;
 pub use playing::SPEED_PERCENT_RANGE;
 pub use said::Said;
@@ -50,7 +51,7 @@ use gesture::Gesture;
 use history::History;
 use keymap::Keymap;
 use playback::Playback;
-use seconds::SecondsClock;
+use timed_key_clock::TimedKeyClock;
 use timeline::Clipboard;
 
 /// What the sky camera moves about, with the sky as eye and no node chosen.
@@ -63,12 +64,12 @@ pub enum SkyMode {
     Eye,
 }
 
-/// How the scene is looked at and handled: not in the file, and not undone.
+/// State of viewing, selecting and playing. It is in no file, and undo leaves it alone.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Session {
     /// The node that drags move; `None`: the eye.
     pub chosen: Option<RbtIndex>,
-    /// The place of the eye in the scene's eyes.
+    /// The index of the eye in [`SceneGraph::eyes`].
     pub eye: usize,
     /// What the sky camera moves about.
     pub sky_mode: SkyMode,
@@ -77,12 +78,12 @@ pub struct Session {
     /// Whether the arcball is drawn.
     pub shows_arcball: bool,
     /// Whether the path of the chosen node is drawn.
-    pub shows_path: bool,
-    /// Whether other interpolations are shown beside the one in force while playing.
+    pub shows_motion_path: bool,
+    /// Whether playback also shows the robot under the other interpolations.
     pub compares: bool,
     /// The keyframes that are selected in the timeline, in order.
     pub selected: Vec<KeyframeIndex>,
-    /// The keys at their own times that are selected there; where some are, no keyframe is.
+    /// The selected timed keys. If there are any, no keyframe is selected.
     pub selected_keys: Vec<KeyAt>,
     /// What happens at the end of what plays.
     pub play_mode: PlayMode,
@@ -100,7 +101,7 @@ pub struct Session {
     pub shows_panels: bool,
 }
 
-/// All state of the program but the window's.
+/// All state of the program except that of the window.
 ///
 /// ```
 /// use std::path::PathBuf;
@@ -123,31 +124,31 @@ pub struct Editor {
     history: History,
     session: Session,
     playback: Playback,
-    seconds_clock: SecondsClock,
+    timed_key_clock: TimedKeyClock,
     /// The drag that is going on.
     gesture: Option<Gesture>,
-    /// The keys that sentences name.
+    /// The hotkeys that messages name.
     keymap: Keymap,
     clipboard: Clipboard,
-    /// What the last command or tick said.
+    /// The message of the last command or tick.
     message: Option<Message>,
     /// What the status line shows.
     status: Option<Message>,
     said: Said,
-    path: PathBuf,
-    /// The document as the file has it, where it was read or written; before that, the empty one.
+    keyframe_file: PathBuf,
+    /// The document as last read or written; an empty one before that. Used to detect unsaved changes.
     saved: Document,
     is_file_known: bool,
-    /// The scene's file; `None` as long as it has none.
+    /// The scene's file; `None` if it has none yet.
     scene_path: Option<PathBuf>,
-    /// The scene as its file has it, or as it was at first.
+    /// The scene as last read or written, or as it was at the start.
     saved_scene: Arc<SceneGraph>,
 }
 
 impl Editor {
-    /// An editor of a scene at rest, with no keyframes, whose keyframe file is `path`.
+    /// An editor of a scene at rest, with no keyframes, whose keyframe file is `keyframe_file`.
     #[must_use]
-    pub fn new(scene: Arc<SceneGraph>, path: PathBuf) -> Self {
+    pub fn new(scene: Arc<SceneGraph>, keyframe_file: PathBuf) -> Self {
         let document = Document::new(Arc::clone(&scene));
         Self {
             saved_scene: scene,
@@ -161,7 +162,7 @@ impl Editor {
                 sky_mode: SkyMode::default(),
                 is_picking: false,
                 shows_arcball: true,
-                shows_path: true,
+                shows_motion_path: true,
                 compares: false,
                 selected: Vec::new(),
                 selected_keys: Vec::new(),
@@ -174,14 +175,14 @@ impl Editor {
                 shows_panels: true,
             },
             playback: Playback::default(),
-            seconds_clock: SecondsClock::default(),
+            timed_key_clock: TimedKeyClock::default(),
             gesture: None,
             keymap: Keymap::default(),
             clipboard: Clipboard::default(),
             message: None,
             status: None,
             said: Said::default(),
-            path,
+            keyframe_file,
             is_file_known: false,
         }
     }
@@ -236,8 +237,8 @@ impl Editor {
 
     /// The keyframe file: what `i` reads and `w` writes.
     #[must_use]
-    pub fn path(&self) -> &Path {
-        &self.path
+    pub fn keyframe_file(&self) -> &Path {
+        &self.keyframe_file
     }
 
     /// The file that the scene is saved in; `None` where it was not read from one and not saved yet.
@@ -258,7 +259,7 @@ impl Editor {
         !self.document.same_file_as(&self.saved)
     }
 
-    /// Whether control nodes or keys at their own times differ from what the scene's file holds.
+    /// Whether control nodes or timed keys differ from those in the scene's file.
     #[must_use]
     pub fn has_unsaved_scene(&self) -> bool {
         !Arc::ptr_eq(&self.document.scene, &self.saved_scene) && self.document.scene != self.saved_scene

@@ -28,7 +28,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 pub use item::{Item, ItemKind, Verdict};
 pub use marks::Marks;
 pub use parsed::Parsed;
-pub use pictures::{Picture, SIZE as PICTURE_SIZE, pictures_of};
+pub use pictures::{ReportPicture, SIZE as PICTURE_SIZE, pictures_of};
 pub use report::html;
 pub use rubric::Rubric;
 pub use samples::SamplesShow;

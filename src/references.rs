@@ -13,7 +13,7 @@ use crate::flip::{CompareError, Comparison, compare};
 use crate::render::Image;
 use crate::storage;
 
-/// What became of a reference that was taken from what is drawn today.
+/// What `--update` did with a reference.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Accepted {
     /// There was none before.

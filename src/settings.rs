@@ -1,6 +1,6 @@
-//! What a user set once and keeps: keys, colours, language, scale, recent files, sizes of panels. Plain data, and the text of its file.
+//! Settings: hotkeys, colours, language, scale, recent files, sizes of panels. Plain data, and the text of its file.
 //!
-//! Nothing here knows where the file is, or what a key's name means.
+//! The file's path and the meaning of chords are not known here.
 
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
@@ -11,11 +11,11 @@ use thiserror::Error;
 
 use crate::words::{Argument, Language, Message, display_by_message, texts};
 
-/// What the file says that it is.
+/// The `format` field of the file.
 const FORMAT: &str = "inbetween.settings";
 /// The version that is written, and the newest that is read.
 const VERSION: u32 = 1;
-/// A file of more bytes is not ours.
+/// Larger files are refused, in bytes.
 pub const LARGEST_SETTINGS_BYTES: u64 = 1 << 20;
 /// How many recent files are kept.
 pub const MOST_RECENT_FILES: usize = 10;
@@ -45,8 +45,8 @@ impl ThemeChoice {
 /// The settings.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
-    /// The keys of bindings that have others than the table's: the binding's id, and its chords as people write them.
-    /// Older files have English names in place of ids.
+    /// Changed hotkeys: the id of a binding and its chords as text. Bindings with default hotkeys are not listed.
+    /// Older files have English names instead of ids; they are still read.
     pub keys: BTreeMap<String, Vec<String>>,
     /// Which colours show.
     pub theme: ThemeChoice,
@@ -117,7 +117,7 @@ pub enum SettingsError {
         /// Which version it is.
         found: u32,
     },
-    /// It is no JSON, or holds what is not known.
+    /// It is not JSON, or has unknown fields.
     Json {
         /// What is wrong, and the line and column.
         reason: String,

@@ -1,7 +1,7 @@
 //! The panels: menus, node tree, inspector, transport, timeline, status, help and dialogs.
 //!
 //! Widgets read a shared [`Editor`] and push [`Command`]s; nothing here changes it. Only zoom, scroll, what is folded and what is being
-//! typed live in [`Ui`]. Nothing here knows the window, the GPU, files or the clock.
+//! typed live in [`Panels`]. Nothing here knows the window, the GPU, files or the clock.
 
 pub mod angles;
 mod choices;
@@ -9,9 +9,9 @@ mod dialogs;
 mod export;
 mod fonts;
 mod help;
+mod hotkeys;
 mod icons;
 mod inspector;
-mod keys;
 mod log;
 mod manual;
 mod menu;
@@ -73,7 +73,7 @@ pub struct UiOutput {
     pub commands: Vec<Command>,
     /// Where the 3D view is, in points from the window's top left.
     pub viewport: Rect,
-    /// The answer to [`Ui::ask_before_quitting`], once.
+    /// The answer to [`Panels::ask_before_quitting`], once.
     pub quit_answer: Option<QuitAnswer>,
     /// Panels whose edges were dragged, and their new sizes in points, once.
     pub panels: Vec<(&'static str, f32)>,
@@ -85,9 +85,9 @@ impl Default for UiOutput {
     }
 }
 
-/// What panels read.
+/// What all panels read.
 #[derive(Clone, Copy)]
-struct Shown<'a> {
+struct PanelInput<'a> {
     editor: &'a Editor,
     keymap: &'a Keymap,
     settings: &'a Settings,
@@ -104,9 +104,9 @@ struct PanelSize {
     rests: u8,
 }
 
-/// The panels' own state.
+/// The panels and their own state.
 #[derive(Debug, Default)]
-pub struct Ui {
+pub struct Panels {
     keymap: Keymap,
     settings: Settings,
     log: log::Log,
@@ -125,7 +125,7 @@ pub struct Ui {
     pub statistics: Option<Statistics>,
 }
 
-impl Ui {
+impl Panels {
     /// Panels as they are at first.
     #[must_use]
     pub fn new() -> Self {
@@ -167,7 +167,7 @@ impl Ui {
         self.has_keyboard(context) || self.timeline.takes_escape() || egui::Popup::is_any_open(context)
     }
 
-    /// A keyframe's pose whose picture is wanted and not there yet: hand it to [`Ui::put_thumbnail`] when nothing else is to be done.
+    /// A keyframe's pose whose picture is wanted and not there yet: hand it to [`Panels::put_thumbnail`] when nothing else is to be done.
     #[must_use]
     pub fn wanted_thumbnail(&self) -> Option<&Pose> {
         self.thumbnails.wanted()
@@ -198,11 +198,11 @@ impl Ui {
             export::show_progress(ui, output.viewport, exporting, &mut output.commands);
         }
         let is_exporting = self.exporting.is_some();
-        let shown = Shown { editor, keymap: &self.keymap, settings: &self.settings, is_exporting };
+        let shown = PanelInput { editor, keymap: &self.keymap, settings: &self.settings, is_exporting };
         dialogs::show(ui, &mut self.dialog, shown, &mut output);
         self.manual.show(ui);
         if let Some(Command::File(FileCommand::Export(options))) = output.commands.last() {
-            self.exported = Some((editor.path().to_owned(), options.as_ref().clone()));
+            self.exported = Some((editor.keyframe_file().to_owned(), options.as_ref().clone()));
         }
         output.panels = self.dragged_panels(ui);
         output
@@ -212,7 +212,7 @@ impl Ui {
         let tokens = Tokens::of(ui);
         let plain = |fill, x, y| Frame::new().fill(fill).inner_margin(Margin::symmetric(x, y));
         let is_exporting = self.exporting.is_some();
-        let shown = Shown { editor, keymap: &self.keymap, settings: &self.settings, is_exporting };
+        let shown = PanelInput { editor, keymap: &self.keymap, settings: &self.settings, is_exporting };
         let state = WindowState { messages: self.log.is_shown(), statistics: self.statistics.is_some() };
         Panel::top("menu bar").exact_size(theme::MENU_BAR).frame(plain(tokens.panel, 4, 1)).show(ui, |ui| {
             menu::show(ui, shown, state, commands);
@@ -255,7 +255,7 @@ impl Ui {
     }
 }
 
-/// The keys of a command, for people; empty where it has none.
+/// The hotkeys of a command as text; empty if it has none.
 fn key_of(keymap: &Keymap, command: &Command) -> String {
     binding_of(keymap.bindings(), command).map(Binding::menu_key).unwrap_or_default()
 }

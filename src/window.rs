@@ -10,14 +10,14 @@ mod display;
 mod effects;
 mod export;
 mod handling;
+pub mod hotkeys;
 mod idle;
-mod kept;
-pub mod keys;
 mod meter;
+pub mod motion_path;
 mod panels;
-pub mod path;
 pub mod pointer;
 mod screen;
+mod settings_file;
 mod shared;
 mod shell;
 mod stage;
@@ -61,9 +61,9 @@ pub enum WindowError {
     },
 }
 
-/// What happens to the window from elsewhere than the window system.
+/// Events that threads of this program send to the window's event loop.
 #[derive(Clone, Debug)]
-pub(crate) enum Happening {
+pub(crate) enum UserEvent {
     /// The system's dialog was answered, or is not there.
     PathChosen {
         /// What for.
@@ -73,7 +73,7 @@ pub(crate) enum Happening {
         /// How long it took.
         took: Duration,
     },
-    /// So many frames of an export are drawn.
+    /// An export has made progress.
     ExportAt {
         /// Frames that are drawn.
         done: usize,
@@ -90,7 +90,7 @@ pub(crate) enum Happening {
     Accessibility(accesskit_winit::WindowEvent),
 }
 
-impl From<accesskit_winit::Event> for Happening {
+impl From<accesskit_winit::Event> for UserEvent {
     fn from(event: accesskit_winit::Event) -> Self {
         Self::Accessibility(event.window_event)
     }
@@ -111,7 +111,7 @@ pub fn run(editor: Editor, at_start: Vec<Command>) -> Result<(), WindowError> {
 }
 
 /// The event loop. Where a library of the window system is missing, its binding panics: that is no display either.
-fn event_loop() -> Result<EventLoop<Happening>, WindowError> {
+fn event_loop() -> Result<EventLoop<UserEvent>, WindowError> {
     let hook = std::panic::take_hook();
     std::panic::set_hook(Box::new(|_| {}));
     let made = catch_unwind(AssertUnwindSafe(|| {
@@ -133,7 +133,7 @@ fn event_loop() -> Result<EventLoop<Happening>, WindowError> {
     Err(WindowError::NoDisplay { reason, variables: display::variables() })
 }
 
-/// The clock on the wall.
+/// The wall clock.
 #[must_use]
 pub(crate) fn now() -> Instant {
     Instant::now()

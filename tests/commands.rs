@@ -9,7 +9,8 @@ use glam::{Quat, Vec3};
 use inbetween::colour::Colour;
 use inbetween::editor::commands::{self, Changes};
 use inbetween::editor::{
-    Command, Edit, FileCommand, GestureCommand, KeyAt, PlayMode, PlaybackCommand, SceneEdit, TimelineEdit, ViewCommand,
+    Command, Edit, FileCommand, GestureCommand, KeyAt, PlayMode, PlaybackCommand, SceneEdit, SelectionCommand,
+    TimelineEdit, ViewCommand,
 };
 use inbetween::interpolation::Interpolation;
 use inbetween::keyframe::{Easing, KeyframeIndex};
@@ -203,13 +204,19 @@ fn any_view() -> impl Strategy<Value = Command> {
     prop_oneof![
         (0..SCENE.eyes().len()).prop_map(ViewCommand::SetEye),
         prop::option::of(any_node()).prop_map(ViewCommand::Choose),
-        prop::collection::vec(any_keyframe(), 0..8).prop_map(ViewCommand::SelectKeyframes),
         any::<bool>().prop_map(ViewCommand::SetAutoKeys),
         any::<u8>().prop_map(ViewCommand::SetGhosts),
-        any_keys().prop_map(ViewCommand::SelectKeys),
         any_f64().prop_map(ViewCommand::ScrubSeconds),
     ]
     .prop_map(Command::View)
+}
+
+fn any_selection() -> impl Strategy<Value = Command> {
+    prop_oneof![
+        prop::collection::vec(any_keyframe(), 0..8).prop_map(SelectionCommand::Keyframes),
+        any_keys().prop_map(SelectionCommand::TimedKeys),
+    ]
+    .prop_map(Command::Selection)
 }
 
 fn any_file_command() -> impl Strategy<Value = Command> {
@@ -245,6 +252,7 @@ fn any_command() -> impl Strategy<Value = Command> {
         3 => any_scene_edit(),
         2 => any_playback(),
         2 => any_view(),
+        1 => any_selection(),
         1 => any_file_command(),
         1 => any_gesture(),
         1 => any_bound(),
@@ -323,16 +331,16 @@ fn lines_are_as_people_write_them_where_that_is_exact() {
         (Command::View(ViewCommand::Choose(None)), "select none"),
         (Command::View(ViewCommand::Choose(Some(RbtIndex::new(3)))), "select \"none\""),
         (
-            Command::View(ViewCommand::SelectKeyframes([1, 2, 3, 7, 5].map(KeyframeIndex::new).to_vec())),
+            Command::Selection(SelectionCommand::Keyframes([1, 2, 3, 7, 5].map(KeyframeIndex::new).to_vec())),
             "select-keyframes 1-3 7 5",
         ),
         (timeline(TimelineEdit::RenameKeyframe(KeyframeIndex::new(2), "the #1".to_owned())), "rename 2 \"the #1\""),
         (Command::File(FileCommand::Open(PathBuf::from("my walk.json"))), "open my walk.json"),
         (Command::File(FileCommand::SaveAs(PathBuf::from("a#b"))), "save-as \"a#b\""),
         (Command::File(FileCommand::Screenshot(None)), "do screenshot"),
-        (Command::View(ViewCommand::SelectKeys(vec![])), "select-keys none"),
+        (Command::Selection(SelectionCommand::TimedKeys(vec![])), "select-keys none"),
         (
-            Command::View(ViewCommand::SelectKeys(vec![key("plain_control", 1.5), key("a b", 2.0)])),
+            Command::Selection(SelectionCommand::TimedKeys(vec![key("plain_control", 1.5), key("a b", 2.0)])),
             "select-keys scale 1.5 plain_control scale 2 \"a b\"",
         ),
         (edit(Edit::Scene(SceneEdit::AddKeys(vec![key("a b", 1.5)]))), "add-key scale 1.5 a b"),

@@ -11,7 +11,7 @@ use inbetween::export::Job;
 use inbetween::film::{APNG, ExportBackground, ExportEnd, ExportOptions, PNG, Y4M};
 use inbetween::scene::{DEFAULT_SCENE, built_in_scene};
 use inbetween::settings::Settings;
-use inbetween::ui::{Exporting, Ui, theme};
+use inbetween::ui::{Exporting, Panels, theme};
 use inbetween::words::{Language, texts};
 
 /// Every third of a second a picture, so that it is quick.
@@ -50,8 +50,13 @@ fn of_command_line(folder: &Path, name: &str, arguments: &[&str]) -> Vec<u8> {
 fn export(editor: &mut Editor, options: ExportOptions, watch: &mut dyn FnMut(usize, usize) -> bool) -> ExportEnd {
     let effect = editor.apply(Command::File(FileCommand::Export(Box::new(options)))).unwrap();
     let Some(Effect::Export(options)) = &effect else { panic!("{effect:?}") };
-    Job::new(Arc::clone(editor.scene()), editor.animation(), editor.path().to_owned(), options.as_ref().clone())
-        .run(watch)
+    Job::new(
+        Arc::clone(editor.scene()),
+        editor.animation(),
+        editor.keyframe_file().to_owned(),
+        options.as_ref().clone(),
+    )
+    .run(watch)
 }
 
 fn names(folder: &Path) -> Vec<String> {
@@ -210,14 +215,14 @@ fn how_an_export_ended_is_said() {
 
 struct App {
     editor: Editor,
-    ui: Ui,
+    ui: Panels,
     settings: Settings,
     commands: Vec<Command>,
     is_dressed: bool,
 }
 
 fn harness(editor: Editor, settings: Settings) -> Harness<'static, App> {
-    let mut ui = Ui::new();
+    let mut ui = Panels::new();
     assert_eq!(ui.adopt(&settings), []);
     let app = App { editor, ui, settings, commands: Vec::new(), is_dressed: false };
     let mut harness = Harness::builder().with_size(vec2(1280.0, 800.0)).build_ui_state(

@@ -5,7 +5,9 @@ mod common;
 use std::path::Path;
 
 use common::{apply, editor, editor_with, pose, press, shown};
-use inbetween::editor::{Command, Edit, Editor, Effect, GestureCommand, Severity, ViewCommand};
+use inbetween::editor::{
+    ClipboardCommand, Command, Edit, Editor, Effect, GestureCommand, SelectionCommand, Severity, ViewCommand,
+};
 use inbetween::interpolation::Interpolation;
 use inbetween::keyframe::{KeyframeIndex, keyframes_to_json};
 use inbetween::rbt::Rbt;
@@ -276,7 +278,7 @@ fn a_bad_import_changes_nothing_and_says_why() {
         assert!(editor.keyframes_read(Path::new("wave.json"), bytes).is_err());
         assert_eq!(editor.document(), &before);
         assert!(editor.message_text().starts_with("wave.json: ") && editor.message_text().contains(words));
-        assert_eq!(editor.path(), Path::new("animation.json"));
+        assert_eq!(editor.keyframe_file(), Path::new("animation.json"));
     }
 }
 
@@ -348,8 +350,8 @@ fn an_import_of_fewer_keyframes_leaves_nothing_selected_that_is_gone() {
     let text = keyframes_to_json(one.scene(), &one.document().keyframes, Interpolation::Linear, 2000);
     let mut editor = editor_with(3);
     let last = editor.document().keyframes.last().unwrap();
-    editor.apply(Command::View(ViewCommand::SelectKeyframes(vec![last]))).unwrap();
+    editor.apply(Command::Selection(SelectionCommand::Keyframes(vec![last]))).unwrap();
     editor.keyframes_read(path, Ok(text.into_bytes())).unwrap();
     assert!(editor.session().selected.is_empty());
-    editor.apply(Command::View(ViewCommand::CopyKeyframes)).unwrap();
+    editor.apply(Command::Clipboard(ClipboardCommand::CopyKeyframes)).unwrap();
 }

@@ -13,11 +13,11 @@ use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use glam::Vec3;
 use inbetween::editor::{Command, Editor, FileCommand, ViewCommand};
 use inbetween::scene::{Channel, KeyValue, built_in_scene, scene_to_json};
-use inbetween::ui::{PathPurpose, Ui, theme};
+use inbetween::ui::{Panels, PathPurpose, theme};
 
 struct App {
     editor: Editor,
-    ui: Ui,
+    ui: Panels,
     commands: Vec<Command>,
     is_dressed: bool,
     cursor: CursorIcon,
@@ -30,7 +30,7 @@ fn panel(scene: &str) -> Panel {
     let scene = Arc::new(built_in_scene(scene).unwrap());
     let mut editor = Editor::new(scene, PathBuf::from("animation.json"));
     apply(&mut editor, Command::View(ViewCommand::ScrubSeconds(1.0)));
-    let app = App { editor, ui: Ui::new(), commands: Vec::new(), is_dressed: false, cursor: CursorIcon::Default };
+    let app = App { editor, ui: Panels::new(), commands: Vec::new(), is_dressed: false, cursor: CursorIcon::Default };
     let mut harness =
         Harness::builder().with_size(vec2(1280.0, 900.0)).with_max_steps(60).with_step_dt(1.0 / 60.0).build_ui_state(
             |ui, app: &mut App| {
@@ -446,7 +446,7 @@ fn the_ruler_scrubs_the_keys() {
     let at_three = egui::pos2(at(&harness, "Rotation", "3").x, ruler);
     drag(&mut harness, at_three - vec2(80.0, 0.0), at_three);
     let editor = &harness.state().editor;
-    assert!((editor.seconds() - 3.0).abs() < 0.02 && editor.holds_seconds(), "{}", editor.seconds());
+    assert!((editor.seconds() - 3.0).abs() < 0.02 && editor.holds_timed_keys(), "{}", editor.seconds());
     assert_eq!((bytes(&harness), editor.undo_label()), (before, None));
 }
 

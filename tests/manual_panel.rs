@@ -10,12 +10,12 @@ use inbetween::editor::{Command, Editor, Effect, WindowCommand};
 use inbetween::manual;
 use inbetween::scene::{DEFAULT_SCENE, built_in_scene};
 use inbetween::settings::Settings;
-use inbetween::ui::{Ui, theme};
+use inbetween::ui::{Panels, theme};
 use inbetween::words::Language;
 
 struct App {
     editor: Editor,
-    ui: Ui,
+    ui: Panels,
     settings: Settings,
     is_dressed: bool,
 }
@@ -31,7 +31,7 @@ impl App {
 fn harness(language: Language) -> Harness<'static, App> {
     let scene = built_in_scene(DEFAULT_SCENE).expect("the default scene is built in");
     let editor = Editor::new(Arc::new(scene), PathBuf::from("animation.json"));
-    let mut ui = Ui::new();
+    let mut ui = Panels::new();
     let settings = Settings { language, ..Settings::default() };
     assert_eq!(ui.adopt(&settings), []);
     let app = App { editor, ui, settings, is_dressed: false };

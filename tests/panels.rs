@@ -8,15 +8,17 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use glam::{Quat, Vec3};
 use inbetween::editor::keymap::bindings;
-use inbetween::editor::{Command, Edit, Editor, FileCommand, GestureCommand, PlaybackCommand, ViewCommand};
+use inbetween::editor::{
+    Command, Edit, Editor, FileCommand, GestureCommand, PlaybackCommand, SelectionCommand, ViewCommand,
+};
 use inbetween::keyframe::KeyframeIndex;
 use inbetween::pose::RbtIndex;
 use inbetween::scene::{DEFAULT_SCENE, built_in_scene};
-use inbetween::ui::{PathPurpose, QuitAnswer, Ui, theme};
+use inbetween::ui::{Panels, PathPurpose, QuitAnswer, theme};
 
 struct App {
     editor: Editor,
-    ui: Ui,
+    ui: Panels,
     /// Whether commands reach the editor.
     applies: bool,
     commands: Vec<Command>,
@@ -37,7 +39,7 @@ fn editor(keyframes: usize) -> Editor {
 fn harness(editor: Editor) -> Harness<'static, App> {
     let app = App {
         editor,
-        ui: Ui::new(),
+        ui: Panels::new(),
         applies: true,
         commands: Vec::new(),
         quit_answer: None,
@@ -122,7 +124,7 @@ fn a_clicked_keyframe_becomes_current() {
     let mut harness = harness(editor(5));
     click(&mut harness, "Keyframe 2");
     let index = KeyframeIndex::new(2);
-    let selects = Command::View(ViewCommand::SelectKeyframes(vec![index]));
+    let selects = Command::Selection(SelectionCommand::Keyframes(vec![index]));
     assert_eq!(harness.state().commands, [selects, Command::Edit(Edit::GoTo(index))]);
     assert_eq!(harness.state().editor.document().keyframes.current(), Some(KeyframeIndex::new(2)));
 }

@@ -8,7 +8,7 @@ use inbetween::camera::Camera;
 use inbetween::editor::{Command, Edit, Editor, PathDot, PlaybackCommand, ViewCommand};
 use inbetween::keyframe::{KeyframeIndex, keyframes_to_json};
 use inbetween::view::{frame_of_editor, mark_dot};
-use inbetween::window::path::{PathDrag, REACH};
+use inbetween::window::motion_path::{PathDrag, REACH};
 use inbetween::words::Phrase;
 
 const SIZE: Vec2 = Vec2::new(1020.0, 580.0);

@@ -10,12 +10,12 @@ use inbetween::editor::keymap::bindings;
 use inbetween::editor::{Command, Edit, Editor, Effect, FileCommand, Severity, ViewCommand, WindowCommand};
 use inbetween::scene::{DEFAULT_SCENE, built_in_scene};
 use inbetween::settings::{Settings, ThemeChoice};
-use inbetween::ui::{Statistics, Ui, theme};
+use inbetween::ui::{Panels, Statistics, theme};
 use inbetween::words::Language;
 
 struct App {
     editor: Editor,
-    ui: Ui,
+    ui: Panels,
     settings: Settings,
     commands: Vec<Command>,
     panels: Vec<(&'static str, f32)>,
@@ -43,7 +43,7 @@ fn harness_with(keyframes: usize, settings: Settings) -> Harness<'static, App> {
     for _ in 0..keyframes {
         editor.apply(Command::Edit(Edit::CreateKeyframe)).unwrap();
     }
-    let mut ui = Ui::new();
+    let mut ui = Panels::new();
     assert_eq!(ui.adopt(&settings), []);
     let app = App {
         editor,
@@ -170,7 +170,7 @@ fn every_row_of_the_table_is_in_the_list() {
 #[test]
 fn a_key_is_changed_by_pressing_it() {
     let mut harness = harness(0);
-    ask(&mut harness, WindowCommand::ShowKeys);
+    ask(&mut harness, WindowCommand::ShowHotkeys);
     click(&mut harness, "New keyframe: change the key n");
     harness.key_press_modifiers(Modifiers::CTRL, Key::K);
     harness.run();
@@ -183,7 +183,7 @@ fn a_key_is_changed_by_pressing_it() {
 #[test]
 fn a_clash_is_refused_and_said() {
     let mut harness = harness(0);
-    ask(&mut harness, WindowCommand::ShowKeys);
+    ask(&mut harness, WindowCommand::ShowHotkeys);
     click(&mut harness, "New keyframe: change the key n");
     press(&mut harness, Key::Y);
     harness.get_by_label("y is the key of \"Play or stop\": give that another key first.");

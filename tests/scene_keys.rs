@@ -9,8 +9,8 @@ use common::{apply, editor, editor_with, press};
 use glam::{Quat, Vec3};
 use inbetween::colour::Colour;
 use inbetween::editor::{
-    Command, Edit, Editor, Effect, FileCommand, GestureCommand, KeyAt, PlaybackCommand, SceneEdit, TimelineEdit,
-    ViewCommand,
+    Command, Edit, Editor, Effect, FileCommand, GestureCommand, KeyAt, PlaybackCommand, SceneEdit, SelectionCommand,
+    TimelineEdit, ViewCommand,
 };
 use inbetween::keyframe::{KeyframeIndex, keyframes_to_json};
 use inbetween::scene::{Channel, KeyValue, built_in_scene, scene_from_json, scene_to_json};
@@ -148,17 +148,17 @@ fn the_delete_key_is_for_what_is_selected() {
     let mut editor = cylinder();
     press(&mut editor, "n");
     let keys = vec![key(Channel::Scale, 2.0), key(Channel::Rotation, 3.0)];
-    apply(&mut editor, Command::View(ViewCommand::SelectKeys(keys)));
+    apply(&mut editor, Command::Selection(SelectionCommand::TimedKeys(keys)));
     assert!(editor.can(&Command::Edit(Edit::Timeline(TimelineEdit::DeleteKeyframes))));
     press(&mut editor, "delete");
     assert_eq!(editor.document().keyframes.len(), 1, "the keyframe stays");
     assert_eq!(times(&editor, "cylinder", Channel::Scale), [0.0, 4.0]);
     assert!(editor.session().selected_keys.is_empty());
     // A selection of keyframes ends one of keys, and the other way round.
-    apply(&mut editor, Command::View(ViewCommand::SelectKeys(vec![key(Channel::Scale, 4.0)])));
-    apply(&mut editor, Command::View(ViewCommand::SelectKeyframes(vec![KeyframeIndex::new(0)])));
+    apply(&mut editor, Command::Selection(SelectionCommand::TimedKeys(vec![key(Channel::Scale, 4.0)])));
+    apply(&mut editor, Command::Selection(SelectionCommand::Keyframes(vec![KeyframeIndex::new(0)])));
     assert!(editor.session().selected_keys.is_empty());
-    apply(&mut editor, Command::View(ViewCommand::SelectKeys(vec![key(Channel::Scale, 4.0)])));
+    apply(&mut editor, Command::Selection(SelectionCommand::TimedKeys(vec![key(Channel::Scale, 4.0)])));
     assert!(editor.session().selected.is_empty());
     press(&mut editor, "ctrl+z");
     assert_eq!(editor.session().selected_keys, [key(Channel::Scale, 4.0)], "it is still there");
@@ -264,7 +264,7 @@ fn a_scrubbed_time_is_held_until_something_plays() {
     editor.tick(30);
     scrub(&mut editor, 1.25);
     editor.tick(60);
-    assert_eq!((editor.seconds(), editor.holds_seconds()), (1.25, true));
+    assert_eq!((editor.seconds(), editor.holds_timed_keys()), (1.25, true));
     scrub(&mut editor, -3.0);
     assert_eq!(editor.seconds(), 0.0);
     apply(&mut editor, Command::View(ViewCommand::ScrubSeconds(f64::NAN)));
@@ -273,7 +273,7 @@ fn a_scrubbed_time_is_held_until_something_plays() {
     scrub(&mut editor, 1.0);
     apply(&mut editor, Command::Playback(PlaybackCommand::Scrub(0.5)));
     apply(&mut editor, Command::Playback(PlaybackCommand::PlayFromPlayhead));
-    assert_eq!((editor.seconds(), editor.holds_seconds()), (1.0, false));
+    assert_eq!((editor.seconds(), editor.holds_timed_keys()), (1.0, false));
     editor.tick(30);
     assert_eq!((editor.seconds(), editor.playhead()), (1.5, Some(0.75)), "both go on together");
     press(&mut editor, "y");
@@ -284,9 +284,9 @@ fn a_scrubbed_time_is_held_until_something_plays() {
     press(&mut editor, "y shift+home");
     scrub(&mut editor, 2.0);
     press(&mut editor, "y");
-    assert_eq!((editor.seconds(), editor.holds_seconds()), (2.0, true));
+    assert_eq!((editor.seconds(), editor.holds_timed_keys()), (2.0, true));
     press(&mut editor, "y shift+home");
     scrub(&mut editor, 2.0);
     press(&mut editor, "home");
-    assert_eq!((editor.seconds(), editor.holds_seconds()), (0.0, false));
+    assert_eq!((editor.seconds(), editor.holds_timed_keys()), (0.0, false));
 }

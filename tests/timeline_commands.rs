@@ -4,7 +4,10 @@ mod common;
 
 use common::{apply, editor_with, pose, press, shown};
 use glam::Vec3;
-use inbetween::editor::{Command, Edit, Editor, GestureCommand, PlayMode, PlaybackCommand, TimelineEdit, ViewCommand};
+use inbetween::editor::{
+    ClipboardCommand, Command, Edit, Editor, GestureCommand, PlayMode, PlaybackCommand, SelectionCommand, TimelineEdit,
+    ViewCommand,
+};
 use inbetween::interpolation::Interpolation;
 use inbetween::keyframe::{
     Easing, Keyframe, KeyframeIndex, KeyframeList, PlayRange, keyframes_from_json, keyframes_to_json,
@@ -20,7 +23,7 @@ fn index(place: usize) -> KeyframeIndex {
 
 fn select(editor: &mut Editor, places: &[usize]) {
     let selected = places.iter().copied().map(index).collect();
-    apply(editor, Command::View(ViewCommand::SelectKeyframes(selected)));
+    apply(editor, Command::Selection(SelectionCommand::Keyframes(selected)));
 }
 
 fn timeline(editor: &mut Editor, edit: TimelineEdit) {
@@ -44,7 +47,7 @@ fn check(selected: &[usize], edit: TimelineEdit, expected: &str) {
     let before = (text(&editor), shown(&editor));
     let copied = matches!(edit, TimelineEdit::PasteKeyframes);
     if copied {
-        apply(&mut editor, Command::View(ViewCommand::CopyKeyframes));
+        apply(&mut editor, Command::Clipboard(ClipboardCommand::CopyKeyframes));
     }
     timeline(&mut editor, edit.clone());
     assert_eq!(shown(&editor), expected, "{edit:?}");

@@ -11,14 +11,14 @@ use egui::{
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use inbetween::editor::keymap::{binding_for, press_from_word};
-use inbetween::editor::{Command, Edit, Editor, Effect, PlayMode, PlaybackCommand, TimelineEdit, ViewCommand};
+use inbetween::editor::{Command, Edit, Editor, Effect, PlayMode, PlaybackCommand, SelectionCommand, TimelineEdit};
 use inbetween::keyframe::{Easing, KeyframeIndex, keyframes_to_json};
 use inbetween::settings::Settings;
-use inbetween::ui::{THUMBNAIL_PX, Ui, theme};
+use inbetween::ui::{Panels, THUMBNAIL_PX, theme};
 
 struct App {
     editor: Editor,
-    ui: Ui,
+    ui: Panels,
     settings: Settings,
     commands: Vec<Command>,
     is_dressed: bool,
@@ -40,7 +40,7 @@ impl App {
 type Timeline = Harness<'static, App>;
 
 fn timeline(editor: Editor) -> Timeline {
-    let (ui, settings, commands) = (Ui::new(), Settings::default(), Vec::new());
+    let (ui, settings, commands) = (Panels::new(), Settings::default(), Vec::new());
     let app = App { editor, ui, settings, commands, is_dressed: false, cursor: CursorIcon::Default };
     let mut harness = Harness::builder().with_size(vec2(1280.0, 800.0)).with_max_steps(60).build_ui_state(
         |ui, app: &mut App| {
@@ -478,7 +478,7 @@ fn the_wheel_zooms_about_the_pointer_and_pans() {
     assert!((at(&harness, 2).x - before - 50.0).abs() < 12.0);
     click(&mut harness, "Fit all");
     assert_eq!([0, 5].map(|place| at(&harness, place).x.round()), FITTED);
-    apply(&mut harness.state_mut().editor, Command::View(ViewCommand::SelectKeyframes(indices(&[1, 2, 3]))));
+    apply(&mut harness.state_mut().editor, Command::Selection(SelectionCommand::Keyframes(indices(&[1, 2, 3]))));
     click(&mut harness, "Fit selection");
     assert_eq!([1, 3].map(|place| at(&harness, place).x.round()), FITTED);
     key(&mut harness, "f");
@@ -725,9 +725,9 @@ fn pictures_are_wanted_for_what_is_in_sight_and_then_nothing_more() {
 fn ten_thousand_keyframes_want_a_few_pictures() {
     let mut editor = editor_with(5);
     for _ in 0..11 {
-        apply(&mut editor, Command::View(ViewCommand::SelectKeyframes(Vec::new())));
+        apply(&mut editor, Command::Selection(SelectionCommand::Keyframes(Vec::new())));
         let all = (0..editor.document().keyframes.len()).map(KeyframeIndex::new).collect();
-        apply(&mut editor, Command::View(ViewCommand::SelectKeyframes(all)));
+        apply(&mut editor, Command::Selection(SelectionCommand::Keyframes(all)));
         apply(&mut editor, Command::Edit(Edit::Timeline(TimelineEdit::DuplicateKeyframes)));
     }
     assert_eq!(editor.document().keyframes.len(), 10_240);

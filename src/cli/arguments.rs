@@ -175,7 +175,7 @@ pub struct SampleArguments {
     /// Key times to sample, from 0 to N - 3, in the order in which to print them [default: 0].
     #[arg(long, value_name = "KEY_TIME,…", requires = "file", conflicts_with = "fps", allow_hyphen_values = true, value_parser = key_times)]
     pub at: Option<KeyTimes>,
-    /// Sample the whole playing range at so many frames a second, 1 to 1000, and its end.
+    /// Frames a second, 1 to 1000. Samples the whole playing range and its end.
     #[arg(long, value_name = "N", requires = "file", value_parser = clap::value_parser!(u32).range(1..=1000))]
     pub fps: Option<u32>,
     /// How to print.
@@ -184,7 +184,7 @@ pub struct SampleArguments {
     /// In which space: parent prints poses; world prints every node's world matrix, shapes and control nodes included.
     #[arg(long, value_enum, default_value_t)]
     pub space: Space,
-    /// How far the keys at their own times are, in seconds.
+    /// The time of the timed keys, in seconds.
     #[arg(long, value_name = "S", default_value_t = 0.0, allow_negative_numbers = true, value_parser = seconds)]
     pub seconds: f64,
     /// Interpolate so, whatever the file says.
@@ -241,7 +241,7 @@ pub struct RenderArguments {
     /// The key time at which a film or contact sheet ends [default: N - 3].
     #[arg(long, value_name = "KEY_TIME", requires = "file", conflicts_with_all = ["at", "keyframe"], allow_hyphen_values = true, value_parser = key_time)]
     pub to: Option<f64>,
-    /// A contact sheet: so many columns and rows of images, each of --size (by default 320x240), evenly from --from to --to.
+    /// A contact sheet of COLUMNS times ROWS images, evenly from --from to --to. Each has --size (by default 320x240).
     #[arg(long, value_name = "COLUMNSxROWS", conflicts_with_all = ["at", "keyframe", "fps"], value_parser = grid)]
     pub sheet: Option<Grid>,
     /// Show what moves as it is in the N keyframes of the list before (warm) and the N after (cool), translucent, up to 20.
@@ -253,7 +253,7 @@ pub struct RenderArguments {
     /// What is behind everything.
     #[arg(long, value_name = "sky|#rrggbb|transparent", default_value = "sky", value_parser = background, help = help::background())]
     pub background: Background,
-    /// How far the keys at their own times are, in seconds; in films, where they begin.
+    /// The time of the timed keys, in seconds. In a film, their time at its first frame.
     #[arg(long, value_name = "S", default_value_t = 0.0, allow_negative_numbers = true, value_parser = seconds)]
     pub seconds: f64,
     /// Width and height in pixels [default: 640x480].
@@ -358,7 +358,7 @@ pub struct DiffArguments {
     /// How far rotations may be apart, in degrees.
     #[arg(long, value_name = "DEGREES", default_value_t = 0.1, value_parser = tolerance_of_poses)]
     pub tolerance_rotation: f64,
-    /// Compare at so many frames a second, 1 to 1000, and at the end.
+    /// Frames a second to compare, 1 to 1000. The end is always compared.
     #[arg(long, value_name = "N", default_value_t = 60, value_parser = clap::value_parser!(u32).range(1..=1000))]
     pub fps: u32,
     /// Print JSON.

@@ -20,12 +20,12 @@ const LARGEST_LIST_BYTES: u64 = 16 << 20;
 /// # Errors
 /// [`CliError`]: bad input, with nothing written; an output that cannot be written.
 pub fn run(arguments: &ConvertArguments, scene: &SceneGraph) -> Result<(), CliError> {
-    let place = arguments.input.display();
+    let input = arguments.input.display();
     let joints = arguments.joints.as_deref().map(|file| joint_list(file, scene)).transpose()?;
     let options = Options { order: arguments.order, joints, salvage: arguments.salvage };
     let imported = {
         let bytes = files::read(&arguments.input, LARGEST_FILE_BYTES)?;
-        import(&bytes, scene, &options).map_err(|error| FileError::all(&place, error.sentences()))?
+        import(&bytes, scene, &options).map_err(|error| FileError::all(&input, error.sentences()))?
     };
     let report = match imported {
         Imported::KeyframeFile(file) => {
@@ -41,13 +41,13 @@ pub fn run(arguments: &ConvertArguments, scene: &SceneGraph) -> Result<(), CliEr
             if let Some(layout) = arguments.to {
                 let problem =
                     format!("keys of a control node, which the layout {} cannot hold: leave out --to", layout.name());
-                return Err(CliError::bad_input(&place, problem));
+                return Err(CliError::bad_input(&input, problem));
             }
             write(&arguments.output, &text)?;
             report
         }
     };
-    output::say(&format!("{place}: {report}\n"))
+    output::say(&format!("{input}: {report}\n"))
 }
 
 fn joint_list(file: &Path, scene: &SceneGraph) -> Result<JointList, FileError> {

@@ -82,11 +82,12 @@ fn report(arguments: &DiffArguments, scene: Option<&Path>) -> Result<Report, Cli
         notes.push(format!("the first is played {}, the second {}", a.interpolation.name(), b.interpolation.name()));
     }
     let is_within = difference.is_within() && played_a.length_ms() == played_b.length_ms();
-    let shown = Shown { difference: &difference, scene, tolerances, frames: times.len(), notes: &notes, is_within };
+    let shown =
+        DifferenceReport { difference: &difference, scene, tolerances, frames: times.len(), notes: &notes, is_within };
     Ok(Report { text: if arguments.json { shown.json(arguments.fps) } else { shown.table() }, is_within })
 }
 
-struct Shown<'a> {
+struct DifferenceReport<'a> {
     difference: &'a Difference,
     scene: &'a SceneGraph,
     tolerances: Tolerances,
@@ -95,7 +96,7 @@ struct Shown<'a> {
     is_within: bool,
 }
 
-impl Shown<'_> {
+impl DifferenceReport<'_> {
     /// What exceeds its tolerance first: key time, node, and which part.
     fn first_exceeded(&self) -> Option<(f64, &str, &'static str)> {
         let parts = self

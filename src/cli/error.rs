@@ -1,4 +1,4 @@
-//! How a command ends: its exit status, and what is said where something is wrong.
+//! Errors of the command line: the exit status and the sentences for standard error.
 
 use std::error::Error;
 use std::fmt::Display;

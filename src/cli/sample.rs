@@ -73,9 +73,9 @@ fn print_json(
         Space::World => push_strings(&mut text, scene.nodes().iter().map(|node| node.path.as_str())),
     }
     text.push_str(", \"frames\": [\n");
-    for (place, sample) in samples.enumerate() {
+    for (index, sample) in samples.enumerate() {
         let (FrameTime { key_time, ms }, pose) = sample.map_err(io::Error::other)?;
-        if place > 0 {
+        if index > 0 {
             text.push_str(",\n");
         }
         let _ = write!(text, "{{\"key_time\": {key_time:?}, \"ms\": {ms:?}, ");
@@ -101,8 +101,8 @@ fn print_json(
 /// Appends matrices of sixteen numbers in column order.
 fn push_matrices(text: &mut String, matrices: &[AlignedAffine]) {
     text.push('[');
-    for (place, matrix) in matrices.iter().enumerate() {
-        text.push_str(if place == 0 { "" } else { ", " });
+    for (index, matrix) in matrices.iter().enumerate() {
+        text.push_str(if index == 0 { "" } else { ", " });
         push_f32s(text, &Mat4::from(matrix.get()).to_cols_array());
     }
     text.push(']');

@@ -1,4 +1,4 @@
-//! `inbetween verify`: whether what is drawn today looks like the references in a folder.
+//! `inbetween verify`: compares pictures with the references in a folder.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! What each command does.
+//! The handlers of commands.
 
 use glam::Quat;
 
@@ -6,25 +6,28 @@ use super::commands::{Row, row_of};
 use super::history::Run;
 use super::keymap::Keymap;
 use super::playback::Playback;
-use super::{Command, CommandError, Document, Edit, Editor, Effect, Message, PlaybackCommand, ViewCommand};
+use super::{
+    ClipboardCommand, Command, CommandError, Document, Edit, Editor, Effect, Message, PlaybackCommand,
+    SelectionCommand, ViewCommand,
+};
 use crate::keyframe::{Keyframe, KeyframeIndex, KeyframeList, MS_BETWEEN_KEYFRAMES_RANGE};
 use crate::pose::RbtIndex;
 use crate::rbt::Rbt;
 use crate::rotation_rules::unit;
 use crate::words::{Argument, Phrase, texts};
 
-/// How much `+` and `-` change the ms between keyframes.
+/// Change of the ms between keyframes by one `+` or `-`, in milliseconds.
 const MS_STEP: u32 = 100;
 
-/// What a command says, or nothing; or why it was refused.
-pub(super) type Outcome = Result<Option<Message>, CommandError>;
+/// The message of a command, if it has one, or the reason why it was refused.
+pub(super) type CommandResult = Result<Option<Message>, CommandError>;
 
 impl Editor {
-    /// Does a command, and returns what is to be done outside for it. What it says is the message afterwards, in either outcome. A drag
-    /// says nothing of its movements: the status line keeps what it shows. What else says nothing clears it.
+    /// Runs a command, and returns the effect that the host must perform. Its message, or its refusal, is [`Editor::message`] afterwards. A drag's
+    /// movements have no message and leave the status line alone. Every other command without a message clears it.
     ///
     /// # Errors
-    /// Why the command was refused; nothing has changed then.
+    /// Why the command was refused. The document is then unchanged, except that a running drag may have been committed.
     pub fn apply(&mut self, command: Command) -> Result<Option<Effect>, CommandError> {
         let is_drag = matches!(command, Command::Gesture(_));
         self.message = None;
@@ -39,7 +42,7 @@ impl Editor {
         outcome.map(|(_, effect)| effect)
     }
 
-    /// Says something, for the log and the status line.
+    /// Reports a message: it goes to the log and the status line.
     pub fn say(&mut self, message: impl Into<Message>) {
         let message = message.into();
         self.said.push(message.clone());
@@ -52,7 +55,7 @@ impl Editor {
     }
 
     fn dispatch(&mut self, command: Command) -> Result<(Option<Message>, Option<Effect>), CommandError> {
-        let silent = |outcome: Outcome| outcome.map(|said| (said, None));
+        let silent = |result: CommandResult| result.map(|said| (said, None));
         let row = row_of(&command);
         if let Some(what) = row.refused_while_playing {
             self.refuse_while_playing(what)?;
@@ -61,6 +64,10 @@ impl Editor {
             Command::Edit(edit) => silent(self.edit(edit, row)),
             Command::Playback(playback) => silent(self.play(playback)),
             Command::View(view) => silent(self.view(view)),
+            Command::Selection(SelectionCommand::Keyframes(selected)) => silent(self.select(selected)),
+            Command::Selection(SelectionCommand::TimedKeys(keys)) => silent(self.select_keys(keys)),
+            Command::Clipboard(ClipboardCommand::CopyKeyframes) => silent(self.copy_keyframes()),
+            Command::Clipboard(ClipboardCommand::CopyPose) => silent(self.copy_pose()),
             Command::File(file) => Ok((None, Some(self.file(file)))),
             Command::Gesture(gesture) => silent(self.gesture(gesture)),
             Command::Undo => silent(self.undo()),
@@ -70,12 +77,12 @@ impl Editor {
         }
     }
 
-    /// Puts other keys in force: what is said names those.
+    /// Replaces the keymap. Messages name hotkeys by it.
     pub fn set_keymap(&mut self, keymap: Keymap) {
         self.keymap = keymap;
     }
 
-    /// The key of a command as a sentence names it; where it has none, its name.
+    /// The hotkey of a command for use in a message; its name if it has no hotkey.
     pub(super) fn key_of(&self, command: &Command) -> Argument {
         match self.keymap.bindings().iter().find(|binding| binding.command == *command) {
             Some(binding) if binding.chords.is_empty() => texts::hotkeys_command_without_key(binding.title()).into(),
@@ -105,7 +112,7 @@ impl Editor {
         Err(CommandError::WhilePlaying { what, stop, pause })
     }
 
-    fn edit(&mut self, edit: Edit, row: &Row) -> Outcome {
+    fn edit(&mut self, edit: Edit, row: &Row) -> CommandResult {
         if !row.is_continuous {
             self.commit_gesture();
         }
@@ -201,12 +208,12 @@ impl Editor {
         }
     }
 
-    /// What was done at the current keyframe, said after it.
+    /// A message about the current keyframe: where it is, then what was done.
     pub(super) fn at_current(&self, rest: impl Into<Argument>) -> Message {
         texts::at_position(self.where_we_are(), rest)
     }
 
-    fn display_current(&mut self) -> Outcome {
+    fn display_current(&mut self) -> CommandResult {
         let current = self.document.keyframes.current().ok_or_else(|| self.no_keyframe())?;
         self.show_keyframe(texts::ACT_DISPLAY_OF_A_KEYFRAME, current);
         Ok(Some(self.at_current(texts::KEYFRAME_COPIED)))
@@ -245,37 +252,37 @@ impl Editor {
         }
     }
 
-    fn step(&mut self, by: isize) -> Outcome {
+    fn step(&mut self, by: isize) -> CommandResult {
         let Some(current) = self.document.keyframes.current() else {
             return Ok(Some(self.at_current(texts::KEYFRAME_NOTHING_TO_GO_TO)));
         };
-        let target = current.get().checked_add_signed(by).filter(|&place| place < self.document.keyframes.len());
+        let target = current.get().checked_add_signed(by).filter(|&index| index < self.document.keyframes.len());
         match target {
-            Some(place) => self.go_to(KeyframeIndex::new(place)),
+            Some(index) => self.go_to(KeyframeIndex::new(index)),
             None if by > 0 => Ok(Some(texts::keyframe_is_last(current.get()))),
             None => Ok(Some(texts::keyframe_is_first(current.get()))),
         }
     }
 
-    fn go_to_end(&mut self, is_first: bool) -> Outcome {
+    fn go_to_end(&mut self, is_first: bool) -> CommandResult {
         let last = self.document.keyframes.last().ok_or_else(|| self.no_keyframe())?;
         self.go_to(if is_first { KeyframeIndex::new(0) } else { last })
     }
 
-    fn go_to(&mut self, index: KeyframeIndex) -> Outcome {
+    fn go_to(&mut self, index: KeyframeIndex) -> CommandResult {
         let count = self.document.keyframes.len();
         if index.get() >= count {
             return Err(CommandError::NoSuchKeyframe { index: index.get(), count });
         }
         self.show_keyframe(texts::ACT_STEP_TO_ANOTHER_KEYFRAME, index);
-        // A selection is what the next edit is for: one that was left behind would surprise.
+        // The next edit applies to the selection. Clear it, because the user expects the new current keyframe.
         if !self.session.selected.contains(&index) {
             self.session.selected.clear();
         }
         Ok(Some(self.at_current(texts::KEYFRAME_COPIED)))
     }
 
-    fn delete_current(&mut self) -> Outcome {
+    fn delete_current(&mut self) -> CommandResult {
         self.end_scrub();
         let deleted = self.document.keyframes.current().ok_or(CommandError::NothingToDelete)?;
         self.session.selected.clear();
@@ -313,7 +320,7 @@ impl Editor {
         change: impl FnOnce(Rbt) -> Rbt,
         label: Phrase,
         run: Option<Run>,
-    ) -> Outcome {
+    ) -> CommandResult {
         if rbt.get() >= self.document.scene.rbt_count() {
             return Err(CommandError::NotInScene { what: texts::VALUE_NODE });
         }

@@ -1,4 +1,4 @@
-//! Commands and effects: what users ask of the editor and what it asks of the shell, as plain data.
+//! Commands and effects as plain data: what users ask of the editor, and what the editor asks of its host.
 
 use std::path::PathBuf;
 
@@ -24,6 +24,10 @@ pub enum Command {
     Playback(PlaybackCommand),
     /// Changes how the scene is looked at; not undone.
     View(ViewCommand),
+    /// Selects keyframes or timed keys; not undone.
+    Selection(SelectionCommand),
+    /// Copies, without a change of the document.
+    Clipboard(ClipboardCommand),
     /// Reads, writes, quits.
     File(FileCommand),
     /// A drag, which is one step of undo from its beginning to its end.
@@ -32,7 +36,7 @@ pub enum Command {
     Undo,
     /// Brings back what was undone.
     Redo,
-    /// Leaves the drag, the mode or the panel at hand.
+    /// Cancels the drag, leaves the mode, or closes the panel.
     Cancel,
     /// Changes the window itself, or what it keeps; the editor only hands it on.
     Window(WindowCommand),
@@ -44,7 +48,7 @@ pub enum WindowCommand {
     /// Shows the list of commands.
     ShowCommands,
     /// Shows the keys, which can be changed there.
-    ShowKeys,
+    ShowHotkeys,
     /// Shows the manual.
     ShowManual,
     /// Asks what film to make of the keyframes.
@@ -64,11 +68,11 @@ pub enum WindowCommand {
     /// The language of the window's words.
     SetLanguage(Language),
     /// Gives the binding of this id other keys; none: it has no key.
-    SetKeys(&'static str, Vec<Chord>),
+    SetHotkeys(&'static str, Vec<Chord>),
     /// Gives the binding of this id the keys of the table.
-    ResetKeys(&'static str),
+    ResetHotkeys(&'static str),
     /// Gives every binding the keys of the table.
-    ResetAllKeys,
+    ResetAllHotkeys,
     /// Forgets the recent files.
     ForgetRecent,
     /// Asks for the name of the current keyframe.
@@ -102,15 +106,15 @@ pub enum Edit {
     DeleteCurrent,
     /// Returns the scene to its rest pose.
     ResetPose,
-    /// Puts the next interpolation in force.
+    /// Switches to the next interpolation.
     NextInterpolation,
-    /// Puts an interpolation in force.
+    /// Switches to an interpolation.
     SetInterpolation(Interpolation),
     /// 100 ms less between keyframes.
     Faster,
     /// 100 ms more between keyframes.
     Slower,
-    /// So many milliseconds between keyframes, kept within 100 and 10,000.
+    /// Sets the milliseconds between keyframes, clamped to 100 to 10,000.
     SetMsBetweenKeyframes(u32),
     /// Places a node: its `parent_from_node` translation.
     SetTranslation(RbtIndex, Vec3),
@@ -127,13 +131,13 @@ pub enum Edit {
     TranslateChosen(Vec3),
     /// Edits the list as a timeline.
     Timeline(TimelineEdit),
-    /// Edits control nodes and keys at their own times, which are a part of the scene.
+    /// Edits control nodes and timed keys, which are part of the scene.
     Scene(SceneEdit),
-    /// Moves the node at hand (the chosen one, or the eye) along the view, with respect to its auxiliary frame; a run of these is one step.
+    /// Moves the dragged node (the chosen one, or the eye) along the view, with respect to its auxiliary frame. Consecutive ones are one undo step.
     Wheel(Rbt),
 }
 
-/// Edits of the list as a timeline; of the selected keyframes, or of the current one where none is selected.
+/// Edits of the keyframe list as a timeline. "The selected keyframes" are the current keyframe if none is selected.
 #[derive(Clone, Debug, PartialEq)]
 pub enum TimelineEdit {
     /// Names a keyframe; blank takes the name away.
@@ -147,17 +151,17 @@ pub enum TimelineEdit {
         /// Whether the next interval gives what this one takes, so that what follows stays in time.
         ripple_free: bool,
     },
-    /// Sets the easing of the intervals that begin at the keyframes at hand.
+    /// Sets the easing of the intervals that begin at the selected keyframes.
     SetEasing(Easing),
-    /// Moves the keyframes at hand, to before the keyframe in this place; the list's length: to the end.
+    /// Moves the selected keyframes to before the keyframe with this index. The list's length moves them to the end.
     MoveKeyframes(usize),
-    /// Deletes the keyframes at hand.
+    /// Deletes the selected keyframes.
     DeleteKeyframes,
-    /// Copies the keyframes at hand, and deletes them.
+    /// Copies the selected keyframes, then deletes them.
     CutKeyframes,
-    /// Inserts the copied keyframes after the last of those at hand.
+    /// Inserts the copied keyframes after the last selected one.
     PasteKeyframes,
-    /// Inserts copies of the keyframes at hand, after them.
+    /// Inserts copies of the selected keyframes after the last of them.
     DuplicateKeyframes,
     /// Reverses the order of the selected keyframes, or of all where fewer than two are selected.
     ReverseKeyframes,
@@ -180,7 +184,7 @@ pub enum PlaybackCommand {
     PauseOrResume,
     /// Shows the sample at a key time, kept within what plays; while playing, goes on from there.
     Scrub(f64),
-    /// Shows the sample so many ticks after the playhead, or before.
+    /// Moves the playhead by ticks; negative ones move it back.
     Step(i32),
     /// What happens at the end.
     SetMode(PlayMode),
@@ -192,12 +196,12 @@ pub enum PlaybackCommand {
     SetSpeedPercent(u32),
 }
 
-/// How the scene is looked at.
+/// Changes of the view and of other session state; undo leaves it alone.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ViewCommand {
     /// Looks from the next eye.
     NextEye,
-    /// Looks from the eye in this place of [`crate::scene::SceneGraph::eyes`].
+    /// Looks from the eye with this index in [`crate::scene::SceneGraph::eyes`].
     SetEye(usize),
     /// With the sky as eye and nothing chosen: moves about the world's centre, or about the eye itself.
     ToggleSkyMode,
@@ -212,31 +216,41 @@ pub enum ViewCommand {
     /// Shows or hides all panels.
     TogglePanels,
     /// Shows or hides the path that the chosen node takes.
-    TogglePath,
-    /// Shows or hides, while playing, what the interpolations that are not in force would show.
+    ToggleMotionPath,
+    /// Shows or hides, while playing, the poses that the other interpolations give.
     ToggleComparison,
-    /// Selects these keyframes in the timeline, and no others.
-    SelectKeyframes(Vec<KeyframeIndex>),
-    /// Copies the selected keyframes, or the current one.
-    CopyKeyframes,
-    /// Copies what is on screen of the chosen node and all below it.
-    CopyPose,
     /// Switches whether the end of each drag updates the current keyframe.
     ToggleAutoKeys,
     /// Whether the end of each drag updates the current keyframe.
     SetAutoKeys(bool),
-    /// Shows so many neighbouring keyframes on each side as ghosts, at most [`crate::frame::MOST_GHOSTS`].
+    /// The number of neighbouring keyframes shown as ghosts on each side, at most [`crate::frame::MOST_GHOSTS`].
     SetGhosts(u8),
-    /// Selects these keys at their own times, and no others, and no keyframes.
-    SelectKeys(Vec<KeyAt>),
     /// Shows one more on each side, and after the most of them none.
     NextGhosts,
-    /// Sets the clock of keys at their own times to zero.
-    RestartSeconds,
+    /// Sets the clock of the timed keys to zero.
+    RestartTimedKeys,
     /// Holds that clock, or lets it go on.
-    HoldSeconds,
-    /// Sets that clock to so many seconds, and holds it until something plays.
+    HoldTimedKeys,
+    /// Sets that clock to a time in seconds, and holds it until playback starts.
     ScrubSeconds(f64),
+}
+
+/// The selection of the timeline. Keyframes and timed keys are never selected together.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SelectionCommand {
+    /// Selects these keyframes, and nothing else.
+    Keyframes(Vec<KeyframeIndex>),
+    /// Selects these timed keys, and nothing else.
+    TimedKeys(Vec<KeyAt>),
+}
+
+/// What is copied for a later paste. Cutting and pasting are edits: [`TimelineEdit`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ClipboardCommand {
+    /// Copies the selected keyframes, or the current one.
+    CopyKeyframes,
+    /// Copies the displayed pose of the chosen node and all nodes below it.
+    CopyPose,
 }
 
 /// Files and the program itself.
@@ -254,7 +268,7 @@ pub enum FileCommand {
     ChooseSaveAs,
     /// Writes to a file, which becomes the one that is written from now on.
     SaveAs(PathBuf),
-    /// Writes the scene's file; asks where to, as long as it has none.
+    /// Writes the scene's file. Asks for a path if it has none.
     WriteScene,
     /// Asks where to save the scene.
     ChooseSaveSceneAs,
@@ -277,12 +291,12 @@ pub enum FileCommand {
     Quit,
 }
 
-/// A drag of the node at hand. Between `Begin` and `Commit` or `Abort`, changes of poses are one step.
+/// A drag of the dragged node: the chosen one, or the eye. Between `Begin` and `Commit` or `Abort`, changes of poses are one step.
 #[derive(Clone, Debug, PartialEq)]
 pub enum GestureCommand {
     /// A drag begins.
     Begin,
-    /// "Do this to the node at hand with respect to its auxiliary frame", on top of what the drag did so far.
+    /// Moves the dragged node with respect to its auxiliary frame, on top of the drag's earlier motions.
     Move(Rbt),
     /// The drag ends and counts.
     Commit,
@@ -290,7 +304,7 @@ pub enum GestureCommand {
     Abort,
 }
 
-/// What the shell must do for the editor, and then tell it of.
+/// What the host must do for the editor. The host reports the result to the editor.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Effect {
     /// Read this file and hand the outcome to [`super::Editor::keyframes_read`].

@@ -10,13 +10,13 @@ use crate::scene::SceneGraph;
 /// The scene with its keys, the live pose, the keyframe list, and how it is played. Cloning shares the scene, the poses and the list.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Document {
-    /// The scene: its control nodes and the keys at their own times can change; its RBT nodes stay.
+    /// The scene. Edits change its control nodes and timed keys, never its RBT nodes.
     pub scene: Arc<SceneGraph>,
     /// The pose in the scene: what is shown while nothing plays, and what `n` and `u` capture.
     pub live_pose: Pose,
     /// The keyframes and the current one.
     pub keyframes: KeyframeList,
-    /// The interpolation in force.
+    /// The current interpolation.
     pub interpolation: Interpolation,
     /// Wall time from one keyframe to the next, in milliseconds: 100 to 10,000.
     pub ms_between_keyframes: u32,

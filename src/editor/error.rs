@@ -19,9 +19,9 @@ pub enum CommandError {
     },
     /// There is nothing to delete.
     NothingToDelete,
-    /// There is no keyframe in that place.
+    /// There is no keyframe with that index.
     NoSuchKeyframe {
-        /// The place asked for.
+        /// The requested index.
         index: usize,
         /// How many there are.
         count: usize,

@@ -1,4 +1,4 @@
-//! What file commands ask of the shell, and what becomes of the outcome.
+//! File commands: the effects they need, and the handling of their results.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -14,13 +14,13 @@ impl Editor {
         match command {
             FileCommand::Import => {
                 self.commit_gesture();
-                Effect::ReadKeyframes { path: self.path.clone() }
+                Effect::ReadKeyframes { path: self.keyframe_file.clone() }
             }
             FileCommand::Open(path) => {
                 self.commit_gesture();
                 Effect::ReadKeyframes { path }
             }
-            FileCommand::Write => self.write_effect(self.path.clone()),
+            FileCommand::Write => self.write_effect(self.keyframe_file.clone()),
             FileCommand::SaveAs(path) => self.write_effect(path),
             FileCommand::ChooseOpen => Effect::ChooseOpen,
             FileCommand::ChooseSaveAs => Effect::ChooseSaveAs,
@@ -42,7 +42,7 @@ impl Editor {
         self.commit_gesture();
         let document = &self.document;
         Effect::WriteKeyframes {
-            is_known: self.is_file_known && path == self.path,
+            is_known: self.is_file_known && path == self.keyframe_file,
             path,
             text: KeyframesText {
                 scene: Arc::clone(&document.scene),
@@ -59,10 +59,12 @@ impl Editor {
         Effect::WriteScene { path, text: scene_to_json(&self.document.scene), is_known }
     }
 
-    /// Where the scene is to be saved, as long as nobody says otherwise: its own file, or one of its name beside the keyframe file.
+    /// The default path for saving the scene: its own file, or a file named after the scene beside the keyframe file.
     #[must_use]
     pub fn proposed_scene_path(&self) -> PathBuf {
-        self.scene_path.clone().unwrap_or_else(|| self.path.with_file_name(format!("{}.json", self.scene().name())))
+        self.scene_path
+            .clone()
+            .unwrap_or_else(|| self.keyframe_file.with_file_name(format!("{}.json", self.scene().name())))
     }
 
     /// Takes in that the scene's file was written, or why it could not be. It becomes the scene's own.
@@ -124,7 +126,7 @@ impl Editor {
             document.ms_between_keyframes = file.ms_between_keyframes.unwrap_or(document.ms_between_keyframes);
             Self::list_with_first_current(document, KeyframeList::new(file.keyframes));
         });
-        // What a student wrote is not written over without a copy.
+        // A file that was imported from another layout is copied before it is overwritten.
         let is_known = report.is_none();
         let said = match report {
             None => texts::file_imported(what, path.display()),
@@ -192,7 +194,7 @@ impl Editor {
     }
 
     fn is_now_saved_in(&mut self, path: PathBuf) {
-        self.path = path;
+        self.keyframe_file = path;
         self.saved = self.document.clone();
         self.is_file_known = true;
     }

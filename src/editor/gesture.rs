@@ -1,6 +1,6 @@
-//! Drags, which are one step of undo each, and undo itself.
+//! Drags, each one undo step, and the undo and redo commands.
 
-use super::apply::Outcome;
+use super::apply::CommandResult;
 use super::{CommandError, Document, Editor, GestureCommand};
 use crate::keyframe::{Keyframe, KeyframeList};
 use crate::words::{Message, Phrase, texts};
@@ -15,12 +15,12 @@ pub(super) struct Gesture {
 }
 
 impl Editor {
-    pub(super) fn gesture(&mut self, command: GestureCommand) -> Outcome {
+    pub(super) fn gesture(&mut self, command: GestureCommand) -> CommandResult {
         match command {
             GestureCommand::Begin => {
                 self.commit_gesture();
                 self.history.end_run();
-                // What was scrubbed to stays on screen until the drag moves a node.
+                // A scrubbed pose stays on screen until the drag moves a node.
                 self.gesture = Some(Gesture { before: self.document.clone(), label: texts::ACT_DRAG });
             }
             GestureCommand::Move(motion) => {
@@ -64,7 +64,7 @@ impl Editor {
         self.history.record(before, &self.document, label, None);
     }
 
-    pub(super) fn undo(&mut self) -> Outcome {
+    pub(super) fn undo(&mut self) -> CommandResult {
         if self.gesture.is_some() {
             return Err(CommandError::DuringDrag);
         }
@@ -75,7 +75,7 @@ impl Editor {
         Ok(Some(texts::undone(label)))
     }
 
-    pub(super) fn redo(&mut self) -> Outcome {
+    pub(super) fn redo(&mut self) -> CommandResult {
         if self.gesture.is_some() {
             return Err(CommandError::DuringDrag);
         }
@@ -86,7 +86,7 @@ impl Editor {
         Ok(Some(texts::redone(label)))
     }
 
-    /// Selects nothing where the list has become another one, in which the same places are other keyframes.
+    /// Clears the selection if the list changed, because its indices may now be other keyframes.
     fn drop_stale_selection(&mut self, before: &KeyframeList) {
         let after = &self.document.keyframes;
         let is_same_pose = |(a, b): (&Keyframe, &Keyframe)| a.pose.same_as(&b.pose);

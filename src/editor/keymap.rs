@@ -111,20 +111,20 @@ pub struct Modifiers {
 pub struct Chord {
     /// The key.
     pub key: Key,
-    /// What is held with it. For a sign, such as `>`, Shift does not matter: boards differ in what types it.
+    /// The modifiers. Shift is ignored for signs such as `>`, because keyboards differ in how they type them.
     pub modifiers: Modifiers,
 }
 
 /// A press of a key, as the window or a script gives it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct KeyPress {
-    /// What the layout in force makes of it, whatever Ctrl and Alt do.
+    /// The key by the current keyboard layout, regardless of Ctrl and Alt.
     pub typed: Option<Key>,
-    /// What a US board has in the same place, Shift taken into account.
-    pub placed: Option<Key>,
-    /// What is held with it.
+    /// The key at the same position on a US keyboard, with Shift applied.
+    pub on_us_layout: Option<Key>,
+    /// The modifiers that are held.
     pub modifiers: Modifiers,
-    /// Whether it comes from holding the key down.
+    /// Whether it repeats because the key is held down.
     pub is_repeat: bool,
 }
 
@@ -224,7 +224,7 @@ impl Key {
 /// A repeated press means only what repeats.
 #[must_use]
 pub fn binding_for(table: &[Binding], press: KeyPress) -> Option<&Binding> {
-    [press.typed, press.placed]
+    [press.typed, press.on_us_layout]
         .into_iter()
         .flatten()
         .find_map(|key| {
@@ -238,7 +238,7 @@ pub fn binding_for(table: &[Binding], press: KeyPress) -> Option<&Binding> {
 #[must_use]
 pub fn press_from_word(word: &str) -> Option<KeyPress> {
     let Chord { key, modifiers } = Chord::parse(word)?;
-    Some(KeyPress { typed: Some(key), placed: None, modifiers, is_repeat: false })
+    Some(KeyPress { typed: Some(key), on_us_layout: None, modifiers, is_repeat: false })
 }
 
 /// The table as Markdown, for the README.

@@ -1,4 +1,4 @@
-//! Moving the node at hand: "do M to O with respect to A" (Gortler, chapters 4 and 8).
+//! Motions of the dragged node: "do M to O with respect to A" (Gortler, chapters 4 and 8).
 //!
 //! O is the chosen node, or the eye. A, the auxiliary frame, has the translation of O and the rotation of the eye, so that a drag to
 //! the right moves to the right on screen and turns happen about the node's own centre. The eye itself moves ego-style, by its own
@@ -29,7 +29,7 @@ pub enum DragKind {
     Dolly,
 }
 
-/// How the node at hand is moved.
+/// How the dragged node moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Style {
     /// A node other than the eye, by the arcball around it.
@@ -40,7 +40,7 @@ enum Style {
     Ego,
 }
 
-/// The node at hand, its auxiliary frame and its arcball: what a drag needs to become a motion.
+/// The dragged node, its auxiliary frame and its arcball: what turns a drag into a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Manipulation {
     style: Style,
@@ -69,7 +69,7 @@ impl Manipulation {
         }
     }
 
-    /// The motion M for turns of the wheel: up is positive and moves the node at hand forward along the view.
+    /// The motion M for turns of the wheel: up is positive and moves the dragged node forward along the view.
     #[must_use]
     pub fn wheel(&self, notches: f32) -> Rbt {
         let depth = self.units_per_pixel / self.camera.units_per_pixel_at_unit_depth();
@@ -115,7 +115,7 @@ impl Editor {
         }
     }
 
-    /// How a drag in a view of this camera moves the node at hand.
+    /// How a drag in a view of this camera moves the dragged node.
     #[must_use]
     pub fn manipulation(&self, camera: &Camera) -> Manipulation {
         let style = self.style();
@@ -142,7 +142,7 @@ impl Editor {
         }
     }
 
-    /// The node at hand after a motion with respect to its auxiliary frame: a new `parent_from_node`.
+    /// The dragged node after a motion with respect to its auxiliary frame: a new `parent_from_node`.
     pub(super) fn moved(&self, motion: Rbt) -> Rbt {
         let pose = &self.pose_at_hand();
         let object = self.node_at_hand();

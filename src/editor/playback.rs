@@ -56,7 +56,7 @@ pub struct Pace {
 }
 
 impl Pace {
-    /// The elapsed time that so many ticks take: k · (1000/60) / ms at 100 %.
+    /// The elapsed time of a number of ticks: k · (1000/60) / ms at 100 %.
     #[must_use]
     pub fn elapsed(self, ticks: impl Into<BigInt>) -> BigRational {
         BigRational::new(
@@ -79,7 +79,7 @@ pub struct Span {
     pub mode: PlayMode,
 }
 
-/// A place reached by whole ticks.
+/// A playback position, reached by whole ticks.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Position {
     span: Span,
@@ -90,7 +90,7 @@ pub struct Position {
 }
 
 impl Position {
-    /// A place in a span, kept within it.
+    /// A position in a span, clamped to it.
     #[must_use]
     pub fn new(span: Span, elapsed: &BigRational, pace: Pace) -> Self {
         let run_at_change = elapsed.clamp(&span.start, &span.end) - &span.start;
@@ -124,7 +124,7 @@ impl Position {
         self.ticks_since_change = self.ticks_since_change.saturating_add(ticks);
     }
 
-    /// Goes on at another pace from the place reached.
+    /// Continues at another pace from the current position.
     pub fn set_pace(&mut self, pace: Pace) {
         if pace != self.pace {
             self.run_at_change = self.run();

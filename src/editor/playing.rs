@@ -3,7 +3,7 @@
 use num_rational::BigRational;
 use num_traits::Zero as _;
 
-use super::apply::Outcome;
+use super::apply::CommandResult;
 use super::playback::{Pace, PlayMode, Playback, Position, Span, span};
 use super::{Command, CommandError, Edit, Editor, PlaybackCommand};
 use crate::keyframe::{KeyframeIndex, PlayRange, Timing, to_f64};
@@ -14,7 +14,7 @@ use crate::words::texts;
 pub const SPEED_PERCENT_RANGE: std::ops::RangeInclusive<u32> = 10..=1000;
 
 impl Editor {
-    pub(super) fn play(&mut self, command: PlaybackCommand) -> Outcome {
+    pub(super) fn play(&mut self, command: PlaybackCommand) -> CommandResult {
         self.commit_gesture();
         match command {
             PlaybackCommand::PlayOrStop => self.play_or_stop(),
@@ -67,7 +67,7 @@ impl Editor {
         Pace { ms_between_keyframes: self.document.ms_between_keyframes, speed_percent: self.session.speed_percent }
     }
 
-    /// A running playback goes on at the pace in force.
+    /// Applies the current pace to a running playback.
     pub(super) fn refit_pace(&mut self) {
         let pace = self.pace();
         if let Playback::Playing(position) = &mut self.playback {
@@ -75,7 +75,7 @@ impl Editor {
         }
     }
 
-    /// A running playback goes on in the range and the mode in force.
+    /// Applies the current range and mode to a running playback.
     fn refit_playing(&mut self) {
         if let (Playback::Playing(position), Ok(span)) = (&self.playback, self.span()) {
             self.playback = Playback::Playing(position.in_span(span));
@@ -87,7 +87,7 @@ impl Editor {
         Ok(span(timing, self.document.keyframes.len(), self.session.play_range, self.session.play_mode))
     }
 
-    fn play_or_stop(&mut self) -> Outcome {
+    fn play_or_stop(&mut self) -> CommandResult {
         if self.is_playing() {
             self.end_playback();
             return Ok(Some(texts::playing_stopped(self.where_we_are())));
@@ -96,7 +96,7 @@ impl Editor {
         Ok(Some(texts::playing_begins(self.document.keyframes.len() - 2)))
     }
 
-    fn play_from_playhead(&mut self) -> Outcome {
+    fn play_from_playhead(&mut self) -> CommandResult {
         if self.is_playing() {
             return self.play_or_stop();
         }
@@ -110,11 +110,11 @@ impl Editor {
     fn start_at(&mut self, elapsed: &BigRational) -> Result<(), CommandError> {
         let position = Position::new(self.span()?, elapsed, self.pace());
         self.playback = Playback::Playing(position);
-        self.end_scrub_of_seconds(to_f64(elapsed) * f64::from(self.document.ms_between_keyframes) / 1000.0);
+        self.end_scrub_of_timed_keys(to_f64(elapsed) * f64::from(self.document.ms_between_keyframes) / 1000.0);
         Ok(())
     }
 
-    fn pause_or_resume(&mut self) -> Outcome {
+    fn pause_or_resume(&mut self) -> CommandResult {
         match &self.playback {
             Playback::Playing(position) => {
                 let paused = Playback::Paused(position.clone());
@@ -143,7 +143,7 @@ impl Editor {
         }
     }
 
-    fn scrub(&mut self, key_time: f64) -> Outcome {
+    fn scrub(&mut self, key_time: f64) -> CommandResult {
         let timing = self.document.keyframes.timing().ok_or_else(|| self.too_few_to_play())?;
         if !key_time.is_finite() {
             return Err(CommandError::NotAValue { what: texts::VALUE_KEY_TIME });
@@ -157,7 +157,7 @@ impl Editor {
         Ok(None)
     }
 
-    fn step_ticks(&mut self, ticks: i32) -> Outcome {
+    fn step_ticks(&mut self, ticks: i32) -> CommandResult {
         let timing = self.document.keyframes.timing().ok_or_else(|| self.too_few_to_play())?;
         let from = self.playback.elapsed().unwrap_or_else(|| self.elapsed_at_current(timing));
         let elapsed = (from + self.pace().elapsed(ticks)).clamp(BigRational::zero(), timing.total());
@@ -166,7 +166,7 @@ impl Editor {
         Ok(Some(texts::playing_key_time(format!("{key_time:.3}"))))
     }
 
-    fn set_range(&mut self, range: Option<(usize, usize)>) -> Outcome {
+    fn set_range(&mut self, range: Option<(usize, usize)>) -> CommandResult {
         let count = self.document.keyframes.len();
         if let Some((first, last)) = range
             && !(1 <= first && first < last && last + 1 < count)

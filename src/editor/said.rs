@@ -1,4 +1,4 @@
-//! What was said lately: each message with a number of its own, so that a reader sees what is new to it.
+//! The most recent messages, numbered, so that a reader can ask for those that are new to it.
 
 use std::collections::VecDeque;
 

@@ -1,9 +1,9 @@
-//! Editing what is keyed at its own times: keys, and the control nodes that have them. They are a part of the scene, which the
+//! Edits of timed keys and of the control nodes that have them. Both are part of the scene, which the
 //! document holds, so that all of it is undone.
 
 use std::sync::Arc;
 
-use super::apply::Outcome;
+use super::apply::CommandResult;
 use super::{CommandError, Editor};
 use crate::scene::{Channel, KeyValue, NodeId, SceneError, SceneGraph, moved_seconds};
 use crate::words::{Message, Phrase, texts};
@@ -34,7 +34,7 @@ impl KeyAt {
     }
 }
 
-/// Edits of control nodes and of keys at their own times. Nodes are named by their paths, which hold when other nodes come and go.
+/// Edits of control nodes and of timed keys. Nodes are named by their paths, which hold when other nodes come and go.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SceneEdit {
     /// Adds keys with the values that are there at their times; a key that stands there already stays. They are selected then.
@@ -68,7 +68,7 @@ pub enum SceneEdit {
 }
 
 impl Editor {
-    pub(super) fn edit_scene(&mut self, edit: SceneEdit) -> Outcome {
+    pub(super) fn edit_scene(&mut self, edit: SceneEdit) -> CommandResult {
         match edit {
             SceneEdit::AddKeys(keys) => self.add_keys(keys),
             SceneEdit::SetKey { node, seconds, value } => {
@@ -116,7 +116,7 @@ impl Editor {
         texts::control_put_above(path)
     }
 
-    fn add_keys(&mut self, keys: Vec<KeyAt>) -> Outcome {
+    fn add_keys(&mut self, keys: Vec<KeyAt>) -> CommandResult {
         let mut scene = (*self.document.scene).clone();
         for key in &keys {
             let id = self.known_node(&key.track.node)?;
@@ -134,7 +134,7 @@ impl Editor {
         Ok(said)
     }
 
-    fn move_keys(&mut self, keys: &[KeyAt], by: f64) -> Outcome {
+    fn move_keys(&mut self, keys: &[KeyAt], by: f64) -> CommandResult {
         if keys.is_empty() {
             return Err(CommandError::NoKeys);
         }
@@ -150,7 +150,7 @@ impl Editor {
         Ok(Some(texts::keys_moved(texts::count_keys(keys.len()), format!("{by:.3}"))))
     }
 
-    pub(super) fn delete_keys(&mut self, keys: Vec<KeyAt>) -> Outcome {
+    pub(super) fn delete_keys(&mut self, keys: Vec<KeyAt>) -> CommandResult {
         if keys.is_empty() {
             return Err(CommandError::NoKeys);
         }
@@ -162,7 +162,7 @@ impl Editor {
         Ok(Some(texts::keys_deleted(texts::count_keys(keys.len()))))
     }
 
-    pub(super) fn select_keys(&mut self, mut keys: Vec<KeyAt>) -> Outcome {
+    pub(super) fn select_keys(&mut self, mut keys: Vec<KeyAt>) -> CommandResult {
         keys.sort_by(|a, b| a.track.cmp(&b.track).then(a.seconds.total_cmp(&b.seconds)));
         keys.dedup();
         by_track(&self.document.scene, &keys)?;

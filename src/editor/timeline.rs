@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
-use super::apply::Outcome;
+use super::apply::CommandResult;
 use super::commands::Row;
-use super::{Command, CommandError, Editor, TimelineEdit, ViewCommand};
+use super::{ClipboardCommand, Command, CommandError, Editor, TimelineEdit};
 use crate::keyframe::{DURATION_RANGE, Easing, Keyframe, KeyframeIndex, KeyframeList};
 use crate::pose::{Pose, RbtIndex};
 use crate::rbt::Rbt;
@@ -45,7 +45,7 @@ impl Editor {
         self.clipboard.pose.is_some()
     }
 
-    pub(super) fn edit_timeline(&mut self, edit: TimelineEdit, row: &Row) -> Outcome {
+    pub(super) fn edit_timeline(&mut self, edit: TimelineEdit, row: &Row) -> CommandResult {
         if edit == TimelineEdit::DeleteKeyframes && !self.session.selected_keys.is_empty() {
             return self.delete_keys(self.session.selected_keys.clone());
         }
@@ -66,7 +66,7 @@ impl Editor {
             }
             TimelineEdit::PasteKeyframes => {
                 if self.clipboard.keyframes.is_empty() {
-                    let copy = self.key_of(&Command::View(ViewCommand::CopyKeyframes));
+                    let copy = self.key_of(&Command::Clipboard(ClipboardCommand::CopyKeyframes));
                     return Err(CommandError::NothingCopied { copy });
                 }
                 let (count, at) =
@@ -96,14 +96,14 @@ impl Editor {
     }
 
     fn copies_at_hand(&self) -> Result<Vec<Keyframe>, CommandError> {
-        let places = self.keyframes_at_hand();
-        if places.is_empty() {
+        let indices = self.keyframes_at_hand();
+        if indices.is_empty() {
             return Err(self.no_keyframe());
         }
-        Ok(places.iter().map(|&place| self.document.keyframes.as_slice()[place].clone()).collect())
+        Ok(indices.iter().map(|&index| self.document.keyframes.as_slice()[index].clone()).collect())
     }
 
-    pub(super) fn select(&mut self, mut selected: Vec<KeyframeIndex>) -> Outcome {
+    pub(super) fn select(&mut self, mut selected: Vec<KeyframeIndex>) -> CommandResult {
         let count = self.document.keyframes.len();
         if let Some(beyond) = selected.iter().find(|index| index.get() >= count) {
             return Err(CommandError::NoSuchKeyframe { index: beyond.get(), count });
@@ -127,18 +127,18 @@ impl Editor {
         self.fit_keys_to_scene();
     }
 
-    pub(super) fn copy_keyframes(&mut self) -> Outcome {
+    pub(super) fn copy_keyframes(&mut self) -> CommandResult {
         self.clipboard.keyframes = self.copies_at_hand()?;
         Ok(Some(texts::keyframes_copied(texts::count_keyframes(self.clipboard.keyframes.len()))))
     }
 
-    pub(super) fn copy_pose(&mut self) -> Outcome {
+    pub(super) fn copy_pose(&mut self) -> CommandResult {
         let chosen = self.session.chosen.ok_or_else(|| self.nothing_chosen())?;
         self.clipboard.pose = Some((chosen, self.displayed_pose()));
         Ok(Some(texts::pose_copied(self.document.scene.rbt_path(chosen))))
     }
 
-    fn rename(&mut self, index: KeyframeIndex, name: &str) -> Outcome {
+    fn rename(&mut self, index: KeyframeIndex, name: &str) -> CommandResult {
         let renamed = self.known(index)?.clone();
         let name: String = name.chars().filter(|character| !character.is_control()).take(LONGEST_NAME).collect();
         let name: Option<Arc<str>> = Some(name.trim()).filter(|name| !name.is_empty()).map(Arc::from);
@@ -152,7 +152,7 @@ impl Editor {
         Ok(Some(said))
     }
 
-    fn set_duration(&mut self, index: KeyframeIndex, duration: f64, ripple_free: bool) -> Outcome {
+    fn set_duration(&mut self, index: KeyframeIndex, duration: f64, ripple_free: bool) -> CommandResult {
         if !duration.is_finite() {
             return Err(CommandError::NotAValue { what: texts::VALUE_DURATION });
         }
@@ -174,15 +174,15 @@ impl Editor {
         Ok(Some(texts::keyframe_retimed(index.get(), format!("{duration:.3}"))))
     }
 
-    fn set_easing(&mut self, easing: Easing) -> Outcome {
-        let places = self.keyframes_at_hand();
-        if places.is_empty() {
+    fn set_easing(&mut self, easing: Easing) -> CommandResult {
+        let indices = self.keyframes_at_hand();
+        if indices.is_empty() {
             return Err(self.no_keyframe());
         }
         self.record(texts::ACT_CHANGE_OF_EASING, None, |document| {
             let mut keyframes = document.keyframes.as_slice().to_vec();
-            for &place in &places {
-                keyframes[place].easing = easing;
+            for &index in &indices {
+                keyframes[index].easing = easing;
             }
             let current = document.keyframes.current().map(KeyframeIndex::get);
             document.keyframes = KeyframeList::with_current(keyframes, current);
@@ -207,39 +207,39 @@ impl Editor {
         self.session.selected = selected.map(KeyframeIndex::new).collect();
     }
 
-    fn move_keyframes(&mut self, to: usize) -> Outcome {
+    fn move_keyframes(&mut self, to: usize) -> CommandResult {
         let count = self.document.keyframes.len();
         if to > count {
             return Err(CommandError::NoSuchKeyframe { index: to, count });
         }
-        let places = self.keyframes_at_hand();
+        let indices = self.keyframes_at_hand();
         let moved = self.copies_at_hand()?;
-        let mut keyframes = self.without(&places);
-        let at = to - places.iter().filter(|&&place| place < to).count();
+        let mut keyframes = self.without(&indices);
+        let at = to - indices.iter().filter(|&&index| index < to).count();
         let selected = at..at + moved.len();
         keyframes.splice(at..at, moved);
         self.rearrange(texts::ACT_MOVING_OF_KEYFRAMES, keyframes, Some(at), selected.clone());
         Ok(Some(texts::keyframes_moved(texts::count_keyframes(selected.len()), at)))
     }
 
-    fn without(&self, places: &[usize]) -> Vec<Keyframe> {
+    fn without(&self, indices: &[usize]) -> Vec<Keyframe> {
         let keyframes = self.document.keyframes.as_slice().iter().enumerate();
         keyframes
-            .filter(|(place, _)| places.binary_search(place).is_err())
+            .filter(|(index, _)| indices.binary_search(index).is_err())
             .map(|(_, keyframe)| keyframe.clone())
             .collect()
     }
 
-    fn delete_keyframes(&mut self, label: Phrase) -> Outcome {
-        let places = self.keyframes_at_hand();
-        let Some(&first) = places.first() else { return Err(CommandError::NothingToDelete) };
-        let keyframes = self.without(&places);
+    fn delete_keyframes(&mut self, label: Phrase) -> CommandResult {
+        let indices = self.keyframes_at_hand();
+        let Some(&first) = indices.first() else { return Err(CommandError::NothingToDelete) };
+        let keyframes = self.without(&indices);
         let current = (!keyframes.is_empty()).then(|| first.saturating_sub(1));
         self.rearrange(label, keyframes, current, 0..0);
-        Ok(Some(texts::keyframes_deleted(texts::count_keyframes(places.len()), self.where_we_are())))
+        Ok(Some(texts::keyframes_deleted(texts::count_keyframes(indices.len()), self.where_we_are())))
     }
 
-    /// Inserts keyframes after those at hand; says how many, and where the first of them is now.
+    /// Inserts keyframes after the selected ones. Returns their number and the index of the first.
     fn insert_after_hand(&mut self, label: Phrase, inserted: Vec<Keyframe>) -> (Message, usize) {
         let at = self.keyframes_at_hand().last().map_or(0, |last| last + 1);
         let mut keyframes = self.document.keyframes.as_slice().to_vec();
@@ -249,26 +249,26 @@ impl Editor {
         (texts::count_keyframes(selected.len()), at)
     }
 
-    fn reverse_keyframes(&mut self) -> Outcome {
+    fn reverse_keyframes(&mut self) -> CommandResult {
         let count = self.document.keyframes.len();
         if count == 0 {
             return Err(self.no_keyframe());
         }
         let all = self.session.selected.len() < 2;
-        let places: Vec<usize> = if all { (0..count).collect() } else { self.keyframes_at_hand() };
+        let indices: Vec<usize> = if all { (0..count).collect() } else { self.keyframes_at_hand() };
         let mut keyframes = self.document.keyframes.as_slice().to_vec();
-        for (&place, &from) in places.iter().zip(places.iter().rev()) {
-            keyframes[place] = self.document.keyframes.as_slice()[from].clone();
+        for (&index, &from) in indices.iter().zip(indices.iter().rev()) {
+            keyframes[index] = self.document.keyframes.as_slice()[from].clone();
         }
         let selected = self.session.selected.clone();
         let current = self.document.keyframes.current().map(KeyframeIndex::get);
         self.rearrange(texts::ACT_REVERSING_OF_KEYFRAMES, keyframes, current, 0..0);
         self.session.selected = selected;
-        Ok(Some(texts::keyframes_reversed(texts::count_keyframes(places.len()))))
+        Ok(Some(texts::keyframes_reversed(texts::count_keyframes(indices.len()))))
     }
 
     /// Pairs of the copied node and the chosen one, each with all below it, matched by their paths.
-    fn paste_pose(&mut self) -> Outcome {
+    fn paste_pose(&mut self) -> CommandResult {
         let chosen = self.session.chosen.ok_or_else(|| self.nothing_chosen())?;
         let (source, pose) = self.clipboard.pose.clone().ok_or(CommandError::NoPoseCopied)?;
         let (source_path, chosen_path) =
@@ -302,7 +302,12 @@ impl Editor {
         Ok(Some(texts::pose_pasted(source_path, chosen_path)))
     }
 
-    fn place_in_keyframe(&mut self, index: KeyframeIndex, rbt: RbtIndex, change: impl FnOnce(Rbt) -> Rbt) -> Outcome {
+    fn place_in_keyframe(
+        &mut self,
+        index: KeyframeIndex,
+        rbt: RbtIndex,
+        change: impl FnOnce(Rbt) -> Rbt,
+    ) -> CommandResult {
         let keyframe = self.known(index)?.clone();
         if rbt.get() >= self.document.scene.rbt_count() {
             return Err(CommandError::NotInScene { what: texts::VALUE_NODE });

@@ -1,6 +1,6 @@
-//! How the scene is looked at and handled: session state, which is not undone.
+//! View commands: changes of the session, which undo leaves alone.
 
-use super::apply::Outcome;
+use super::apply::CommandResult;
 use super::{Command, CommandError, Editor, Message, SkyMode, ViewCommand};
 use crate::frame::MOST_GHOSTS;
 use crate::keyframe::Blend;
@@ -12,7 +12,7 @@ use crate::words::texts;
 const GHOST_STEPS: u8 = 3;
 
 impl Editor {
-    pub(super) fn view(&mut self, command: ViewCommand) -> Outcome {
+    pub(super) fn view(&mut self, command: ViewCommand) -> CommandResult {
         match command {
             ViewCommand::NextEye => self.set_eye((self.session.eye + 1) % self.document.scene.eyes().len()),
             ViewCommand::SetEye(eye) => self.set_eye(eye),
@@ -33,9 +33,6 @@ impl Editor {
                 Ok(Some(texts::VIEW_PICKING.into()))
             }
             ViewCommand::Choose(rbt) => self.choose(rbt),
-            ViewCommand::SelectKeyframes(selected) => self.select(selected),
-            ViewCommand::CopyKeyframes => self.copy_keyframes(),
-            ViewCommand::CopyPose => self.copy_pose(),
             ViewCommand::ToggleAutoKeys => self.view(ViewCommand::SetAutoKeys(!self.session.auto_keys)),
             ViewCommand::SetAutoKeys(is_on) => {
                 self.session.auto_keys = is_on;
@@ -53,13 +50,13 @@ impl Editor {
                     ghosts => texts::view_ghosts(usize::from(ghosts)),
                 }))
             }
-            ViewCommand::SelectKeys(keys) => self.select_keys(keys),
-            ViewCommand::RestartSeconds => Ok(Some(self.restart_seconds())),
-            ViewCommand::HoldSeconds => Ok(Some(self.hold_seconds())),
-            ViewCommand::ScrubSeconds(seconds) => self.scrub_seconds(seconds),
-            ViewCommand::TogglePath => {
-                self.session.shows_path = !self.session.shows_path;
-                let said = if self.session.shows_path { texts::VIEW_PATH_SHOWN } else { texts::VIEW_PATH_HIDDEN };
+            ViewCommand::RestartTimedKeys => Ok(Some(self.restart_timed_keys())),
+            ViewCommand::HoldTimedKeys => Ok(Some(self.hold_timed_keys())),
+            ViewCommand::ScrubSeconds(seconds) => self.scrub_timed_keys(seconds),
+            ViewCommand::ToggleMotionPath => {
+                self.session.shows_motion_path = !self.session.shows_motion_path;
+                let said =
+                    if self.session.shows_motion_path { texts::VIEW_PATH_SHOWN } else { texts::VIEW_PATH_HIDDEN };
                 Ok(Some(said.into()))
             }
             ViewCommand::ToggleComparison => {
@@ -87,7 +84,7 @@ impl Editor {
         }
     }
 
-    fn set_eye(&mut self, eye: usize) -> Outcome {
+    fn set_eye(&mut self, eye: usize) -> CommandResult {
         let Some(&rbt) = self.document.scene.eyes().get(eye) else {
             return Err(CommandError::NotInScene { what: texts::VALUE_EYE });
         };
@@ -96,7 +93,7 @@ impl Editor {
         Ok(Some(texts::view_looks_from(self.document.scene.rbt_path(rbt))))
     }
 
-    fn choose(&mut self, rbt: Option<RbtIndex>) -> Outcome {
+    fn choose(&mut self, rbt: Option<RbtIndex>) -> CommandResult {
         if rbt.is_some_and(|rbt| rbt.get() >= self.document.scene.rbt_count()) {
             return Err(CommandError::NotInScene { what: texts::VALUE_NODE });
         }
@@ -109,7 +106,7 @@ impl Editor {
         }))
     }
 
-    /// What the eye is and how a drag moves, in a few words: `sky view · world-sky`.
+    /// The eye and how a drag moves, in short: `sky view · world-sky`.
     #[must_use]
     pub fn view_sentence(&self) -> Message {
         let eye = self.document.scene.node(self.document.scene.rbt_node(self.eye())).name.as_str();

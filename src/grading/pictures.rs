@@ -27,7 +27,7 @@ const MOST_FRAMES: usize = 2_000;
 
 /// One picture, ready for the page.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Picture {
+pub struct ReportPicture {
     /// The PNG, or animated PNG, in base 64.
     pub base64: String,
     /// Width in pixels.
@@ -50,7 +50,7 @@ pub fn pictures_of(
     rubric: &Rubric,
     scene: &SceneGraph,
     painter: &mut Painter,
-) -> Result<Vec<Picture>, ExportError> {
+) -> Result<Vec<ReportPicture>, ExportError> {
     let mut pictures = Vec::new();
     for interpolation in shown_playbacks(marks, rubric) {
         pictures.extend(of_playback(marks, interpolation, rubric, scene, painter)?);
@@ -78,7 +78,7 @@ fn of_playback(
     rubric: &Rubric,
     scene: &SceneGraph,
     painter: &mut Painter,
-) -> Result<Vec<Picture>, ExportError> {
+) -> Result<Vec<ReportPicture>, ExportError> {
     let label = interpolation.title();
     let of_samples = marks.samples.iter().find(|samples| samples.interpolation == interpolation);
     let (poses, caption) = match of_samples.and_then(|samples| Some((samples.shown.as_ref()?, &samples.file))) {
@@ -173,8 +173,8 @@ fn animated(frames: &[Image]) -> Result<Vec<u8>, png::EncodingError> {
     Ok(bytes)
 }
 
-fn picture(png: Vec<u8>, caption: String, starts_row: bool) -> Picture {
-    Picture { base64: base64(&png), width: SIZE.width, height: SIZE.height, caption, starts_row }
+fn picture(png: Vec<u8>, caption: String, starts_row: bool) -> ReportPicture {
+    ReportPicture { base64: base64(&png), width: SIZE.width, height: SIZE.height, caption, starts_row }
 }
 
 fn base64(bytes: &[u8]) -> String {

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use super::item::{Item, ItemKind};
 use super::marks::Marks;
-use super::pictures::Picture;
+use super::pictures::ReportPicture;
 use super::rubric::Rubric;
 use super::tables::{diagnoses, number};
 
@@ -49,7 +49,7 @@ pub fn escaped(text: &str) -> String {
 /// The report: an overview with a row for each submission, then each with its points, reasons and pictures, which are in the order of
 /// `marks`.
 #[must_use]
-pub fn html(marks: &[Marks], rubric: &Rubric, pictures: &[Vec<Picture>]) -> String {
+pub fn html(marks: &[Marks], rubric: &Rubric, pictures: &[Vec<ReportPicture>]) -> String {
     let title = if rubric.title.is_empty() { "Grades" } else { &rubric.title };
     let mut text = format!(
         "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n\
@@ -68,11 +68,11 @@ pub fn html(marks: &[Marks], rubric: &Rubric, pictures: &[Vec<Picture>]) -> Stri
         number((mean * 100.0).round() / 100.0),
         number(out_of)
     );
-    for (place, marks) in marks.iter().enumerate() {
+    for (index, marks) in marks.iter().enumerate() {
         let share = if marks.out_of() > 0.0 { 100.0 * marks.points() / marks.out_of() } else { 0.0 };
         let _ = writeln!(
             text,
-            "<tr><td><a href=\"#s{place}\">{}</a></td><td class=\"n\">{} / {}</td>\
+            "<tr><td><a href=\"#s{index}\">{}</a></td><td class=\"n\">{} / {}</td>\
              <td><span class=\"bar\"><i style=\"width:{share:.0}%\"></i></span></td><td>{}</td></tr>",
             escaped(&marks.name),
             number(marks.points()),
@@ -81,8 +81,8 @@ pub fn html(marks: &[Marks], rubric: &Rubric, pictures: &[Vec<Picture>]) -> Stri
         );
     }
     text.push_str("</table></section>\n");
-    for (place, (marks, pictures)) in marks.iter().zip(pictures).enumerate() {
-        push_submission(&mut text, place, marks, pictures);
+    for (index, (marks, pictures)) in marks.iter().zip(pictures).enumerate() {
+        push_submission(&mut text, index, marks, pictures);
     }
     text.push_str("</body></html>\n");
     text
@@ -120,10 +120,10 @@ fn rows(items: &[Item]) -> Vec<Row> {
     rows
 }
 
-fn push_submission(text: &mut String, place: usize, marks: &Marks, pictures: &[Picture]) {
+fn push_submission(text: &mut String, index: usize, marks: &Marks, pictures: &[ReportPicture]) {
     let _ = writeln!(
         text,
-        "<section id=\"s{place}\"><h2>{} <span>{} / {}</span></h2>",
+        "<section id=\"s{index}\"><h2>{} <span>{} / {}</span></h2>",
         escaped(&marks.name),
         number(marks.points()),
         number(marks.out_of())

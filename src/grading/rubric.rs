@@ -267,9 +267,9 @@ mod tests {
                 }
                 for text in broken {
                     if let Err(sentence) = parse(&path, &text).map(|_| ()) {
-                        let place =
-                            sentence.rsplit_once(" at line ").and_then(|(_, place)| place.split_once(" column "));
-                        let (line, column) = place.unwrap_or_else(|| panic!("{sentence}"));
+                        let location =
+                            sentence.rsplit_once(" at line ").and_then(|(_, location)| location.split_once(" column "));
+                        let (line, column) = location.unwrap_or_else(|| panic!("{sentence}"));
                         assert!(line.parse::<usize>().is_ok() && column.parse::<usize>().is_ok(), "{sentence}");
                         assert!(!sentence.contains('\n'), "{sentence}");
                         refused += 1;

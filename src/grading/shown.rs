@@ -1,4 +1,4 @@
-//! What a student's own program showed, thinned out for pictures: poses evenly spread over its samples, and those that are most wrong.
+//! Poses from a student's samples for the report's pictures: evenly spread ones, and those with the largest errors.
 
 use std::collections::BTreeMap;
 
@@ -14,7 +14,7 @@ use crate::rbt::Rbt;
 
 /// The frames of an animated picture.
 pub const FRAMES: usize = 16;
-/// How many moments are shown beside the reference.
+/// The number of moments that are shown beside the reference.
 const MOMENTS: usize = 2;
 /// NaN and infinity count as this many tolerances.
 const NOT_FINITE: f64 = 1e6;

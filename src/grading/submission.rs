@@ -155,8 +155,8 @@ impl Files {
         if archive.len() > 4 * MOST_FILES {
             return Err(format!("the zip has {} entries, and at most {} are looked at", archive.len(), 4 * MOST_FILES));
         }
-        for place in 0..archive.len() {
-            let entry = archive.by_index(place).map_err(broken)?;
+        for index in 0..archive.len() {
+            let entry = archive.by_index(index).map_err(broken)?;
             let name = entry.name().map_err(broken)?.into_owned();
             let is_plain = |part: &str| !part.starts_with('.') || part == "." || part == "..";
             // Names are labels: nothing is unpacked to the disk.

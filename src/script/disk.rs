@@ -73,7 +73,7 @@ impl Host for Disk {
     }
 
     fn take_screenshot(&mut self, path: Option<PathBuf>) -> Result<(PathBuf, FileOutcome<()>), DiskStop> {
-        let path = path.unwrap_or_else(|| storage::next_screenshot_path(self.editor.path()));
+        let path = path.unwrap_or_else(|| storage::next_screenshot_path(self.editor.keyframe_file()));
         let painter = self.painter.as_mut().expect("a script that takes screenshots has a painter");
         let png = painter.png(&frame_of_editor(&self.editor, painter.size_px()))?;
         let written = storage::write(&path, &png).map_err(|error| error.message());

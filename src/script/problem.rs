@@ -41,19 +41,19 @@ pub enum LineProblem {
     /// The time is none.
     #[error("{word:?} is not a time; expected as in 500ms or 2s, at least 0")]
     Time {
-        /// What stands there.
+        /// The word as written.
         word: String,
     },
     /// No hotkey is bound to that.
     #[error("{word:?} is not a hotkey")]
     Hotkey {
-        /// What stands there.
+        /// The word as written.
         word: String,
     },
     /// The list of commands has no such name or id.
     #[error("{name:?} is not in the list of commands")]
     Name {
-        /// What stands there.
+        /// The word as written.
         name: String,
     },
 }

@@ -12,7 +12,7 @@ pub fn rotation_from_degrees([yaw, pitch, roll]: [f32; 3]) -> Quat {
         * Quat::from_rotation_x(roll.to_radians())
 }
 
-/// Yaw, pitch and roll of a rotation, in degrees: yaw and roll within ±180, pitch within ±90. No zero is negative.
+/// Yaw, pitch and roll of a rotation, in degrees: yaw and roll within ±180, pitch within ±90. -0 becomes 0.
 #[must_use]
 pub fn degrees_from_rotation(rotation: Quat) -> [f32; 3] {
     let (yaw, pitch, roll) = rotation.normalize().to_euler(EulerRot::ZYX);

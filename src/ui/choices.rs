@@ -1,4 +1,4 @@
-//! What can be chosen among: recent files, eyes, interpolations, colours, languages, sizes. Menus and the list of commands show the same.
+//! Choices with a value: recent files, eyes, interpolations, colours, languages, sizes. Menus and the command list show the same.
 
 use super::words::Words;
 use crate::editor::{Command, Edit, Editor, FileCommand, ViewCommand, WindowCommand};
@@ -58,9 +58,9 @@ pub fn choices(editor: &Editor, settings: &Settings, words: Words) -> Vec<Choice
         let command = Command::File(FileCommand::Open(path.clone()));
         add(Topic::Recent, path.display().to_string(), command, false);
     }
-    for (place, &rbt) in editor.scene().eyes().iter().enumerate() {
-        let is_on = place == editor.session().eye;
-        add(Topic::Eye, editor.scene().rbt_path(rbt).to_owned(), Command::View(ViewCommand::SetEye(place)), is_on);
+    for (index, &rbt) in editor.scene().eyes().iter().enumerate() {
+        let is_on = index == editor.session().eye;
+        add(Topic::Eye, editor.scene().rbt_path(rbt).to_owned(), Command::View(ViewCommand::SetEye(index)), is_on);
     }
     for interpolation in Interpolation::ALL {
         let is_on = editor.document().interpolation == interpolation;

@@ -1,19 +1,19 @@
-//! Questions that wait for an answer: a path, and what to do with unsaved work.
+//! Modal dialogs: a path, unsaved work, the command list, hotkeys, export.
 
 use std::path::{Path, PathBuf};
 
 use egui::{Align, Align2, Frame, Id, Key, Layout, Margin, Modal, RichText, TextEdit, Ui, vec2};
 
 use super::export::ExportDialog;
-use super::keys::{KeysDialog, Outcome};
+use super::hotkeys::{DialogState, HotkeysDialog};
 use super::palette::Palette;
 use super::theme::{CORNER, Tokens};
 use super::words::Words;
-use super::{PathPurpose, QuitAnswer, Shown, UiOutput};
+use super::{PanelInput, PathPurpose, QuitAnswer, UiOutput};
 use crate::editor::{Command, FileCommand};
 use crate::words::texts;
 
-/// The question at hand.
+/// The dialog that is open.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Dialog {
     /// Which file?
@@ -30,7 +30,7 @@ pub enum Dialog {
     /// Which command?
     Commands(Palette),
     /// Which keys?
-    Keys(KeysDialog),
+    Hotkeys(HotkeysDialog),
     /// Which film?
     Export(Box<ExportDialog>),
 }
@@ -43,7 +43,7 @@ impl Dialog {
 }
 
 /// Shows the question, if there is one.
-pub fn show(ui: &Ui, dialog: &mut Option<Dialog>, shown: Shown<'_>, output: &mut UiOutput) {
+pub fn show(ui: &Ui, dialog: &mut Option<Dialog>, shown: PanelInput<'_>, output: &mut UiOutput) {
     let Some(question) = dialog else { return };
     let escape = ui.input(|input| input.key_pressed(Key::Escape));
     let is_list = matches!(question, Dialog::Commands(_));
@@ -53,10 +53,10 @@ pub fn show(ui: &Ui, dialog: &mut Option<Dialog>, shown: Shown<'_>, output: &mut
     let id = Id::unique(match question {
         Dialog::Commands(_) => "commands",
         Dialog::Export(_) => "export",
-        Dialog::Path { .. } | Dialog::Quit | Dialog::Keys(_) => "dialog",
+        Dialog::Path { .. } | Dialog::Quit | Dialog::Hotkeys(_) => "dialog",
     });
     let mut modal = Modal::new(id).backdrop_color(Tokens::of(ui).shade).frame(frame);
-    if matches!(question, Dialog::Commands(_) | Dialog::Keys(_)) {
+    if matches!(question, Dialog::Commands(_) | Dialog::Hotkeys(_)) {
         // From a place of their own, so that they do not move while their height changes.
         modal = modal.area(Modal::default_area(id).anchor(Align2::CENTER_TOP, vec2(0.0, 64.0)));
     }
@@ -64,24 +64,24 @@ pub fn show(ui: &Ui, dialog: &mut Option<Dialog>, shown: Shown<'_>, output: &mut
         Dialog::Path { purpose, typed, is_new } => at_width(ui, |ui| path(ui, *purpose, typed, is_new, output)),
         Dialog::Quit => at_width(ui, |ui| quit(ui, shown, output)),
         Dialog::Commands(palette) => outcome(palette.show(ui, shown, &mut output.commands)),
-        Dialog::Keys(keys) => keys.show(ui, shown, &mut output.commands),
+        Dialog::Hotkeys(keys) => keys.show(ui, shown, &mut output.commands),
         Dialog::Export(export) => outcome(export.show(ui, shown, shown.is_exporting, &mut output.commands)),
     });
     let is_left = match question {
         // These lose nothing where one clicks beside them.
-        Dialog::Commands(_) | Dialog::Keys(_) => response.backdrop_response.clicked(),
+        Dialog::Commands(_) | Dialog::Hotkeys(_) => response.backdrop_response.clicked(),
         Dialog::Path { .. } | Dialog::Quit | Dialog::Export(_) => false,
     };
-    if response.inner == Outcome::IsOver || is_left || (escape && response.inner != Outcome::TookEscape) {
+    if response.inner == DialogState::IsOver || is_left || (escape && response.inner != DialogState::TookEscape) {
         *dialog = None;
     }
 }
 
-const fn outcome(is_over: bool) -> Outcome {
-    if is_over { Outcome::IsOver } else { Outcome::Stays }
+const fn outcome(is_over: bool) -> DialogState {
+    if is_over { DialogState::IsOver } else { DialogState::Stays }
 }
 
-fn at_width(ui: &mut Ui, contents: impl FnOnce(&mut Ui) -> bool) -> Outcome {
+fn at_width(ui: &mut Ui, contents: impl FnOnce(&mut Ui) -> bool) -> DialogState {
     ui.set_width(400.0);
     outcome(contents(ui))
 }
@@ -121,7 +121,7 @@ fn path(ui: &mut Ui, purpose: PathPurpose, typed: &mut String, is_new: &mut bool
     entered || is_confirmed || is_cancelled
 }
 
-fn quit(ui: &mut Ui, shown: Shown<'_>, output: &mut UiOutput) -> bool {
+fn quit(ui: &mut Ui, shown: PanelInput<'_>, output: &mut UiOutput) -> bool {
     let editor = shown.editor;
     let (changes, posing) = (editor.has_unsaved_changes(), editor.has_unsaved_posing());
     let words = Words::of(ui);
@@ -134,7 +134,7 @@ fn quit(ui: &mut Ui, shown: Shown<'_>, output: &mut UiOutput) -> bool {
     });
     ui.add_space(8.0);
     if editor.has_unsaved_keyframes() {
-        let path = editor.path().display().to_string();
+        let path = editor.keyframe_file().display().to_string();
         ui.label(words.message(texts::keyframes_not_saved(&path)));
     }
     if editor.has_unsaved_scene() {

@@ -1,4 +1,4 @@
-//! The question what film to make, and how far the film is that is being made.
+//! The export dialog, and the progress of a running export.
 
 use std::path::{Path, PathBuf};
 
@@ -7,7 +7,7 @@ use egui::{
     Response, RichText, Role, TextEdit, Ui, WidgetInfo, vec2,
 };
 
-use super::Shown;
+use super::PanelInput;
 use super::dialogs::primary;
 use super::icons::was_pressed;
 use super::theme::{CORNER, GRID, ROW, Tokens};
@@ -65,11 +65,11 @@ impl ExportDialog {
     }
 
     /// Shows it. Says whether it is over.
-    pub fn show(&mut self, ui: &mut Ui, shown: Shown<'_>, is_busy: bool, commands: &mut Vec<Command>) -> bool {
+    pub fn show(&mut self, ui: &mut Ui, shown: PanelInput<'_>, is_busy: bool, commands: &mut Vec<Command>) -> bool {
         let words = Words::of(ui);
         let tokens = Tokens::of(ui);
         let Self { last, options, typed, has_begun } = self;
-        let options = options.get_or_insert_with(|| proposed(last.take(), shown.editor.path()));
+        let options = options.get_or_insert_with(|| proposed(last.take(), shown.editor.keyframe_file()));
         if typed.is_empty() && !*has_begun {
             *typed = options.path.to_string_lossy().into_owned();
         }
@@ -112,7 +112,7 @@ impl ExportDialog {
         let problem = problem(options, shown.editor, is_busy, words);
         let said = problem.clone().unwrap_or_else(|| summary(options, shown.editor, words));
         let colour = if problem.is_some() { tokens.error } else { tokens.dim };
-        // There is always room for the sentence, so that nothing jumps.
+        // Reserve the space for the message, so that nothing moves when it appears.
         ui.allocate_ui_with_layout(vec2(WIDTH, 2.0 * ROW), Layout::left_to_right(Align::Center), |ui| {
             ui.set_min_height(2.0 * ROW);
             ui.add(Label::new(RichText::new(said).small().color(colour)).wrap());
@@ -131,7 +131,7 @@ impl ExportDialog {
     }
 }
 
-/// What was chosen last, beside the keyframe file that is at hand now.
+/// What was chosen last, beside the current keyframe file.
 fn proposed(last: Option<(PathBuf, ExportOptions)>, keyframe_file: &Path) -> ExportOptions {
     let beside = ExportOptions::beside(keyframe_file);
     match last {
@@ -268,7 +268,7 @@ fn samples(ui: &mut Ui, options: &mut ExportOptions, words: Words) {
     choose(ui, words.say(texts::SAMPLES_A_PIXEL), &mut options.samples, &all);
 }
 
-/// Why there can be no such film; a sentence.
+/// Why these options cannot be exported.
 fn problem(options: &ExportOptions, editor: &Editor, is_busy: bool, words: Words) -> Option<String> {
     if is_busy {
         return Some(words.say(texts::FILE_EXPORT_BEGUN_ALREADY).to_owned());
@@ -289,7 +289,7 @@ fn problem(options: &ExportOptions, editor: &Editor, is_busy: bool, words: Words
     letters.next().map(|first| format!("{}{}.", first.to_uppercase(), letters.as_str().trim_end_matches('.')))
 }
 
-/// How much film it is.
+/// The length and frame count of the film.
 fn summary(options: &ExportOptions, editor: &Editor, words: Words) -> String {
     let document = editor.document();
     let Ok(played) = PlayRange::new(&document.keyframes) else { return String::new() };

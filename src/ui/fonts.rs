@@ -7,7 +7,7 @@ use egui::{Context, FontData, FontDefinitions, FontTweak};
 /// The syllables of KS X 1001; `OFL.txt` beside it is its licence.
 static HANGUL: &[u8] = include_bytes!("../../assets/fonts/hangul.ttf");
 
-/// Puts the fonts in force.
+/// Installs the fonts.
 pub fn install(context: &Context) {
     let mut fonts = FontDefinitions::default();
     // It stands a little high beside the Latin letters.

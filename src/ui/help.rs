@@ -1,4 +1,4 @@
-//! The help over the scene: every binding by its group, and what the mouse does.
+//! The help overlay: hotkeys by group, and mouse gestures.
 
 use egui::{Align2, Area, Color32, Frame, Margin, Order, Rect, RichText, ScrollArea, Sense, Stroke, Ui, vec2};
 

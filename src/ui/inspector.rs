@@ -1,4 +1,4 @@
-//! The inspector: the numbers of the node at hand, which can be typed and dragged. A drag of a number is one step of undo.
+//! The inspector: the numbers of the dragged node, which can be typed and dragged. A drag of a number is one step of undo.
 
 use egui::{DragValue, Label, Response, RichText, Ui, vec2};
 use glam::Vec3;
@@ -16,7 +16,7 @@ const UNITS_PER_POINT: f32 = 0.01;
 /// Degrees for each point that an angle is dragged.
 const DEGREES_PER_POINT: f32 = 0.5;
 
-/// Shows the numbers of the node at hand.
+/// Shows the numbers of the dragged node.
 pub fn show(ui: &mut Ui, editor: &Editor, angles: &mut ShownAngles, keymap: &Keymap, commands: &mut Vec<Command>) {
     let words = Words::of(ui);
     let tokens = Tokens::of(ui);
@@ -63,9 +63,9 @@ pub fn show(ui: &mut Ui, editor: &Editor, angles: &mut ShownAngles, keymap: &Key
         if let Some(changed) =
             numbers(ui, words.say(texts::QUATERNION), &names, &mut parts, UNITS_PER_POINT, 3, commands)
         {
-            let component = (0..4).find(|&place| parts[place].to_bits() != before[place].to_bits());
-            let rotation = component.map_or(parent_from_node.rotation, |place| {
-                with_component(parent_from_node.rotation, place, parts[place])
+            let component = (0..4).find(|&index| parts[index].to_bits() != before[index].to_bits());
+            let rotation = component.map_or(parent_from_node.rotation, |index| {
+                with_component(parent_from_node.rotation, index, parts[index])
             });
             finish(&changed, Command::Edit(Edit::SetRotation(rbt, rotation)), commands);
         }
@@ -154,7 +154,7 @@ fn finish(changed: &Changed, command: Command, commands: &mut Vec<Command>) {
     }
 }
 
-/// A number with so many decimals; no zero has a sign.
+/// A number with a fixed number of decimals. -0 is written as 0.
 fn text_of(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
     match text.strip_prefix('-') {

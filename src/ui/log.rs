@@ -1,4 +1,4 @@
-//! What was said: toasts over the scene for results and errors, and the log of all of it.
+//! Messages: toasts over the scene for results and errors, and the log of all messages.
 
 use std::time::Duration;
 

@@ -23,7 +23,7 @@ const STEP: f32 = 48.0;
 /// Where a page is to be scrolled to.
 #[derive(Clone, Debug, PartialEq)]
 enum Target {
-    /// So many points below its start.
+    /// To this many points below its start.
     Offset(f32),
     /// To the heading with this anchor.
     Anchor(String),
@@ -126,7 +126,7 @@ impl Manual {
         }
     }
 
-    /// Shows the page so many pages further in the contents, if there is one.
+    /// Turns `by` pages forward in the table of contents, if there is such a page.
     fn turn(&mut self, step: isize) {
         let at = self.page.as_ref().and_then(|page| self.names().position(|name| name == page.name));
         let to = at.and_then(|at| at.checked_add_signed(step)).and_then(|to| self.names().nth(to)).map(str::to_owned);

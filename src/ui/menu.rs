@@ -2,7 +2,7 @@
 
 use egui::{Align, Button, Label, Layout, MenuBar, Response, RichText, Sense, Ui, vec2};
 
-use super::Shown;
+use super::PanelInput;
 use super::choices::{Choice, Topic, choices};
 use super::icons::{self, Icon, was_pressed};
 use super::theme::{ROW, Tokens};
@@ -26,7 +26,7 @@ fn name_of(menu: Menu, words: Words) -> &'static str {
 const INSET: f32 = 20.0;
 
 /// Shows the bar.
-pub fn show(ui: &mut Ui, shown: Shown<'_>, window: WindowState, commands: &mut Vec<Command>) {
+pub fn show(ui: &mut Ui, shown: PanelInput<'_>, window: WindowState, commands: &mut Vec<Command>) {
     let words = Words::of(ui);
     MenuBar::new().ui(ui, |ui| {
         for menu in Menu::ALL {
@@ -100,7 +100,7 @@ fn choice(ui: &mut Ui, editor: &Editor, choice: &Choice, label: &str, commands: 
 }
 
 /// A menu in a menu, of all choices of a topic.
-fn submenu(ui: &mut Ui, topic: Topic, shown: Shown<'_>, all: &[Choice], commands: &mut Vec<Command>) {
+fn submenu(ui: &mut Ui, topic: Topic, shown: PanelInput<'_>, all: &[Choice], commands: &mut Vec<Command>) {
     ui.menu_button(topic.name(Words::of(ui)), |ui| {
         ui.set_min_width(160.0);
         ui.spacing_mut().button_padding.x = INSET;
@@ -111,7 +111,7 @@ fn submenu(ui: &mut Ui, topic: Topic, shown: Shown<'_>, all: &[Choice], commands
     });
 }
 
-fn recent(ui: &mut Ui, shown: Shown<'_>, commands: &mut Vec<Command>) {
+fn recent(ui: &mut Ui, shown: PanelInput<'_>, commands: &mut Vec<Command>) {
     let words = Words::of(ui);
     let has_some = !shown.settings.recent.is_empty();
     ui.add_enabled_ui(has_some, |ui| {
@@ -142,7 +142,7 @@ fn short(path: &str) -> String {
 }
 
 /// What the table has no rows for.
-fn more_items(ui: &mut Ui, menu: Menu, shown: Shown<'_>, commands: &mut Vec<Command>) {
+fn more_items(ui: &mut Ui, menu: Menu, shown: PanelInput<'_>, commands: &mut Vec<Command>) {
     let words = Words::of(ui);
     let all = choices(shown.editor, shown.settings, words);
     match menu {
@@ -165,7 +165,7 @@ fn more_items(ui: &mut Ui, menu: Menu, shown: Shown<'_>, commands: &mut Vec<Comm
     }
 }
 
-fn file_name(ui: &mut Ui, shown: Shown<'_>) {
+fn file_name(ui: &mut Ui, shown: PanelInput<'_>) {
     let tokens = Tokens::of(ui);
     let words = Words::of(ui);
     let editor = shown.editor;
@@ -177,9 +177,11 @@ fn file_name(ui: &mut Ui, shown: Shown<'_>) {
             ui.painter().circle_filled(rect.center(), 3.0, tokens.accent);
             response.on_hover_text(words.say(texts::UNSAVED_CHANGES));
         }
-        let name =
-            editor.path().file_name().map_or_else(|| editor.path().to_string_lossy(), |name| name.to_string_lossy());
-        let path = editor.path().display().to_string();
+        let name = editor
+            .keyframe_file()
+            .file_name()
+            .map_or_else(|| editor.keyframe_file().to_string_lossy(), |name| name.to_string_lossy());
+        let path = editor.keyframe_file().display().to_string();
         let tip = if is_unsaved {
             let key = super::key_of(shown.keymap, &Command::File(FileCommand::Write));
             words.message(texts::not_all_saved(&path, &key))

@@ -1,4 +1,4 @@
-//! Small text over the scene: the eye and how a drag moves, and where the help is.
+//! Text over the scene: the eye, how a drag moves, and the hotkey of the help.
 
 use egui::{Align2, Painter, Pos2, Rect, Ui, vec2};
 
@@ -33,7 +33,7 @@ pub fn show(ui: &Ui, viewport: Rect, editor: &Editor, keymap: &Keymap, log: &Log
     }
     let status = editor.status().filter(|message| !editor.session().shows_panels && !log.shows(message));
     if let Some(message) = status {
-        // There is no status line to say it.
+        // Without panels there is no status line.
         let colour = if message.severity() == Severity::Error { tokens.error } else { tokens.text };
         add(&words.message(message), colour);
     }

@@ -1,8 +1,8 @@
-//! The list of commands: it narrows as one types, arrows move in it, Enter runs.
+//! The command list: typing filters it, arrows move in it, Enter runs a command.
 
 use egui::{Align2, Key, Modifiers, Response, Role, ScrollArea, Sense, TextEdit, Ui, WidgetInfo, vec2};
 
-use super::Shown;
+use super::PanelInput;
 use super::choices::choices;
 use super::theme::{CORNER, GRID, Tokens, number_font, small_font, text_font};
 use super::words::Words;
@@ -37,7 +37,7 @@ struct Entry {
 
 impl Palette {
     /// Shows the field and the list. Says whether it is over.
-    pub fn show(&mut self, ui: &mut Ui, shown: Shown<'_>, commands: &mut Vec<Command>) -> bool {
+    pub fn show(&mut self, ui: &mut Ui, shown: PanelInput<'_>, commands: &mut Vec<Command>) -> bool {
         ui.set_width(WIDTH);
         let words = Words::of(ui);
         let entries = entries(shown, words);
@@ -72,9 +72,9 @@ impl Palette {
         }
         ScrollArea::vertical().max_height(ROWS * LINE).auto_shrink([false, true]).show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 0.0;
-            for (place, entry) in found.iter().enumerate() {
-                let response = row(ui, entry, place == self.at);
-                if has_moved && place == self.at {
+            for (index, entry) in found.iter().enumerate() {
+                let response = row(ui, entry, index == self.at);
+                if has_moved && index == self.at {
                     response.scroll_to_me_animation(None, egui::style::ScrollAnimation::none());
                 }
                 if response.clicked() {
@@ -119,8 +119,8 @@ fn row(ui: &mut Ui, entry: &Entry, is_at: bool) -> Response {
     response
 }
 
-fn entries(shown: Shown<'_>, words: Words) -> Vec<Entry> {
-    let Shown { editor, keymap, settings, .. } = shown;
+fn entries(shown: PanelInput<'_>, words: Words) -> Vec<Entry> {
+    let PanelInput { editor, keymap, settings, .. } = shown;
     let rows = keymap.bindings().iter().map(|binding| Entry {
         name: words.say(binding.title()).to_owned(),
         english: binding.title().english().to_owned(),

@@ -1,13 +1,13 @@
-//! What is asked of the window itself: the lists and dialogs that it shows, and its settings.
+//! Commands of the window itself: lists, dialogs and settings.
 
 use super::dialogs::Dialog;
 use super::export::ExportDialog;
-use super::keys::KeysDialog;
+use super::hotkeys::HotkeysDialog;
 use super::palette::Palette;
 use super::statistics::Statistics;
 use super::timeline::Ask;
 use super::words::Words;
-use super::{PanelSize, Ui};
+use super::{PanelSize, Panels};
 use crate::editor::WindowCommand;
 use crate::editor::keymap::{Chord, Keymap, KeymapError, chords_of_table};
 use crate::settings::{Settings, ThemeChoice};
@@ -16,8 +16,8 @@ use crate::words::{Argument, Message, texts};
 /// After so many frames without a button held, a panel has the size that its drag gave it.
 const SETTLED: u8 = 2;
 
-impl Ui {
-    /// Puts settings in force. What is wrong with the keys in them comes back.
+impl Panels {
+    /// Applies settings. Returns what is wrong with the hotkeys in them.
     pub fn adopt(&mut self, settings: &Settings) -> Vec<KeymapError> {
         let mut errors = Vec::new();
         if self.settings.keys != settings.keys {
@@ -27,17 +27,17 @@ impl Ui {
         errors
     }
 
-    /// The keys in force.
+    /// The current keymap.
     #[must_use]
     pub const fn keymap(&self) -> &Keymap {
         &self.keymap
     }
 
-    /// Does what is asked of the window: shows what is wanted, and changes the settings, which are put in force.
-    /// Says what was done, where that cannot be seen.
+    /// Performs a command of the window: shows a dialog or list, or changes the settings and applies them.
+    /// Returns a message if the result cannot be seen.
     ///
     /// # Errors
-    /// Why keys were not changed.
+    /// Why hotkeys were not changed.
     pub fn perform(
         &mut self,
         command: &WindowCommand,
@@ -46,7 +46,7 @@ impl Ui {
         let mut said = None;
         match command {
             WindowCommand::ShowCommands => self.dialog = Some(Dialog::Commands(Palette::default())),
-            WindowCommand::ShowKeys => self.dialog = Some(Dialog::Keys(KeysDialog::default())),
+            WindowCommand::ShowHotkeys => self.dialog = Some(Dialog::Hotkeys(HotkeysDialog::default())),
             WindowCommand::ShowManual => self.manual.open(),
             WindowCommand::ShowExport => {
                 self.dialog = Some(Dialog::Export(Box::new(ExportDialog::new(self.exported.clone()))));
@@ -60,9 +60,9 @@ impl Ui {
             WindowCommand::SetScale(percent) => settings.scale_percent = *percent,
             WindowCommand::SetTheme(theme) => settings.theme = *theme,
             WindowCommand::SetLanguage(language) => settings.language = *language,
-            WindowCommand::SetKeys(id, chords) => said = Some(self.set_keys(id, chords.clone(), settings)?),
-            WindowCommand::ResetKeys(id) => said = Some(self.set_keys(id, chords_of_table(id), settings)?),
-            WindowCommand::ResetAllKeys => {
+            WindowCommand::SetHotkeys(id, chords) => said = Some(self.set_keys(id, chords.clone(), settings)?),
+            WindowCommand::ResetHotkeys(id) => said = Some(self.set_keys(id, chords_of_table(id), settings)?),
+            WindowCommand::ResetAllHotkeys => {
                 settings.keys.clear();
                 said = Some(texts::HOTKEYS_RESET.into());
             }
@@ -90,7 +90,7 @@ impl Ui {
         })
     }
 
-    /// Puts the settings in force that the panels' memory has to know of.
+    /// Applies the settings that egui's context holds: language, theme and scale.
     pub(super) fn dress(&self, context: &egui::Context) {
         let words = Words::new(self.settings.language);
         let theme = match self.settings.theme {

@@ -1,4 +1,4 @@
-//! How fast the window is: a line of numbers, in the status line or, where there is none, over the scene.
+//! Frame statistics: a line of numbers in the status line or, without one, over the scene.
 
 use super::words::Words;
 

@@ -122,7 +122,7 @@ impl Tokens {
         }
     }
 
-    /// Those in force.
+    /// The current ones.
     #[must_use]
     pub fn of(ui: &Ui) -> &'static Self {
         if ui.visuals().dark_mode { &Self::DARK } else { &Self::LIGHT }
@@ -147,7 +147,7 @@ pub fn text_font() -> FontId {
     FontId::new(TEXT, FontFamily::Proportional)
 }
 
-/// Puts the fonts and both themes in force; which of them shows follows the system, or the settings.
+/// Installs the fonts and both themes. The system or the settings decide which theme shows.
 pub fn install(context: &Context) {
     super::fonts::install(context);
     context.options_mut(|options| {

@@ -17,7 +17,7 @@ pub const THUMBNAIL_PX: [usize; 2] = [128, 96];
 const MOST: usize = 128;
 
 /// A picture that is there.
-struct Picture {
+struct Thumbnail {
     /// Held, so that no other pose takes its identity.
     pose: Pose,
     texture: TextureHandle,
@@ -28,7 +28,7 @@ struct Picture {
 /// The pictures, and the poses in sight that have none.
 #[derive(Default)]
 pub struct Thumbnails {
-    pictures: HashMap<usize, Picture>,
+    pictures: HashMap<usize, Thumbnail>,
     wanted: Vec<Pose>,
     frame: u64,
 }
@@ -40,7 +40,7 @@ impl std::fmt::Debug for Thumbnails {
 }
 
 impl Thumbnails {
-    /// Begins a frame: nothing is wanted until it is in sight, and pictures of poses that nobody else holds are dropped.
+    /// Begins a frame: nothing is wanted until it is in sight, and pictures of poses that are held nowhere else are dropped.
     pub fn begin(&mut self) {
         self.wanted.clear();
         self.frame += 1;
@@ -74,7 +74,7 @@ impl Thumbnails {
         }
         let image = ColorImage::from_rgba_unmultiplied(THUMBNAIL_PX, rgba);
         let texture = context.load_texture("keyframe", image, TextureOptions::LINEAR);
-        self.pictures.insert(pose.storage(), Picture { pose, texture, seen: self.frame });
+        self.pictures.insert(pose.storage(), Thumbnail { pose, texture, seen: self.frame });
     }
 
     /// Draws the picture of a pose, or the ground that waits for it.

@@ -6,19 +6,19 @@ mod columns;
 mod curves;
 mod drag;
 mod graphs;
+mod half_turn;
 mod hit;
-mod key_menu;
-mod key_rows;
-mod key_view;
-mod keys;
 mod labels;
-mod luck;
 mod marks;
 mod menu;
 mod paint;
 mod rename;
 mod rows;
 mod scale;
+mod timed_key_menu;
+mod timed_key_rows;
+mod timed_key_view;
+mod timed_keys;
 mod tips;
 
 use egui::{Align2, FontId, Key, Rect, Response, RichText, Role, Sense, Ui, WidgetInfo, pos2, vec2};
@@ -34,12 +34,12 @@ use crate::words::texts;
 use columns::Columns;
 use drag::Drag;
 use hit::{Hit, Layout, RADIUS, Target};
-use key_view::KeyView;
-use keys::Keys;
 use paint::Look;
 use rename::Renaming;
 use rows::{Rows, has_key_rows};
 use scale::{MOST_POINTS, Scale, View};
+use timed_key_view::KeyView;
+use timed_keys::Keys;
 
 /// Which side of the timeline is shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -58,19 +58,19 @@ pub enum Ask {
     Rename,
     /// All keyframes in sight.
     FitAll,
-    /// Those at hand in sight.
+    /// The selected keyframes in sight.
     FitSelection,
 }
 
-/// Zoom, scroll, what is folded, and the drag that goes on.
+/// The timeline's own state: zoom, scroll, folded rows, and the current drag.
 #[derive(Clone, Debug, Default)]
 pub struct Timeline {
     tab: Tab,
     columns: Columns,
     rows: Rows,
-    /// What is in sight; `None` until somebody zooms or pans.
+    /// The visible part of time; `None` until the user zooms or pans.
     view: Option<View>,
-    /// What is in sight as long as nobody does: kept while a drag goes on, so that nothing moves under the pointer.
+    /// The visible part of time until then. It stays the same during a drag, so that nothing moves under the pointer.
     untouched: Option<View>,
     /// For how many keyframes and what width that is.
     fitted_to: (usize, f32),
@@ -120,7 +120,7 @@ impl Timeline {
         ui.advance_cursor_after_rect(whole);
         let mut columns = std::mem::take(&mut self.columns);
         columns.update(&editor.document().keyframes);
-        columns.set_keys(key_view::ends(editor));
+        columns.set_keys(timed_key_view::ends(editor));
         let layout = Layout::of(whole, self.tab == Tab::Keyframes);
         let response = ui.interact(layout.scaled(), ui.scope_id().with("tracks"), Sense::click_and_drag());
         let words = Words::of(ui);
@@ -194,7 +194,7 @@ impl Timeline {
             self.keys.paint(&painter, look, rows);
             marks::strip(&painter, look, thumbnails);
             paint::summary(&painter, look, self.drag.as_ref());
-            marks::luck(&painter, look, rows);
+            marks::half_turns(&painter, look, rows);
             missing(ui, look, bindings);
         } else {
             self.graphs.paint(&painter, look);
@@ -208,14 +208,14 @@ impl Timeline {
         ui.painter().hline(side.x_range(), layout.header.bottom() - 0.5, line);
     }
 
-    /// The view in force, moved where the current keyframe or the playhead has left it.
+    /// The current view, moved if the current keyframe or the playhead is out of sight.
     fn choose_view(&mut self, editor: &Editor, layout: &Layout, columns: &Columns) {
         let width = layout.tracks.width();
         let (first, last) = columns.ends();
         let is_still = self.drag.is_none() && !self.graphs.is_dragging() && !self.keys.is_dragging();
         let fitted_to = (columns.len(), width);
         if is_still && self.fitted_to != fitted_to {
-            // More keyframes, or another width: what nobody zoomed fits itself. Retiming leaves it alone.
+            // More keyframes, or another width: a view that was never zoomed fits itself again. A change of durations does not move it.
             self.fitted_to = fitted_to;
             let fresh = View::at_first(first, last, width);
             let same_zoom = self.untouched.filter(|view| view.points_per_unit == fresh.points_per_unit);
@@ -306,14 +306,14 @@ impl Timeline {
         self.view = Some(View::fitting(first, last, layout.tracks.width()));
     }
 
-    /// Brings the keyframes at hand into sight, with their neighbours where it is one.
+    /// Scrolls the selected keyframes into sight; a single one with its neighbours.
     fn fit_selection(&mut self, editor: &Editor, layout: &Layout, columns: &Columns) {
-        if let Some((first, last)) = key_view::ends_of_selection(editor) {
+        if let Some((first, last)) = timed_key_view::ends_of_selection(editor) {
             self.view = Some(View::fitting(first, last.max(first + 0.1), layout.tracks.width()));
             return;
         }
-        let places = editor.keyframes_at_hand();
-        let (Some(&first), Some(&last)) = (places.first(), places.last()) else { return };
+        let indices = editor.keyframes_at_hand();
+        let (Some(&first), Some(&last)) = (indices.first(), indices.last()) else { return };
         let last_place = columns.len().saturating_sub(1);
         let (first, last) =
             if first == last { (first.saturating_sub(1), (last + 1).min(last_place)) } else { (first, last) };
@@ -323,7 +323,7 @@ impl Timeline {
 
 /// The context menu of a node in a list: a control node above it, keys of the colours of its shapes.
 pub fn node_menu(response: &Response, editor: &Editor, rbt: crate::pose::RbtIndex, commands: &mut Vec<Command>) {
-    key_menu::of_rbt(response, editor, editor.scene().rbt_node(rbt), commands);
+    timed_key_menu::of_rbt(response, editor, editor.scene().rbt_node(rbt), commands);
 }
 
 /// The first and the last keyframe that play.
@@ -364,24 +364,24 @@ fn diamonds(timeline: &mut Timeline, ui: &Ui, look: &Look<'_>, commands: &mut Ve
     let y = layout.summary.center().y;
     let editor = look.editor;
     for group in columns.groups(scale.in_sight(0.0), scale.units(2.0 * RADIUS)) {
-        let place = group.start;
-        let centre = pos2(scale.x_of(columns.time(place)), y);
+        let index = group.start;
+        let centre = pos2(scale.x_of(columns.time(index)), y);
         let area = Rect::from_center_size(centre, vec2(2.0 * RADIUS, ROW - 2.0)).intersect(layout.summary);
-        let id = ui.scope_id().with(("keyframe", place));
+        let id = ui.scope_id().with(("keyframe", index));
         let response = ui.interact(area, id, Sense::focusable_noninteractive());
-        let index = KeyframeIndex::new(place);
-        let is_current = editor.document().keyframes.current() == Some(index);
+        let keyframe_index = KeyframeIndex::new(index);
+        let is_current = editor.document().keyframes.current() == Some(keyframe_index);
         response.widget_info(|| {
             WidgetInfo::selected(
                 Role::ListBoxOption,
                 true,
                 is_current,
-                look.words.message(texts::keyframe_number(place.to_string())),
+                look.words.message(texts::keyframe_number(index.to_string())),
             )
         });
         let is_asked = ui.input(|input| input.has_accesskit_action_request(id, egui::accesskit::Action::Click));
         if is_asked {
-            timeline.pick(place, editor, egui::Modifiers::NONE, commands);
+            timeline.pick(index, editor, egui::Modifiers::NONE, commands);
         }
         ui.ctx().accesskit_node_builder(id, |node| node.add_action(egui::accesskit::Action::Click));
         if !response.has_focus() {
@@ -391,7 +391,7 @@ fn diamonds(timeline: &mut Timeline, ui: &Ui, look: &Look<'_>, commands: &mut Ve
         ui.painter().rect_stroke(area, 3.0, stroke, egui::StrokeKind::Outside);
         if ui.input(|input| input.key_pressed(Key::Enter) || input.key_pressed(Key::Space)) {
             let modifiers = ui.input(|input| input.modifiers);
-            timeline.pick(place, editor, modifiers, commands);
+            timeline.pick(index, editor, modifiers, commands);
         }
     }
 }

@@ -1,4 +1,4 @@
-//! The transport: step, play, stop, pause, loop; auto-key; the key time; the pace; the interpolation; ghosts; the keyframe at hand.
+//! The transport: step, play, stop, pause, loop; auto-key; the key time; the pace; the interpolation; ghosts; the current keyframe.
 
 use egui::{ComboBox, DragValue, RichText, Role, Sense, Ui, WidgetInfo, vec2};
 

@@ -54,7 +54,7 @@ impl Tree {
                 rbt,
                 name: &scene.node(id).name,
                 depth: depth(scene, id),
-                has_children: below.skip(1).any(|place| matches!(scene.nodes()[place].kind, NodeKind::Rbt(_))),
+                has_children: below.skip(1).any(|index| matches!(scene.nodes()[index].kind, NodeKind::Rbt(_))),
                 eye: scene.eyes().iter().position(|&eye| eye == rbt),
             };
             self.row(ui, editor, &row, &eye_key, commands);

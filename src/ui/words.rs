@@ -1,4 +1,4 @@
-//! The words of the window: the texts of the language in force, which every widget asks for.
+//! The words of the window: the texts of the current language, which every widget reads.
 
 use std::borrow::Borrow;
 
@@ -6,7 +6,7 @@ use egui::{Context, Id, Ui};
 
 use crate::words::{Catalogue, Language, Message, Phrase};
 
-/// The texts in force.
+/// The texts of the current language.
 #[derive(Clone, Copy, Debug)]
 pub struct Words(&'static Catalogue);
 
@@ -30,30 +30,30 @@ impl Words {
         Self(language.catalogue())
     }
 
-    /// Those in force.
+    /// The current ones.
     #[must_use]
     pub fn of(ui: &Ui) -> Self {
         Self::of_context(ui.ctx())
     }
 
-    /// Those in force.
+    /// The current ones.
     #[must_use]
     pub fn of_context(context: &Context) -> Self {
         context.data(|data| data.get_temp(id())).unwrap_or_default()
     }
 
-    /// Puts them in force.
+    /// Makes them the current ones.
     pub fn install(self, context: &Context) {
         context.data_mut(|data| data.insert_temp(id(), self));
     }
 
-    /// What has no arguments, in the language in force.
+    /// A phrase in the current language.
     #[must_use]
     pub fn say(self, phrase: Phrase) -> &'static str {
         self.0.phrase(phrase)
     }
 
-    /// What has arguments, in the language in force.
+    /// A message in the current language.
     #[must_use]
     pub fn message(self, message: impl Borrow<Message>) -> String {
         self.0.say(message.borrow())

@@ -28,7 +28,7 @@ pub fn frame_of_displayed(editor: &Editor, pose: &Pose, size_px: Vec2) -> Frame 
             .arcball_in_world
             .map(|(centre_in_world, radius)| ArcballMark { centre_in_world, radius });
     }
-    if session.shows_path {
+    if session.shows_motion_path {
         add_path(&mut frame, editor);
     }
     let keyframes = &editor.document().keyframes;

@@ -1,13 +1,13 @@
-//! What of the panels is to be filled anew: the areas in which the shapes of two layouts differ.
+//! Damage tracking: the areas in which the shapes of two layouts differ.
 //!
-//! Filling is what panels cost where the CPU draws, and from one picture to the next little of them changes.
+//! When the CPU draws, filling dominates the cost of panels, and little changes between two pictures.
 
 use std::sync::Arc;
 
 use egui::epaint::ClippedShape;
 use egui::{Rect, Shape, pos2};
 
-/// So many areas at most: beyond, those that lie nearest to each other are filled as one.
+/// The most areas that are kept. Beyond that, the two nearest are merged.
 const MOST: usize = 16;
 /// How far beyond its outline a shape may colour pixels: soft edges and the points of mitred corners.
 const BEYOND_PX: f32 = 3.0;
@@ -38,8 +38,8 @@ impl Areas {
             return;
         }
         let mut area = area;
-        while let Some(place) = self.0.iter().position(|one| one.intersect(area).is_positive()) {
-            area |= self.0.swap_remove(place);
+        while let Some(index) = self.0.iter().position(|one| one.intersect(area).is_positive()) {
+            area |= self.0.swap_remove(index);
         }
         self.0.push(area);
         if self.0.len() > MOST
@@ -168,9 +168,9 @@ mod tests {
     #[test]
     fn areas_never_overlap_and_are_few() {
         let (mut before, mut after) = (Vec::new(), Vec::new());
-        for place in 0..60_u8 {
+        for index in 0..60_u8 {
             let at = |shift: u32| {
-                let step = u32::from(place) * 37 + shift;
+                let step = u32::from(index) * 37 + shift;
                 rect((step * 13 % 190) as f32, (step * 7 % 90) as f32, 3.0, 3.0)
             };
             before.push(filled(at(0)));
@@ -178,8 +178,8 @@ mod tests {
         }
         let areas: Vec<_> = between(&before, &after, 1.0).iter().collect();
         assert!(!areas.is_empty() && areas.len() <= MOST, "{}", areas.len());
-        for (place, one) in areas.iter().enumerate() {
-            assert!(areas[..place].iter().all(|other| !other.intersect(*one).is_positive()));
+        for (index, one) in areas.iter().enumerate() {
+            assert!(areas[..index].iter().all(|other| !other.intersect(*one).is_positive()));
         }
         for shape in before.iter().chain(&after) {
             let extent = extent(shape, 1.0);

@@ -5,15 +5,15 @@ use std::thread;
 use egui::Theme;
 use winit::event_loop::EventLoopProxy;
 
-use super::Happening;
+use super::UserEvent;
 
-/// Asks the desktop, in a thread of its own, since an answer may take its time; it comes as [`Happening::DesktopTheme`]. Where there is
+/// Asks the desktop, in a thread of its own, since an answer may take its time; it comes as [`UserEvent::DesktopTheme`]. Where there is
 /// no portal, or no preference, none comes.
-pub fn ask_theme(proxy: EventLoopProxy<Happening>) {
+pub fn ask_theme(proxy: EventLoopProxy<UserEvent>) {
     thread::spawn(move || {
         if let Some(theme) = theme() {
             // Where the window is gone, so is the question.
-            let _ = proxy.send_event(Happening::DesktopTheme(theme));
+            let _ = proxy.send_event(UserEvent::DesktopTheme(theme));
         }
     });
 }

@@ -7,13 +7,13 @@ use std::time::Duration;
 use rfd::FileDialog;
 use winit::event_loop::EventLoopProxy;
 
-use super::{Happening, now};
+use super::{UserEvent, now};
 use crate::storage;
 use crate::ui::PathPurpose;
 use crate::ui::words::Words;
 use crate::words::texts;
 
-/// An answer of "nothing" within this time is no user's: the system has no dialog.
+/// If a dialog is cancelled faster than this, it was not the user: the system has no dialog.
 pub const TOO_FAST_FOR_A_USER: Duration = Duration::from_millis(150);
 
 /// What the system is asked for.
@@ -27,8 +27,8 @@ pub enum Question {
     Folder,
 }
 
-/// Asks the system for a path; the answer comes as [`Happening::PathChosen`].
-pub fn ask(question: Question, current: &Path, words: Words, proxy: EventLoopProxy<Happening>) {
+/// Asks the system for a path; the answer comes as [`UserEvent::PathChosen`].
+pub fn ask(question: Question, current: &Path, words: Words, proxy: EventLoopProxy<UserEvent>) {
     let folder = current.parent().filter(|folder| storage::is_folder(folder)).map(Path::to_owned);
     let name = current.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
     thread::spawn(move || {
@@ -57,6 +57,6 @@ pub fn ask(question: Question, current: &Path, words: Words, proxy: EventLoopPro
             Question::Folder => dialog.pick_folder(),
         };
         // Where the window is gone, so is the question.
-        let _ = proxy.send_event(Happening::PathChosen { question, path, took: start.elapsed() });
+        let _ = proxy.send_event(UserEvent::PathChosen { question, path, took: start.elapsed() });
     });
 }

@@ -1,14 +1,14 @@
-//! Which window system is asked on Linux: one that answers, whatever variables are left over from other sessions.
+//! Chooses between Wayland and X11 on Linux: the one that answers, even if variables of other sessions are left over.
 //!
-//! winit makes one event loop in a process, and goes by the variables alone, so that this has to be known before.
+//! winit allows one event loop per process and decides by the variables alone, so the choice is made first.
 
 use winit::event_loop::EventLoopBuilder;
 
-use super::Happening;
+use super::UserEvent;
 
 /// Has the builder ask the window system that answers, where the variables name one that does not.
 #[cfg(all(unix, not(target_os = "macos")))]
-pub fn choose(builder: &mut EventLoopBuilder<Happening>) {
+pub fn choose(builder: &mut EventLoopBuilder<UserEvent>) {
     use winit::platform::wayland::EventLoopBuilderExtWayland as _;
     use winit::platform::x11::EventLoopBuilderExtX11 as _;
 
@@ -21,7 +21,7 @@ pub fn choose(builder: &mut EventLoopBuilder<Happening>) {
 
 /// Elsewhere there is one window system.
 #[cfg(not(all(unix, not(target_os = "macos"))))]
-pub fn choose(_: &mut EventLoopBuilder<Happening>) {}
+pub fn choose(_: &mut EventLoopBuilder<UserEvent>) {}
 
 /// A sentence's part on the variables that name a display, for where none answers: `WAYLAND_DISPLAY is "wayland-0", DISPLAY is not set`.
 #[must_use]
@@ -83,7 +83,7 @@ mod linux {
         Wayland,
     }
 
-    /// Whoever knows whether a display answers.
+    /// Checks whether a display answers.
     pub trait Answers {
         /// Whether a Wayland compositor listens on a socket.
         fn wayland(&self, socket: &std::path::Path) -> bool;

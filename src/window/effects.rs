@@ -39,7 +39,7 @@ impl Host for Shell {
     }
 
     fn take_screenshot(&mut self, path: Option<PathBuf>) -> Result<(PathBuf, FileOutcome<()>), Infallible> {
-        let path = path.unwrap_or_else(|| storage::next_screenshot_path(self.editor.path()));
+        let path = path.unwrap_or_else(|| storage::next_screenshot_path(self.editor.keyframe_file()));
         let outcome = self.screenshot(&path);
         Ok((path, outcome))
     }
@@ -87,13 +87,13 @@ impl Shell {
     }
 
     fn window_command(&mut self, command: &WindowCommand) {
-        let before = self.kept.settings.clone();
-        match self.ui.perform(command, &mut self.kept.settings) {
+        let before = self.settings_file.settings.clone();
+        match self.ui.perform(command, &mut self.settings_file.settings) {
             Ok(None) => {}
             Ok(Some(said)) => self.editor.say(said.with_severity(Severity::Outcome)),
             Err(error) => self.editor.say(error.message()),
         }
-        if self.kept.settings != before {
+        if self.settings_file.settings != before {
             self.editor.set_keymap(self.ui.keymap().clone());
             self.keep_settings();
         }
@@ -101,8 +101,8 @@ impl Shell {
 
     /// Writes the settings, and puts them in force.
     pub(super) fn keep_settings(&mut self) {
-        self.ui.adopt(&self.kept.settings);
-        match self.kept.write() {
+        self.ui.adopt(&self.settings_file.settings);
+        match self.settings_file.write() {
             Ok(None) => {}
             Ok(Some(message)) => self.editor.say(message.with_severity(Severity::Outcome)),
             Err(message) => self.editor.say(message.with_severity(Severity::Error)),
@@ -110,9 +110,9 @@ impl Shell {
     }
 
     fn used(&mut self, path: &Path) {
-        let before = self.kept.settings.recent.clone();
-        self.kept.settings.used(&storage::absolute(path));
-        if self.kept.settings.recent != before {
+        let before = self.settings_file.settings.recent.clone();
+        self.settings_file.settings.used(&storage::absolute(path));
+        if self.settings_file.settings.recent != before {
             self.keep_settings();
         }
     }
@@ -126,7 +126,7 @@ impl Shell {
 
     fn choose_path(&mut self, question: Question, proposed: &Path) {
         if !std::mem::replace(&mut self.is_choosing_path, true) {
-            let words = Words::new(self.kept.settings.language);
+            let words = Words::new(self.settings_file.settings.language);
             dialog::ask(question, proposed, words, self.proxy.clone());
         }
     }
@@ -138,7 +138,7 @@ impl Shell {
     /// The path that a dialog begins with.
     fn proposed(&self, purpose: PathPurpose) -> PathBuf {
         match purpose {
-            PathPurpose::Open | PathPurpose::SaveAs => self.editor.path().to_owned(),
+            PathPurpose::Open | PathPurpose::SaveAs => self.editor.keyframe_file().to_owned(),
             PathPurpose::SaveSceneAs => self.editor.proposed_scene_path(),
         }
     }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread::{self, JoinHandle};
 
-use super::Happening;
+use super::UserEvent;
 use super::shell::Shell;
 use crate::editor::Severity;
 use crate::export::Job;
@@ -42,7 +42,7 @@ impl Shell {
             return;
         }
         let editor = &self.editor;
-        let job = Job::new(Arc::clone(editor.scene()), editor.animation(), editor.path().to_owned(), options);
+        let job = Job::new(Arc::clone(editor.scene()), editor.animation(), editor.keyframe_file().to_owned(), options);
         let path = job.path().to_owned();
         let is_ending = Arc::new(AtomicBool::new(false));
         let (asked, proxy) = (Arc::clone(&is_ending), self.proxy.clone());
@@ -51,20 +51,20 @@ impl Shell {
             let mut watch = |done: usize, count: usize| {
                 let now = done * MOST_NEWS / count.max(1);
                 if news.replace(now) != Some(now) {
-                    // Without a window nobody wants to know.
-                    let _ = proxy.send_event(Happening::ExportAt { done, count });
+                    // If the window is gone, nothing receives it.
+                    let _ = proxy.send_event(UserEvent::ExportAt { done, count });
                 }
                 !asked.load(Ordering::Relaxed)
             };
             let end = catch_unwind(AssertUnwindSafe(|| job.run(&mut watch)))
                 .unwrap_or_else(|_| ExportEnd::Failed(texts::EXPORT_PROGRAM_FAILED.into()));
-            let _ = proxy.send_event(Happening::ExportEnded(end));
+            let _ = proxy.send_event(UserEvent::ExportEnded(end));
         });
         self.export = Some(Export { thread, is_ending, path });
         self.export_at(0, 0);
     }
 
-    /// So many frames of so many are drawn.
+    /// Reports the export's progress in frames.
     pub(super) fn export_at(&mut self, done: usize, count: usize) {
         self.ui.exporting = self.export.as_ref().map(|export| Exporting {
             path: export.path.clone(),

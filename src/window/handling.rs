@@ -1,12 +1,12 @@
-//! What keys, buttons and movements do: hotkeys, drags, clicks, the wheel.
+//! Handles keyboard and mouse events: hotkeys, drags, clicks, the wheel.
 
 use egui::{CursorIcon, Order};
 use glam::Vec2;
 use winit::dpi::PhysicalPosition;
 use winit::event::{ElementState, MouseButton, MouseScrollDelta};
 
-use super::keys::KeyInput;
-use super::path::{PathDrag, REACH};
+use super::hotkeys::KeyInput;
+use super::motion_path::{PathDrag, REACH};
 use super::pointer::{Action, Button};
 use super::shell::Shell;
 use crate::editor::keymap::{Key, binding_for};
@@ -182,7 +182,7 @@ impl Shell {
                 self.space.drag();
                 self.apply(Command::Gesture(GestureCommand::Begin));
             }
-            // Nothing goes on that was refused or taken back.
+            // A drag that was refused or cancelled does not continue.
             Action::Move { .. } | Action::Commit if !self.editor.is_dragging() => {}
             Action::Move { kind, from_px, to_px } => {
                 let motion = self.editor.manipulation(&camera).motion(kind, from_px, to_px);

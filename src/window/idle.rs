@@ -1,4 +1,4 @@
-//! What the window does when nothing else is to be done: pictures of the keyframes in sight, one at a time.
+//! Idle work of the window: thumbnails of visible keyframes, one at a time.
 
 use std::time::{Duration, Instant};
 
@@ -13,7 +13,7 @@ use crate::pose::Pose;
 use crate::ui::THUMBNAIL_PX;
 use crate::view::frame_of_scene;
 
-/// For so long nothing may have happened.
+/// The idle time before a thumbnail is made.
 const REST: Duration = Duration::from_millis(40);
 
 impl Shell {
@@ -22,7 +22,7 @@ impl Shell {
         let is_busy =
             self.editor.is_playing() || self.editor.is_dragging() || self.pointer.is_held() || self.path_drag.is_some();
         let is_wanted = !is_busy && self.ui.wanted_thumbnail().is_some();
-        // Where keys at their own times run, something happens all the time: what is due stays due.
+        // While timed keys run, the window is never idle. A thumbnail that is due stays due.
         let kept = self.thumbnail_due.filter(|_| self.editor.wants_ticks());
         self.thumbnail_due = kept.or_else(|| now().checked_add(REST)).filter(|_| is_wanted);
     }

@@ -1,13 +1,13 @@
-//! Where a picture's time goes: added up over half a second, then a line for the panels.
+//! Measures where the time of a picture goes, as means over half a second.
 
 use std::time::{Duration, Instant};
 
 use crate::ui::Statistics;
 
-/// For how long is added up.
+/// The time over which means are taken.
 const SPAN: Duration = Duration::from_millis(500);
 
-/// What time is spent with.
+/// The kinds of work that are measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Work {
     /// Events are taken in.
@@ -24,7 +24,7 @@ pub enum Work {
 
 const WORKS: usize = Work::Drawing as usize + 1;
 
-/// Pictures that are farther apart are not of one movement.
+/// A longer pause between pictures ends a measurement.
 const PAUSE: Duration = Duration::from_millis(250);
 
 /// Adds up.
@@ -43,7 +43,7 @@ impl Meter {
         self.spent[work as usize] += to.duration_since(from);
     }
 
-    /// So many ticks were taken.
+    /// Counts ticks of the animation clock.
     pub const fn ticks(&mut self, ticks: u64) {
         self.ticks += ticks;
     }

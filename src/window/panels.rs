@@ -1,5 +1,5 @@
-//! The panels on the GPU. What is beside the scene is kept in a texture and filled again only where it changed; each picture takes a
-//! copy of it. What lies over the scene is drawn each time.
+//! Draws the panels on the GPU. Panels beside the scene are kept in a texture, which is redrawn only where it changed; each picture
+//! copies it. Shapes over the scene are drawn for each picture.
 
 use std::time::Instant;
 
@@ -11,8 +11,8 @@ use super::damage::{self, Areas};
 use super::now;
 use crate::render::Gpu;
 
-/// Draws panels, and keeps what it drew.
-pub struct Panels {
+/// Draws the panels, and keeps them in a texture.
+pub struct PanelPainter {
     renderer: egui_wgpu::Renderer,
     format: wgpu::TextureFormat,
     canvas: Option<Canvas>,
@@ -23,18 +23,18 @@ pub struct Panels {
     is_over_uploaded: bool,
 }
 
-/// The panels as they were filled last.
+/// The texture with the panels as they were drawn last.
 struct Canvas {
     texture: wgpu::Texture,
     view: wgpu::TextureView,
-    place: Place,
+    layout: WindowLayout,
     /// Nothing was filled yet.
     is_fresh: bool,
 }
 
-/// How the window is divided.
+/// How the window is divided into scene and panels.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Place {
+pub struct WindowLayout {
     /// The window's width and height, in pixels.
     pub size_px: [u32; 2],
     /// Where the scene is, in whole pixels.
@@ -45,18 +45,18 @@ pub struct Place {
     pub can_copy: bool,
 }
 
-impl Place {
+impl WindowLayout {
     fn window(&self) -> Rect {
         let [width, height] = self.size_px.map(pixels);
         Rect::from_min_max(Pos2::ZERO, pos2(width, height))
     }
 
-    /// What is drawn each time.
+    /// The area that is drawn for each picture.
     fn over(&self) -> Rect {
         if self.can_copy { self.scene_px.intersect(self.window()) } else { self.window() }
     }
 
-    /// What is beside it: above, below, left and right. Some may be empty.
+    /// The areas around it: above, below, left and right. Some may be empty.
     fn beside(&self) -> [Rect; 4] {
         let (window, over) = (self.window(), self.over());
         [
@@ -72,7 +72,7 @@ impl Place {
     }
 }
 
-impl Panels {
+impl PanelPainter {
     /// For targets of a format.
     pub fn new(gpu: &Gpu, format: wgpu::TextureFormat) -> Self {
         let options = RendererOptions { dithering: false, ..RendererOptions::default() };
@@ -93,7 +93,7 @@ impl Panels {
         context: &Context,
         shapes: Vec<ClippedShape>,
         textures: &mut egui::TexturesDelta,
-        place: Place,
+        layout: WindowLayout,
     ) -> Instant {
         let has_textures = !textures.set.is_empty();
         for (id, deltas) in textures.set.drain() {
@@ -101,20 +101,20 @@ impl Panels {
                 self.renderer.update_texture(&gpu.device, &gpu.queue, id, &delta);
             }
         }
-        let kept = self.canvas.take().filter(|canvas| canvas.place == place);
+        let kept = self.canvas.take().filter(|canvas| canvas.layout == layout);
         let areas = if kept.is_none() || has_textures {
-            Areas::whole(place.window())
+            Areas::whole(layout.window())
         } else {
-            damage::between(&self.shown, &shapes, place.pixels_per_point)
+            damage::between(&self.shown, &shapes, layout.pixels_per_point)
         };
         self.shown = shapes;
-        let canvas = kept.unwrap_or_else(|| Canvas::new(gpu, self.format, place));
-        if areas.touch(place.over()) {
-            self.over = self.cut(context, &place, [place.over()], false);
+        let canvas = kept.unwrap_or_else(|| Canvas::new(gpu, self.format, layout));
+        if areas.touch(layout.over()) {
+            self.over = self.cut(context, &layout, [layout.over()], false);
             self.is_over_uploaded = false;
         }
-        let beside = areas.iter().flat_map(|area| place.beside().map(|part| part.intersect(area)));
-        let filled = self.cut(context, &place, beside, true);
+        let beside = areas.iter().flat_map(|area| layout.beside().map(|part| part.intersect(area)));
+        let filled = self.cut(context, &layout, beside, true);
         let cut = now();
         self.fill(gpu, canvas, &filled);
         cut
@@ -124,30 +124,30 @@ impl Panels {
     fn cut(
         &self,
         context: &Context,
-        place: &Place,
+        layout: &WindowLayout,
         areas: impl IntoIterator<Item = Rect>,
         has_ground: bool,
     ) -> Vec<ClippedPrimitive> {
         let mut wanted = Vec::new();
         for area in areas.into_iter().filter(Rect::is_positive) {
-            let clip_rect = area / place.pixels_per_point;
+            let clip_rect = area / layout.pixels_per_point;
             if has_ground {
                 let shape = Shape::rect_filled(clip_rect.expand(8.0), 0.0, Color32::BLACK);
                 wanted.push(ClippedShape::new(clip_rect, shape));
             }
             for shape in &self.shown {
-                if damage::extent(shape, place.pixels_per_point).intersect(area).is_positive() {
+                if damage::extent(shape, layout.pixels_per_point).intersect(area).is_positive() {
                     let clip_rect = shape.clip_rect.intersect(clip_rect);
                     wanted.push(ClippedShape { clip_rect, ..shape.clone() });
                 }
             }
         }
-        if wanted.is_empty() { Vec::new() } else { context.tessellate(wanted, place.pixels_per_point) }
+        if wanted.is_empty() { Vec::new() } else { context.tessellate(wanted, layout.pixels_per_point) }
     }
 
     fn fill(&mut self, gpu: &Gpu, mut canvas: Canvas, jobs: &[ClippedPrimitive]) {
         if !jobs.is_empty() {
-            let screen = canvas.place.screen();
+            let screen = canvas.layout.screen();
             let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
             let mut buffers = self.renderer.update_buffers(&gpu.device, &gpu.queue, &mut encoder, jobs, &screen);
             self.is_over_uploaded = false;
@@ -170,14 +170,14 @@ impl Panels {
         view: &wgpu::TextureView,
     ) -> Vec<wgpu::CommandBuffer> {
         let Some(canvas) = &self.canvas else { return Vec::new() };
-        let place = canvas.place;
-        for part in place.beside().into_iter().filter(Rect::is_positive) {
+        let layout = canvas.layout;
+        for part in layout.beside().into_iter().filter(Rect::is_positive) {
             canvas.copy(encoder, target, part);
         }
         if self.over.is_empty() {
             return Vec::new();
         }
-        let screen = place.screen();
+        let screen = layout.screen();
         let mut buffers = Vec::new();
         if !self.is_over_uploaded {
             buffers = self.renderer.update_buffers(&gpu.device, &gpu.queue, encoder, &self.over, &screen);
@@ -197,10 +197,10 @@ impl Panels {
 }
 
 impl Canvas {
-    fn new(gpu: &Gpu, format: wgpu::TextureFormat, place: Place) -> Self {
-        let texture = gpu.picture_texture("panels", format, place.size_px, wgpu::TextureUsages::empty(), &[]);
+    fn new(gpu: &Gpu, format: wgpu::TextureFormat, layout: WindowLayout) -> Self {
+        let texture = gpu.picture_texture("panels", format, layout.size_px, wgpu::TextureUsages::empty(), &[]);
         let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
-        Self { texture, view, place, is_fresh: true }
+        Self { texture, view, layout, is_fresh: true }
     }
 
     fn copy(&self, encoder: &mut wgpu::CommandEncoder, target: &wgpu::Texture, part: Rect) {

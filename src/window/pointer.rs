@@ -15,7 +15,7 @@ pub enum Button {
     Right,
 }
 
-/// What is to be done.
+/// What a press or movement does.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Action {
     /// Choose what is there.

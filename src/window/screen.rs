@@ -1,4 +1,4 @@
-//! How pictures get to the window: through the driver's surface, or through memory that is shared with the display server.
+//! Presents pictures: through the driver's surface, or through memory shared with the X server.
 
 use std::sync::Arc;
 
@@ -19,20 +19,20 @@ pub struct Screen {
     shared: Option<Shared>,
 }
 
-/// A picture to draw on and to show then.
-pub enum Picture {
-    /// The surface's next one.
+/// The texture that the next picture is drawn on.
+pub enum DrawTarget {
+    /// The next texture of the surface.
     OfSurface(wgpu::SurfaceTexture),
-    /// One that stays.
-    Kept(wgpu::Texture),
+    /// A texture that is copied to memory shared with the X server.
+    Shared(wgpu::Texture),
 }
 
-impl Picture {
-    /// What it is drawn on.
+impl DrawTarget {
+    /// The texture.
     pub const fn texture(&self) -> &wgpu::Texture {
         match self {
             Self::OfSurface(shown) => &shown.texture,
-            Self::Kept(texture) => texture,
+            Self::Shared(texture) => texture,
         }
     }
 }
@@ -89,7 +89,7 @@ impl Screen {
         self.shared.is_some() || self.configuration.usage.contains(wgpu::TextureUsages::COPY_DST)
     }
 
-    /// Pictures are so many pixels large from now on.
+    /// Sets the size of pictures in pixels.
     pub fn resize(&mut self, size_px: [u32; 2]) {
         if size_px != self.size_px() {
             [self.configuration.width, self.configuration.height] = size_px;
@@ -104,10 +104,10 @@ impl Screen {
 
     /// The picture to draw on, where there is one now; a surface that went out of date is configured anew once. Where pictures can no
     /// longer be shared the window is to be drawn anew: on the surface other things may be possible.
-    pub fn next(&mut self, gpu: &Gpu) -> Option<Picture> {
+    pub fn next(&mut self, gpu: &Gpu) -> Option<DrawTarget> {
         if let Some(shared) = &mut self.shared {
             match shared.texture(gpu, &self.configuration) {
-                Ok(texture) => return Some(Picture::Kept(texture)),
+                Ok(texture) => return Some(DrawTarget::Shared(texture)),
                 Err(error) => {
                     self.give_up_sharing(&error);
                     return None;
@@ -120,10 +120,10 @@ impl Screen {
                 self.is_configured = true;
             }
             match self.surface.get_current_texture() {
-                wgpu::CurrentSurfaceTexture::Success(texture) => return Some(Picture::OfSurface(texture)),
+                wgpu::CurrentSurfaceTexture::Success(texture) => return Some(DrawTarget::OfSurface(texture)),
                 wgpu::CurrentSurfaceTexture::Suboptimal(texture) => {
                     self.is_configured = false;
-                    return Some(Picture::OfSurface(texture));
+                    return Some(DrawTarget::OfSurface(texture));
                 }
                 wgpu::CurrentSurfaceTexture::Lost => {
                     self.is_configured = false;
@@ -144,24 +144,24 @@ impl Screen {
     pub fn show(
         &mut self,
         gpu: &Gpu,
-        picture: Picture,
+        picture: DrawTarget,
         mut before: Vec<wgpu::CommandBuffer>,
         encoder: wgpu::CommandEncoder,
     ) {
         match (picture, &mut self.shared) {
-            (Picture::OfSurface(texture), _) => {
+            (DrawTarget::OfSurface(texture), _) => {
                 before.push(encoder.finish());
                 gpu.queue.submit(before);
                 self.window.pre_present_notify();
                 gpu.queue.present(texture);
             }
-            (Picture::Kept(_), Some(shared)) => {
+            (DrawTarget::Shared(_), Some(shared)) => {
                 if let Err(error) = shared.show(gpu, &self.window, before, encoder) {
                     self.give_up_sharing(&error);
                 }
             }
             // Sharing is given up where there is no picture.
-            (Picture::Kept(_), None) => {}
+            (DrawTarget::Shared(_), None) => {}
         }
     }
 

@@ -13,17 +13,17 @@ use winit::keyboard::ModifiersState;
 use winit::window::{Window, WindowId};
 
 use super::export::Export;
-use super::kept::Kept;
-use super::keys::{KeyInput, SpaceBar};
+use super::hotkeys::{KeyInput, SpaceBar};
 use super::meter::{Meter, Work};
-use super::path::PathDrag;
+use super::motion_path::PathDrag;
 use super::pointer::Pointer;
+use super::settings_file::SettingsFile;
 use super::stage::WindowSurface;
-use super::{Happening, WindowError, desktop, display, now};
+use super::{UserEvent, WindowError, desktop, display, now};
 use crate::clock::AnimationClock;
 use crate::editor::{Command, Editor, FileCommand, Severity};
 use crate::keyframe::KeyframeIndex;
-use crate::ui::Ui;
+use crate::ui::Panels;
 
 /// A window that stood still for longer goes on from there: it does not catch up.
 const LONGEST_STALL: Duration = Duration::from_millis(250);
@@ -35,13 +35,13 @@ const SMALLEST: LogicalSize<f64> = LogicalSize::new(720.0, 480.0);
 /// All that lives as long as the window.
 pub struct Shell {
     pub(super) editor: Editor,
-    pub(super) ui: Ui,
+    pub(super) ui: Panels,
     pub(super) stage: Option<WindowSurface>,
-    pub(super) proxy: EventLoopProxy<Happening>,
+    pub(super) proxy: EventLoopProxy<UserEvent>,
     pub(super) is_choosing_path: bool,
     pub(super) is_quitting: bool,
     at_start: Vec<Command>,
-    pub(super) kept: Kept,
+    pub(super) settings_file: SettingsFile,
     pub(super) export: Option<Export>,
     pub(super) modifiers: ModifiersState,
     pub(super) space: SpaceBar,
@@ -66,10 +66,10 @@ pub struct Shell {
 
 impl Shell {
     /// A shell without a window yet.
-    pub fn new(mut editor: Editor, at_start: Vec<Command>, proxy: EventLoopProxy<Happening>) -> Self {
-        let (kept, problem) = Kept::read();
-        let mut ui = Ui::new();
-        let errors = ui.adopt(&kept.settings).into_iter().map(|error| error.message());
+    pub fn new(mut editor: Editor, at_start: Vec<Command>, proxy: EventLoopProxy<UserEvent>) -> Self {
+        let (settings_file, problem) = SettingsFile::read();
+        let mut ui = Panels::new();
+        let errors = ui.adopt(&settings_file.settings).into_iter().map(|error| error.message());
         editor.set_keymap(ui.keymap().clone());
         for message in problem.into_iter().chain(errors) {
             editor.say(message.with_severity(Severity::Error));
@@ -82,7 +82,7 @@ impl Shell {
             is_choosing_path: false,
             is_quitting: false,
             at_start,
-            kept,
+            settings_file,
             export: None,
             modifiers: ModifiersState::empty(),
             space: SpaceBar::default(),
@@ -169,7 +169,7 @@ impl Shell {
         }
         let dot = self.hovered_dot.and_then(|keyframe| self.editor.path_dot(keyframe));
         for (panel, size) in panels {
-            if self.kept.settings.resized(panel, size) {
+            if self.settings_file.settings.resized(panel, size) {
                 self.keep_settings();
             }
         }
@@ -282,10 +282,10 @@ impl Shell {
 
 fn title(editor: &Editor) -> String {
     let mark = if editor.has_unsaved_changes() { "*" } else { "" };
-    format!("{mark}{} • Inbetween", editor.path().display())
+    format!("{mark}{} • Inbetween", editor.keyframe_file().display())
 }
 
-impl ApplicationHandler<Happening> for Shell {
+impl ApplicationHandler<UserEvent> for Shell {
     fn resumed(&mut self, event_loop: &ActiveEventLoop) {
         if self.stage.is_none() && self.error.is_none() {
             self.open(event_loop);
@@ -293,18 +293,18 @@ impl ApplicationHandler<Happening> for Shell {
         self.request_redraw();
     }
 
-    fn user_event(&mut self, event_loop: &ActiveEventLoop, happening: Happening) {
-        match happening {
-            Happening::PathChosen { question, path, took } => self.path_chosen(question, path, took),
-            Happening::ExportAt { done, count } => self.export_at(done, count),
-            Happening::ExportEnded(end) => self.export_ended(end),
-            Happening::DesktopTheme(theme) => {
+    fn user_event(&mut self, event_loop: &ActiveEventLoop, event: UserEvent) {
+        match event {
+            UserEvent::PathChosen { question, path, took } => self.path_chosen(question, path, took),
+            UserEvent::ExportAt { done, count } => self.export_at(done, count),
+            UserEvent::ExportEnded(end) => self.export_ended(end),
+            UserEvent::DesktopTheme(theme) => {
                 if let Some(stage) = &self.stage {
                     stage.context.options_mut(|options| options.fallback_theme = theme);
                 }
             }
-            Happening::DeviceLost => self.reopen(event_loop),
-            Happening::Accessibility(event) => self.accessibility(event),
+            UserEvent::DeviceLost => self.reopen(event_loop),
+            UserEvent::Accessibility(event) => self.accessibility(event),
         }
         self.request_redraw();
     }

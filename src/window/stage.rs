@@ -1,4 +1,4 @@
-//! What the picture is made on: window, surface, device, the scene's renderer and the panels'. All of it can be lost and made again.
+//! The window's GPU resources: surface, device, and the renderers of scene and panels. All can be lost and made again.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -8,14 +8,14 @@ use winit::event_loop::{ActiveEventLoop, EventLoopProxy};
 use winit::window::Window;
 
 use super::meter::{Meter, Work};
-use super::panels::{Panels, Place};
+use super::panels::{PanelPainter, WindowLayout};
 use super::screen::Screen;
-use super::{Happening, WindowError, now};
+use super::{UserEvent, WindowError, now};
 use crate::editor::{Editor, PathDot};
 use crate::frame::Frame;
 use crate::pose::RbtIndex;
 use crate::render::{Gpu, GpuError, Image, Offscreen, Renderer, Target, Viewport, default_samples};
-use crate::ui::{THUMBNAIL_PX, Ui, UiOutput, theme};
+use crate::ui::{Panels, THUMBNAIL_PX, UiOutput, theme};
 use crate::view::{frame_of_displayed, frame_of_editor, mark_dot, outline};
 
 /// The 3D view, in physical pixels of the window.
@@ -61,12 +61,12 @@ pub struct WindowSurface {
     gpu: Gpu,
     screen: Screen,
     renderer: Renderer,
-    panels: Panels,
+    panel_painter: PanelPainter,
     /// What small pictures are made with, once one was wanted.
     thumbnails: Option<(Renderer, Offscreen)>,
 }
 
-/// Panels that were laid out and wait to be painted, all of them, over the scene.
+/// PanelPainter that were laid out and wait to be painted, all of them, over the scene.
 pub struct LaidOut {
     /// What the panels ask for.
     pub output: UiOutput,
@@ -85,7 +85,7 @@ impl WindowSurface {
     pub fn new(
         event_loop: &ActiveEventLoop,
         window: Arc<Window>,
-        proxy: &EventLoopProxy<Happening>,
+        proxy: &EventLoopProxy<UserEvent>,
         reader: Option<egui_winit::accesskit_winit::Adapter>,
     ) -> Result<Self, WindowError> {
         let (gpu, surface) = Gpu::for_window(&event_loop.owned_display_handle(), &window)?;
@@ -93,12 +93,12 @@ impl WindowSurface {
         gpu.device.set_device_lost_callback(move |reason, _| {
             if reason != wgpu::DeviceLostReason::Destroyed {
                 // Without a loop there is nothing left to mend.
-                let _ = lost.send_event(Happening::DeviceLost);
+                let _ = lost.send_event(UserEvent::DeviceLost);
             }
         });
         let screen = Screen::new(&gpu, Arc::clone(&window), surface)?;
         let renderer = Renderer::new(&gpu, screen.scene_format(), default_samples(gpu.is_software));
-        let panels = Panels::new(&gpu, screen.format());
+        let panel_painter = PanelPainter::new(&gpu, screen.format());
         let context = egui::Context::default();
         theme::install(&context);
         #[expect(clippy::cast_possible_truncation, reason = "scale factors are small")]
@@ -113,7 +113,17 @@ impl WindowSurface {
             None => input.init_accesskit(event_loop, &window, proxy.clone()),
         }
         window.set_visible(true);
-        Ok(Self { window, context, input, view: SceneArea::default(), gpu, screen, renderer, panels, thumbnails: None })
+        Ok(Self {
+            window,
+            context,
+            input,
+            view: SceneArea::default(),
+            gpu,
+            screen,
+            renderer,
+            panel_painter,
+            thumbnails: None,
+        })
     }
 
     /// The surface is configured anew before it is drawn on again.
@@ -122,7 +132,7 @@ impl WindowSurface {
     }
 
     /// Lays out the panels, with the input that came since. Over the scene the pointer is `cursor`, where that is given. `None` where the window has no size. What comes back must be painted.
-    pub fn lay_out(&mut self, ui: &mut Ui, editor: &Editor, cursor: Option<egui::CursorIcon>) -> Option<LaidOut> {
+    pub fn lay_out(&mut self, ui: &mut Panels, editor: &Editor, cursor: Option<egui::CursorIcon>) -> Option<LaidOut> {
         let size = self.window.inner_size();
         if size.width == 0 || size.height == 0 {
             return None;
@@ -177,16 +187,16 @@ impl WindowSurface {
         frame.scale_strokes(laid_out.pixels_per_point);
         let built = now();
         meter.add(Work::Frame, evaluated, built);
-        let place = Place {
+        let layout = WindowLayout {
             size_px: self.screen.size_px(),
             scene_px: self.view.area(),
             pixels_per_point: laid_out.pixels_per_point,
             can_copy: self.screen.can_copy_to(),
         };
-        let cut = self.panels.update(&self.gpu, &self.context, laid_out.shapes, &mut laid_out.textures, place);
+        let cut = self.panel_painter.update(&self.gpu, &self.context, laid_out.shapes, &mut laid_out.textures, layout);
         meter.add(Work::Ui, built, cut);
         self.draw(&frame);
-        self.panels.free(&mut laid_out.textures);
+        self.panel_painter.free(&mut laid_out.textures);
         meter.add(Work::Drawing, cut, now());
     }
 
@@ -199,7 +209,7 @@ impl WindowSurface {
         let viewport = viewport(self.view, self.screen.size_px());
         let target = Target { view: &view(self.screen.scene_format()), viewport };
         self.renderer.encode(&self.gpu, &mut encoder, frame, target);
-        let before = self.panels.draw(&self.gpu, &mut encoder, texture, &view(self.screen.format()));
+        let before = self.panel_painter.draw(&self.gpu, &mut encoder, texture, &view(self.screen.format()));
         self.screen.show(&self.gpu, picture, before, encoder);
     }
 

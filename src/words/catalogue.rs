@@ -140,7 +140,7 @@ impl Catalogue {
         }
     }
 
-    /// What is wrong with the language beside English: messages that are missing, that nobody says, or that have other arguments.
+    /// What is wrong with the language beside English: messages that are missing, that do not exist in English, or that have other arguments.
     #[must_use]
     pub fn problems(&self) -> Vec<String> {
         let unknown = self.unknown.iter().map(|id| format!("{id}: no message has this id"));

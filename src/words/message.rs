@@ -1,4 +1,4 @@
-//! What the program says, as data: which message, and its arguments.
+//! A message as data: its id and its arguments.
 
 use std::fmt;
 use std::path;
@@ -6,7 +6,7 @@ use std::path;
 use super::catalogue::Catalogue;
 use super::texts::IDS;
 
-/// How a message is meant.
+/// The severity of a message.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Severity {
     /// Something was done.
@@ -65,13 +65,13 @@ impl Message {
         Self { index, arguments, severity: Severity::Information }
     }
 
-    /// The same, meant otherwise.
+    /// The same with another severity.
     #[must_use]
     pub fn with_severity(self, severity: Severity) -> Self {
         Self { severity, ..self }
     }
 
-    /// How it is meant.
+    /// Its severity.
     #[must_use]
     pub const fn severity(&self) -> Severity {
         self.severity

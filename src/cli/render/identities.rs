@@ -1,4 +1,4 @@
-//! Which node each pixel shows, as a 16-bit grey PNG.
+//! Node indices per pixel, as a 16-bit grey PNG.
 
 use png::{BitDepth, ColorType, Compression, Encoder};
 
@@ -7,7 +7,7 @@ use crate::export::Painter;
 use crate::frame::Frame;
 use crate::render::node_picture;
 
-/// The PNG of a frame: 0 where there is no shape, else the node's place in the scene plus 1.
+/// The PNG of a frame: 0 where there is no shape, else the node's pre-order index in the scene plus 1.
 ///
 /// # Errors
 /// [`CliError`]: a node past 65534, or the picture cannot be drawn.

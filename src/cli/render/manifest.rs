@@ -1,4 +1,4 @@
-//! What was rendered with what, as JSON: so that someone else can tell why their pictures differ.
+//! The manifest of a render as JSON: adapter, versions and file hashes, so that differing pictures can be explained.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};

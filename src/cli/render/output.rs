@@ -1,4 +1,4 @@
-//! What is to be written, by the ending of its name.
+//! The output of `render`, chosen by the ending of its name.
 
 use super::super::arguments::RenderArguments;
 use super::super::{CliError, misuse};

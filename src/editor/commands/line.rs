@@ -9,7 +9,7 @@ use crate::editor::Command;
 use crate::pose::RbtIndex;
 use crate::scene::SceneGraph;
 
-/// What stands after a line's first word, and the scene that it speaks of.
+/// The arguments of a script line, and the scene for node paths.
 #[derive(Clone, Copy)]
 pub struct Arguments<'a> {
     /// The scene as it is before the line.
@@ -28,27 +28,27 @@ pub enum ArgumentError {
     /// A number is none, or not finite.
     #[error("{word:?} is not a finite number")]
     Number {
-        /// What stands there.
+        /// The word as written.
         word: String,
     },
     /// A number is none, or out of its range.
     #[error("{word:?} is not a {what}; expected a {kind} from {low} to {high}")]
     Range {
-        /// What stands there.
+        /// The word as written.
         word: String,
         /// What is wanted, as in "duration".
         what: &'static str,
         /// `number` or `whole number`.
         kind: &'static str,
-        /// The least.
+        /// The smallest valid value.
         low: f64,
-        /// The most.
+        /// The largest valid value.
         high: f64,
     },
     /// A word is none of those that can stand there.
     #[error("{word:?} is not {what}; expected {expected}")]
     Choice {
-        /// What stands there.
+        /// The word as written.
         word: String,
         /// What is wanted, as in "an easing".
         what: &'static str,
@@ -58,19 +58,19 @@ pub enum ArgumentError {
     /// The axis is none of the three.
     #[error("{word:?} is not an axis; expected x, y or z")]
     Axis {
-        /// What stands there.
+        /// The word as written.
         word: String,
     },
     /// No channel has that name.
     #[error("{word:?} has no keys; expected translation, rotation, scale or colour")]
     Channel {
-        /// What stands there.
+        /// The word as written.
         word: String,
     },
     /// A key cannot hold that.
     #[error("{word:?} is not a {channel}; expected {expected}")]
     Value {
-        /// What stands there.
+        /// The word as written.
         word: String,
         /// What it should be.
         channel: &'static str,
@@ -206,8 +206,8 @@ impl<'a> Arguments<'a> {
     pub(super) fn then_text<const N: usize>(&self) -> Option<([&'a str; N], &'a str)> {
         let mut words = [""; N];
         let mut text = self.text;
-        for place in &mut words {
-            (*place, text) = word_and_rest(text)?;
+        for word in &mut words {
+            (*word, text) = word_and_rest(text)?;
         }
         (!text.is_empty()).then_some((words, text))
     }

@@ -196,7 +196,7 @@ fn ghosts() -> Vec<Row> {
         Row::of(Changes::Session, "ghosts", |command| matches!(command, Command::View(ViewCommand::SetGhosts(_))))
             .line(Line::new(
                 "ghosts COUNT",
-                "how many neighbouring keyframes on each side are shown, 0 to 3",
+                "how many neighbouring keyframes on each side are shown as ghosts, 0 to 20",
                 |arguments| {
                     let &[count] = arguments.words else { return Ok(None) };
                     let count = arguments.whole_in(count, "number of ghosts", &(0..=MOST_GHOSTS))?;
@@ -212,8 +212,8 @@ fn ghosts() -> Vec<Row> {
 
 /// The clock of timed keys; `timed_keys` has the line that sets it.
 fn clock() -> Vec<Row> {
-    let restart = binding("timed-keys-restart", Command::View(ViewCommand::RestartSeconds));
-    let hold = binding("timed-keys-hold", Command::View(ViewCommand::HoldSeconds));
+    let restart = binding("timed-keys-restart", Command::View(ViewCommand::RestartTimedKeys));
+    let hold = binding("timed-keys-hold", Command::View(ViewCommand::HoldTimedKeys));
     vec![
         Row::listed(Changes::Session, restart.hotkeys(&["Home"])),
         Row::listed(Changes::Session, hold.hotkeys(&["Shift+Home"])),

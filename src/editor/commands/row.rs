@@ -1,4 +1,4 @@
-//! What a row of the table of commands holds.
+//! A row of the table of commands.
 
 use super::line::Line;
 use crate::editor::keymap::Chord;

@@ -2,15 +2,11 @@
 
 use std::sync::Arc;
 
-use glam::{Quat, Vec3};
-
 use super::line::{ArgumentError, Arguments, Ending, Line};
 use super::row::{Changes, Row};
 use super::values::{double, node_text, number_text, numbers_text, quoted_prefix, token_text, tokens, word_and_rest};
-use crate::colour::Colour;
-use crate::editor::{Command, Edit, KeyAt, SceneEdit, ViewCommand};
+use crate::editor::{Command, Edit, KeyAt, SceneEdit, SelectionCommand, ViewCommand};
 use crate::scene::{Channel, KeyValue};
-use crate::timed::rotation_from_euler_degrees;
 use crate::words::texts;
 
 type Parsed<T> = Result<T, ArgumentError>;
@@ -194,14 +190,14 @@ fn many_keys() -> Vec<Row> {
                 },
             )),
         Row::of(Changes::Session, "select-keys", |command| {
-            matches!(command, Command::View(ViewCommand::SelectKeys(_)))
+            matches!(command, Command::Selection(SelectionCommand::TimedKeys(_)))
         })
         .line(many(
             "select-keys CHANNEL SECONDS PATH…|none",
             "selects keys, and no keyframes",
-            |arguments| Ok(key_list(arguments)?.map(|keys| Command::View(ViewCommand::SelectKeys(keys)))),
+            |arguments| Ok(key_list(arguments)?.map(|keys| Command::Selection(SelectionCommand::TimedKeys(keys)))),
             |command, _| {
-                let Command::View(ViewCommand::SelectKeys(keys)) = command else { return None };
+                let Command::Selection(SelectionCommand::TimedKeys(keys)) = command else { return None };
                 Some(key_list_text(keys))
             },
         )),
@@ -282,26 +278,11 @@ fn seconds(word: &str) -> Parsed<f64> {
 
 /// The value of a key: numbers with commas between them, or six hexadecimal digits.
 fn value(channel: Channel, word: &str) -> Parsed<KeyValue> {
-    let numbers: Option<Vec<f32>> = word.split(',').map(|number| number.parse().ok()).collect();
-    let numbers = numbers.unwrap_or_default();
-    let value = match (channel, numbers.as_slice()) {
-        (Channel::Translation, &[x, y, z]) => Some(KeyValue::Translation(Vec3::new(x, y, z))),
-        (Channel::Rotation, &[yaw, pitch, roll]) => {
-            Some(KeyValue::Rotation(rotation_from_euler_degrees([yaw, pitch, roll]).normalize()))
-        }
-        (Channel::Rotation, &[x, y, z, w]) => Some(KeyValue::Rotation(Quat::from_xyzw(x, y, z, w))),
-        (Channel::Scale, &[scale]) => Some(KeyValue::Scale(Vec3::splat(scale))),
-        (Channel::Scale, &[x, y, z]) => Some(KeyValue::Scale(Vec3::new(x, y, z))),
-        (Channel::Colour, _) => Colour::from_hex(&format!("#{word}")).map(KeyValue::Colour),
-        _ => None,
-    };
-    let expected = match channel {
-        Channel::Translation => "x,y,z",
-        Channel::Rotation => "yaw,pitch,roll in degrees, or a unit quaternion x,y,z,w",
-        Channel::Scale => "one number, or x,y,z",
-        Channel::Colour => "rrggbb",
-    };
-    value.ok_or_else(|| ArgumentError::Value { word: word.to_owned(), channel: channel.name(), expected })
+    channel.parse(word).ok_or_else(|| ArgumentError::Value {
+        word: word.to_owned(),
+        channel: channel.name(),
+        expected: channel.expected(),
+    })
 }
 
 fn value_text(value: KeyValue) -> String {

@@ -6,7 +6,9 @@ use super::values::{
     index, keyframe, keyframes, keyframes_text, name_text, number_text, numbers, one_of, rbt_path_text, read_quoted,
     rotation_text, vector_text,
 };
-use crate::editor::{Command, Edit, Editor, SceneEdit, TimelineEdit, ViewCommand, WindowCommand};
+use crate::editor::{
+    ClipboardCommand, Command, Edit, Editor, SceneEdit, SelectionCommand, TimelineEdit, WindowCommand,
+};
 use crate::keyframe::{DURATION_RANGE, Easing};
 use crate::words::texts;
 use glam::{Quat, Vec3};
@@ -47,7 +49,7 @@ pub(super) fn rows() -> Vec<Row> {
 fn selection() -> Vec<Row> {
     vec![
         Row::of(Changes::Session, "select-keyframes", |command| {
-            matches!(command, Command::View(ViewCommand::SelectKeyframes(_)))
+            matches!(command, Command::Selection(SelectionCommand::Keyframes(_)))
         })
         .line(Line::new(
             "select-keyframes KEYFRAME…|none",
@@ -58,10 +60,10 @@ fn selection() -> Vec<Row> {
                     ["none"] => Vec::new(),
                     words => keyframes(words)?,
                 };
-                Ok(Some(Command::View(ViewCommand::SelectKeyframes(selected))))
+                Ok(Some(Command::Selection(SelectionCommand::Keyframes(selected))))
             },
             |command, _| {
-                let Command::View(ViewCommand::SelectKeyframes(selected)) = command else { return None };
+                let Command::Selection(SelectionCommand::Keyframes(selected)) = command else { return None };
                 Some(keyframes_text(selected))
             },
         )),
@@ -83,7 +85,7 @@ fn selection() -> Vec<Row> {
 }
 
 fn edits() -> Vec<Row> {
-    let copy = binding("keyframes-copy", Command::View(ViewCommand::CopyKeyframes), &["Ctrl+C"]);
+    let copy = binding("keyframes-copy", Command::Clipboard(ClipboardCommand::CopyKeyframes), &["Ctrl+C"]);
     let cut = binding("keyframes-cut", edit(TimelineEdit::CutKeyframes), &["Ctrl+X"]);
     let paste = binding("keyframes-paste", edit(TimelineEdit::PasteKeyframes), &["Ctrl+V"]);
     let duplicate = binding("keyframes-duplicate", edit(TimelineEdit::DuplicateKeyframes), &["Ctrl+D"]);
@@ -236,7 +238,7 @@ fn window() -> Vec<Row> {
 }
 
 fn poses() -> Vec<Row> {
-    let copy = binding("pose-copy", Command::View(ViewCommand::CopyPose), &["Ctrl+Shift+C"]);
+    let copy = binding("pose-copy", Command::Clipboard(ClipboardCommand::CopyPose), &["Ctrl+Shift+C"]);
     let paste = binding("pose-paste", edit(TimelineEdit::PastePose), &["Ctrl+Shift+V"]);
     vec![
         Row::listed(Changes::Session, copy)

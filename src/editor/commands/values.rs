@@ -35,8 +35,8 @@ pub(super) fn number(word: &str) -> Value<f32> {
 /// As many finite numbers as there are words.
 pub(super) fn numbers<const N: usize>(words: &[&str; N]) -> Value<[f32; N]> {
     let mut numbers = [0.0; N];
-    for (place, word) in numbers.iter_mut().zip(words) {
-        *place = number(word)?;
+    for (value, word) in numbers.iter_mut().zip(words) {
+        *value = number(word)?;
     }
     Ok(numbers)
 }

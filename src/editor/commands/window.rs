@@ -14,7 +14,7 @@ pub(super) fn rows() -> Vec<Row> {
 fn lists() -> Vec<Row> {
     let commands = binding("commands", WindowCommand::ShowCommands);
     let manual = binding("manual", WindowCommand::ShowManual);
-    let hotkeys = binding("hotkeys", WindowCommand::ShowKeys);
+    let hotkeys = binding("hotkeys", WindowCommand::ShowHotkeys);
     let messages = binding("messages", WindowCommand::ToggleMessages);
     let statistics = binding("statistics", WindowCommand::ToggleStatistics);
     vec![
@@ -45,13 +45,13 @@ fn settings() -> Vec<Row> {
             matches!(command, Command::Window(WindowCommand::SetLanguage(_)))
         }),
         Row::of(Changes::Window, "hotkeys-set", |command| {
-            matches!(command, Command::Window(WindowCommand::SetKeys(..)))
+            matches!(command, Command::Window(WindowCommand::SetHotkeys(..)))
         }),
         Row::of(Changes::Window, "hotkeys-reset", |command| {
-            matches!(command, Command::Window(WindowCommand::ResetKeys(_)))
+            matches!(command, Command::Window(WindowCommand::ResetHotkeys(_)))
         }),
         Row::of(Changes::Window, "hotkeys-reset-all", |command| {
-            matches!(command, Command::Window(WindowCommand::ResetAllKeys))
+            matches!(command, Command::Window(WindowCommand::ResetAllHotkeys))
         }),
         Row::of(Changes::Window, "recent-forget", |command| {
             matches!(command, Command::Window(WindowCommand::ForgetRecent))

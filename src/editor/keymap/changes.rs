@@ -47,7 +47,7 @@ impl KeymapError {
     }
 }
 
-/// The bindings in force.
+/// The current bindings.
 #[derive(Clone, Debug)]
 pub struct Keymap(Vec<Binding>);
 
@@ -172,7 +172,7 @@ pub fn by_id(changes: &BTreeMap<String, Vec<String>>) -> BTreeMap<String, Vec<St
     renamed
 }
 
-/// Whether a binding may have other keys: Escape always leaves what is at hand.
+/// Whether a binding may have other keys: Escape always cancels.
 #[must_use]
 pub fn can_change(binding: &Binding) -> bool {
     binding.command != Command::Cancel

@@ -49,14 +49,14 @@ impl Columns {
 
     /// When a keyframe of the list is reached.
     #[must_use]
-    pub fn time(&self, place: usize) -> f64 {
-        self.times.get(place).copied().unwrap_or_default()
+    pub fn time(&self, index: usize) -> f64 {
+        self.times.get(index).copied().unwrap_or_default()
     }
 
     /// When the keyframe after one is reached; for the last one, when it is itself.
     #[must_use]
-    pub fn time_after(&self, place: usize) -> f64 {
-        self.times.get(place + 1).copied().unwrap_or_else(|| self.time(place))
+    pub fn time_after(&self, index: usize) -> f64 {
+        self.times.get(index + 1).copied().unwrap_or_else(|| self.time(index))
     }
 
     /// The first and the last time of keyframes; of an empty list those of all else.
@@ -84,9 +84,9 @@ impl Columns {
     #[must_use]
     pub fn time_of_key(&self, key_time: f64) -> f64 {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "floats saturate")]
-        let place = (key_time.max(0.0).floor() as usize + 1).min(self.len().saturating_sub(1));
-        let from = self.time(place);
-        let to = self.times.get(place + 1).copied().unwrap_or(from);
+        let index = (key_time.max(0.0).floor() as usize + 1).min(self.len().saturating_sub(1));
+        let from = self.time(index);
+        let to = self.times.get(index + 1).copied().unwrap_or(from);
         from + (to - from) * key_time.fract()
     }
 
@@ -95,11 +95,11 @@ impl Columns {
     pub fn key_at(&self, time: f64) -> f64 {
         let Some(last) = self.len().checked_sub(2).filter(|&last| last > 1) else { return 0.0 };
         let time = time.clamp(self.time(1), self.time(last));
-        let place = self.insertion(time).clamp(2, last) - 1;
-        let (from, to) = (self.time(place), self.time(place + 1));
+        let index = self.insertion(time).clamp(2, last) - 1;
+        let (from, to) = (self.time(index), self.time(index + 1));
         let fraction = if to > from { ((time - from) / (to - from)).clamp(0.0, 1.0) } else { 0.0 };
         #[expect(clippy::cast_precision_loss, reason = "no list has 2^52 keyframes")]
-        let before = (place - 1) as f64;
+        let before = (index - 1) as f64;
         before + fraction
     }
 
@@ -121,7 +121,7 @@ impl Columns {
     #[must_use]
     pub fn nearest(&self, time: f64) -> Option<usize> {
         let after = self.insertion(time);
-        let distance = |place: &usize| (self.time(*place) - time).abs();
+        let distance = |index: &usize| (self.time(*index) - time).abs();
         [after.checked_sub(1), (after < self.len()).then_some(after)]
             .into_iter()
             .flatten()

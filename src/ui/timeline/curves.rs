@@ -3,7 +3,7 @@
 use std::ops::RangeInclusive;
 
 use super::columns::Columns;
-use super::luck::degrees_between;
+use super::half_turn::degrees_between;
 use crate::interpolation::Interpolation;
 use crate::keyframe::{KeyframeList, PlayRange};
 use crate::pose::RbtIndex;
@@ -127,7 +127,7 @@ impl<'a> Movement<'a> {
             }
             next += step;
         }
-        times.extend(own.map(|place| self.columns.time(place)));
+        times.extend(own.map(|index| self.columns.time(index)));
         times.push(to);
         times.sort_by(f64::total_cmp);
         times.dedup();

@@ -4,7 +4,7 @@ use egui::{CursorIcon, Modifiers, PointerButton, Pos2, Rect, Response, Ui};
 
 use super::Timeline;
 use super::hit::{Hit, Target};
-use crate::editor::{Command, Edit, Editor, GestureCommand, PlaybackCommand, TimelineEdit, ViewCommand};
+use crate::editor::{Command, Edit, Editor, GestureCommand, PlaybackCommand, SelectionCommand, TimelineEdit};
 use crate::keyframe::{DURATION_RANGE, KeyframeIndex};
 
 /// Nearer than this to one unit, in points, a dragged interval lasts just that.
@@ -17,7 +17,7 @@ pub enum Drag {
     Scrub,
     /// Selects what it surrounds, on top of what was selected.
     Box { from_time: f64, from_y: f32, before: Vec<KeyframeIndex>, mode: Mode },
-    /// Moves the keyframes at hand to another place in the list.
+    /// Moves the selected keyframes in the list.
     Move { grabbed: usize },
     /// Changes the length of the interval that begins at a keyframe.
     Retime(Retime),
@@ -42,7 +42,7 @@ pub enum Mode {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Retime {
     /// The keyframe where the interval begins.
-    pub place: usize,
+    pub index: usize,
     /// Where the drag began.
     from_x: f32,
     /// How long the interval and the one after it were then.
@@ -52,10 +52,10 @@ pub struct Retime {
 }
 
 impl Retime {
-    /// The length that the interval has under a pointer that moved by so many units.
+    /// The interval's length after the pointer moved by this many units.
     #[must_use]
     pub fn duration(&self, moved: f64, snap: f64) -> f64 {
-        let moved = if self.place == 0 { -moved } else { moved };
+        let moved = if self.index == 0 { -moved } else { moved };
         let duration = self.before.0 + moved;
         let rounded = if (duration - 1.0).abs() <= snap { 1.0 } else { (duration * 100.0).round() / 100.0 };
         rounded.clamp(DURATION_RANGE.start() * 10.0, *DURATION_RANGE.end())
@@ -65,12 +65,12 @@ impl Retime {
 /// What a selection becomes; keyframes are in order in all three.
 #[must_use]
 pub fn combined(before: &[KeyframeIndex], taken: std::ops::Range<usize>, mode: Mode) -> Vec<KeyframeIndex> {
-    let is_taken = |index: &KeyframeIndex| taken.contains(&index.get());
+    let is_taken = |keyframe_index: &KeyframeIndex| taken.contains(&keyframe_index.get());
     let mut selected: Vec<KeyframeIndex> = match mode {
         Mode::Replace => Vec::new(),
-        Mode::Add | Mode::Toggle => before.iter().filter(|index| !is_taken(index)).copied().collect(),
+        Mode::Add | Mode::Toggle => before.iter().filter(|keyframe_index| !is_taken(keyframe_index)).copied().collect(),
     };
-    let keeps = |index: &KeyframeIndex| mode != Mode::Toggle || before.binary_search(index).is_err();
+    let keeps = |keyframe_index: &KeyframeIndex| mode != Mode::Toggle || before.binary_search(keyframe_index).is_err();
     selected.extend(taken.clone().map(KeyframeIndex::new).filter(keeps));
     selected.sort_unstable();
     selected
@@ -78,9 +78,9 @@ pub fn combined(before: &[KeyframeIndex], taken: std::ops::Range<usize>, mode: M
 
 /// Whether moving these keyframes to before a place changes anything.
 #[must_use]
-pub fn moves_anything(places: &[usize], to: usize) -> bool {
-    let (Some(&first), Some(&last)) = (places.first(), places.last()) else { return false };
-    let is_one_run = last - first + 1 == places.len();
+pub fn moves_anything(indices: &[usize], to: usize) -> bool {
+    let (Some(&first), Some(&last)) = (indices.first(), indices.last()) else { return false };
+    let is_one_run = last - first + 1 == indices.len();
     !(is_one_run && (first..=last + 1).contains(&to))
 }
 
@@ -122,11 +122,11 @@ impl Timeline {
         } else if response.clicked()
             && let Some(at) = response.interact_pointer_pos()
         {
-            if let Hit::Diamond(place) = target.at(at)
+            if let Hit::Diamond(index) = target.at(at)
                 && response.double_clicked()
                 && !editor.is_playing()
             {
-                self.start_renaming(editor, Some(KeyframeIndex::new(place)));
+                self.start_renaming(editor, Some(KeyframeIndex::new(index)));
             } else {
                 self.click(target, editor, at, modifiers, commands);
             }
@@ -137,7 +137,7 @@ impl Timeline {
     fn abort(&mut self, commands: &mut Vec<Command>) {
         match self.drag.take() {
             Some(Drag::Retime(_)) => commands.push(Command::Gesture(GestureCommand::Abort)),
-            Some(Drag::Box { before, .. }) => commands.push(Command::View(ViewCommand::SelectKeyframes(before))),
+            Some(Drag::Box { before, .. }) => commands.push(Command::Selection(SelectionCommand::Keyframes(before))),
             Some(Drag::Range { before, .. }) => commands.push(Command::Playback(PlaybackCommand::SetRange(before))),
             _ => {}
         }
@@ -167,7 +167,7 @@ impl Timeline {
                     let before = editor.session().play_range;
                     self.drag = Some(Drag::Range { is_start: hit == Hit::RangeStart, before });
                 }
-                Hit::Diamond(_) | Hit::Grip(_) | Hit::Luck(_) | Hit::Empty => {}
+                Hit::Diamond(_) | Hit::Grip(_) | Hit::HalfTurnWarning(_) | Hit::Empty => {}
             }
         }
         if !response.drag_started_by(PointerButton::Primary) || self.drag.is_some() {
@@ -176,27 +176,27 @@ impl Timeline {
         let selected = &editor.session().selected;
         match hit {
             Hit::Ruler | Hit::RangeStart | Hit::RangeEnd => {}
-            Hit::Empty | Hit::Luck(_) => {
+            Hit::Empty | Hit::HalfTurnWarning(_) => {
                 let mode = mode_of(modifiers);
                 let from_time = target.scale.time_at(at.x);
                 self.drag = Some(Drag::Box { from_time, from_y: at.y, before: selected.clone(), mode });
             }
             Hit::Diamond(_) | Hit::Grip(_) if editor.is_playing() => {}
-            Hit::Diamond(place) => {
-                let index = KeyframeIndex::new(place);
-                if selected.binary_search(&index).is_err() {
-                    commands.push(Command::View(ViewCommand::SelectKeyframes(vec![index])));
+            Hit::Diamond(index) => {
+                let keyframe_index = KeyframeIndex::new(index);
+                if selected.binary_search(&keyframe_index).is_err() {
+                    commands.push(Command::Selection(SelectionCommand::Keyframes(vec![keyframe_index])));
                 }
-                self.drag = Some(Drag::Move { grabbed: place });
+                self.drag = Some(Drag::Move { grabbed: index });
             }
-            Hit::Grip(place) => {
-                let duration = |place: usize| {
-                    editor.document().keyframes.get(KeyframeIndex::new(place)).map(|keyframe| keyframe.duration)
+            Hit::Grip(index) => {
+                let duration = |index: usize| {
+                    editor.document().keyframes.get(KeyframeIndex::new(index)).map(|keyframe| keyframe.duration)
                 };
-                let Some(own) = duration(place) else { return };
-                let before = (own, duration(place + 1));
+                let Some(own) = duration(index) else { return };
+                let before = (own, duration(index + 1));
                 commands.push(Command::Gesture(GestureCommand::Begin));
-                self.drag = Some(Drag::Retime(Retime { place, from_x: at.x, before, asked: (own, false) }));
+                self.drag = Some(Drag::Retime(Retime { index, from_x: at.x, before, asked: (own, false) }));
             }
         }
     }
@@ -221,7 +221,7 @@ impl Timeline {
                 if let Some(command) = scrubbing(target, editor, at.x, modifiers.shift) {
                     commands.push(command);
                 }
-                commands.extend(super::key_view::scrubbing(target, editor, at.x));
+                commands.extend(super::timed_key_view::scrubbing(target, editor, at.x));
             }
             Some(Drag::Range { is_start, .. }) => {
                 if let Some(command) = ranging(target, at.x, *is_start) {
@@ -233,7 +233,7 @@ impl Timeline {
                 let taken = target.columns.within(&(from_time.min(to_time)..=from_time.max(to_time)));
                 let selected = combined(before, taken, *mode);
                 if selected != editor.session().selected {
-                    commands.push(Command::View(ViewCommand::SelectKeyframes(selected)));
+                    commands.push(Command::Selection(SelectionCommand::Keyframes(selected)));
                 }
             }
             Some(Drag::Retime(retime)) => {
@@ -243,19 +243,19 @@ impl Timeline {
                     return;
                 }
                 let was_ripple_free = std::mem::replace(&mut retime.asked, asked).1;
-                let mut set = |place: usize, duration: f64, ripple_free: bool| {
-                    let keyframe = KeyframeIndex::new(place);
+                let mut set = |index: usize, duration: f64, ripple_free: bool| {
+                    let keyframe = KeyframeIndex::new(index);
                     let edit = TimelineEdit::SetDuration { keyframe, duration, ripple_free };
                     commands.push(Command::Edit(Edit::Timeline(edit)));
                 };
                 if was_ripple_free != asked.1 {
                     // The neighbour gets back what it had; ripple-free takes it from there again.
-                    set(retime.place, retime.before.0, false);
+                    set(retime.index, retime.before.0, false);
                     if let Some(neighbour) = retime.before.1 {
-                        set(retime.place + 1, neighbour, false);
+                        set(retime.index + 1, neighbour, false);
                     }
                 }
-                set(retime.place, asked.0, asked.1);
+                set(retime.index, asked.0, asked.1);
             }
         }
     }
@@ -283,47 +283,47 @@ impl Timeline {
         commands: &mut Vec<Command>,
     ) {
         match target.at(at) {
-            Hit::Diamond(place) => self.pick(place, editor, modifiers, commands),
-            Hit::Empty | Hit::Luck(_)
+            Hit::Diamond(index) => self.pick(index, editor, modifiers, commands),
+            Hit::Empty | Hit::HalfTurnWarning(_)
                 if !editor.session().selected.is_empty() && mode_of(modifiers) == Mode::Replace =>
             {
-                commands.push(Command::View(ViewCommand::SelectKeyframes(Vec::new())));
+                commands.push(Command::Selection(SelectionCommand::Keyframes(Vec::new())));
             }
             _ => {}
         }
     }
 
     /// Takes in a click on a keyframe: alone it is selected and shown, with Shift the selection reaches to it, with Ctrl it changes sides.
-    pub(super) fn pick(&mut self, place: usize, editor: &Editor, modifiers: Modifiers, commands: &mut Vec<Command>) {
-        let index = KeyframeIndex::new(place);
+    pub(super) fn pick(&mut self, index: usize, editor: &Editor, modifiers: Modifiers, commands: &mut Vec<Command>) {
+        let keyframe_index = KeyframeIndex::new(index);
         let selected = &editor.session().selected;
-        let select = |selected| Command::View(ViewCommand::SelectKeyframes(selected));
+        let select = |selected| Command::Selection(SelectionCommand::Keyframes(selected));
         match mode_of(modifiers) {
             Mode::Replace => {
-                self.anchor = Some(place);
-                commands.push(select(vec![index]));
+                self.anchor = Some(index);
+                commands.push(select(vec![keyframe_index]));
                 if editor.is_playing() {
                     #[expect(clippy::cast_precision_loss, reason = "no list has 2^52 keyframes")]
-                    let key_time = place as f64 - 1.0;
+                    let key_time = index as f64 - 1.0;
                     commands.push(Command::Playback(PlaybackCommand::Scrub(key_time)));
                 } else {
-                    commands.push(Command::Edit(Edit::GoTo(index)));
+                    commands.push(Command::Edit(Edit::GoTo(keyframe_index)));
                 }
             }
             Mode::Toggle => {
-                self.anchor = Some(place);
-                // The current keyframe is at hand as long as none is selected: it stays so.
+                self.anchor = Some(index);
+                // While nothing is selected, edits apply to the current keyframe. Keep that.
                 let current = editor.document().keyframes.current();
                 let before: Vec<_> = match (selected.is_empty(), current) {
-                    (true, Some(current)) if current != index => vec![current],
+                    (true, Some(current)) if current != keyframe_index => vec![current],
                     _ => selected.clone(),
                 };
-                commands.push(select(combined(&before, place..place + 1, Mode::Toggle)));
+                commands.push(select(combined(&before, index..index + 1, Mode::Toggle)));
             }
             Mode::Add => {
                 let current = || editor.document().keyframes.current().map(KeyframeIndex::get);
-                let anchor = self.anchor.or_else(current).unwrap_or(place);
-                let range = anchor.min(place)..anchor.max(place) + 1;
+                let anchor = self.anchor.or_else(current).unwrap_or(index);
+                let range = anchor.min(index)..anchor.max(index) + 1;
                 commands.push(select(combined(selected, range, Mode::Add)));
             }
         }
@@ -337,7 +337,7 @@ impl Timeline {
             | (None, Some(Hit::Grip(_) | Hit::RangeStart | Hit::RangeEnd)) => CursorIcon::ResizeHorizontal,
             (Some(Drag::Box { .. }), _) => CursorIcon::Crosshair,
             (None, Some(Hit::Diamond(_))) => CursorIcon::Grab,
-            (None, Some(Hit::Empty | Hit::Luck(_)) | None) => CursorIcon::Default,
+            (None, Some(Hit::Empty | Hit::HalfTurnWarning(_)) | None) => CursorIcon::Default,
         };
         if self.drag.is_some() || response.hovered() {
             ui.ctx().set_cursor_icon(icon);
@@ -356,9 +356,9 @@ impl Timeline {
 fn scrubbing(target: &Target<'_>, editor: &Editor, x: f32, to_keyframes: bool) -> Option<Command> {
     let time = target.scale.time_at(x);
     if target.range.is_none() {
-        let index = KeyframeIndex::new(target.columns.nearest(time)?);
-        let is_there = editor.document().keyframes.current() == Some(index);
-        return (!is_there).then_some(Command::Edit(Edit::GoTo(index)));
+        let keyframe_index = KeyframeIndex::new(target.columns.nearest(time)?);
+        let is_there = editor.document().keyframes.current() == Some(keyframe_index);
+        return (!is_there).then_some(Command::Edit(Edit::GoTo(keyframe_index)));
     }
     let key_time = target.columns.key_at(time);
     let key_time = if to_keyframes { key_time.round() } else { key_time };
@@ -370,8 +370,8 @@ fn scrubbing(target: &Target<'_>, editor: &Editor, x: f32, to_keyframes: bool) -
 fn ranging(target: &Target<'_>, x: f32, is_start: bool) -> Option<Command> {
     let (first, last) = target.range?;
     let most = target.columns.len().checked_sub(2)?;
-    let place = target.columns.nearest(target.scale.time_at(x))?;
-    let range = if is_start { (place.clamp(1, last - 1), last) } else { (first, place.clamp(first + 1, most)) };
+    let index = target.columns.nearest(target.scale.time_at(x))?;
+    let range = if is_start { (index.clamp(1, last - 1), last) } else { (first, index.clamp(first + 1, most)) };
     let range_or_all = (range != (1, most)).then_some(range);
     (range != (first, last)).then_some(Command::Playback(PlaybackCommand::SetRange(range_or_all)))
 }
@@ -380,8 +380,8 @@ fn ranging(target: &Target<'_>, x: f32, is_start: bool) -> Option<Command> {
 mod tests {
     use super::*;
 
-    fn indices(places: &[usize]) -> Vec<KeyframeIndex> {
-        places.iter().copied().map(KeyframeIndex::new).collect()
+    fn indices(indices: &[usize]) -> Vec<KeyframeIndex> {
+        indices.iter().copied().map(KeyframeIndex::new).collect()
     }
 
     #[test]
@@ -406,7 +406,7 @@ mod tests {
 
     #[test]
     fn lengths_are_round_and_one_unit_attracts() {
-        let retime = |place| Retime { place, from_x: 0.0, before: (1.5, None), asked: (1.5, false) };
+        let retime = |index| Retime { index, from_x: 0.0, before: (1.5, None), asked: (1.5, false) };
         assert_eq!(retime(2).duration(0.123_4, 0.05), 1.62);
         assert_eq!(retime(2).duration(-0.48, 0.05), 1.0);
         assert_eq!(retime(2).duration(-9.0, 0.05), 0.01);

@@ -1,4 +1,4 @@
-//! Graphs of the chosen node over time: the interpolation in force strong, the other faint. Dots of the translation can be dragged.
+//! Graphs of the chosen node over time: the current interpolation strong, the other faint. Dots of the translation can be dragged.
 
 use egui::{
     Align2, Color32, CursorIcon, FontFamily, FontId, Key, Painter, PointerButton, Pos2, Rect, Response, Role, Sense,
@@ -7,8 +7,8 @@ use egui::{
 use glam::Vec3;
 
 use super::curves::{Movement, Quantity, room};
+use super::half_turn;
 use super::hit::{LEAST_GAP, Target};
-use super::luck;
 use super::paint::Look;
 use super::tips::tip;
 use crate::editor::{Command, Edit, Editor, GestureCommand, TimelineEdit};
@@ -46,7 +46,7 @@ impl Lane {
 /// A value at a keyframe.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Dot {
-    place: usize,
+    index: usize,
     axis: usize,
 }
 
@@ -103,7 +103,7 @@ impl Graphs {
         ui.ctx().set_cursor_icon(CursorIcon::ResizeVertical);
         if response.drag_started_by(PointerButton::Primary)
             && let Some(lane) = self.lanes.iter().find(|lane| lane.quantity == Quantity::Translation)
-            && let Some(keyframe) = editor.document().keyframes.get(KeyframeIndex::new(dot.place))
+            && let Some(keyframe) = editor.document().keyframes.get(KeyframeIndex::new(dot.index))
         {
             let before = keyframe.pose.get(rbt).translation;
             commands.push(Command::Gesture(GestureCommand::Begin));
@@ -124,11 +124,14 @@ impl Graphs {
         let mut translation = dragged.before;
         // A thousandth is as fine as the inspector shows.
         translation[dragged.dot.axis] = ((dragged.before[dragged.dot.axis] + by) * 1000.0).round() / 1000.0;
-        let index = KeyframeIndex::new(dragged.dot.place);
-        let is_there =
-            editor.document().keyframes.get(index).is_none_or(|it| it.pose.get(dragged.rbt).translation == translation);
+        let keyframe_index = KeyframeIndex::new(dragged.dot.index);
+        let is_there = editor
+            .document()
+            .keyframes
+            .get(keyframe_index)
+            .is_none_or(|it| it.pose.get(dragged.rbt).translation == translation);
         if !is_there && at.y != dragged.from_y {
-            let edit = TimelineEdit::SetTranslationInKeyframe(index, dragged.rbt, translation);
+            let edit = TimelineEdit::SetTranslationInKeyframe(keyframe_index, dragged.rbt, translation);
             commands.push(Command::Edit(Edit::Timeline(edit)));
         }
         if !ui.input(|input| input.pointer.any_down()) {
@@ -142,14 +145,14 @@ impl Graphs {
         if !lane.area.expand(REACH).contains(at) {
             return None;
         }
-        let place = target.columns.nearest(target.scale.time_at(at.x))?;
-        let x = target.scale.x_of(target.columns.time(place));
-        let value = editor.document().keyframes.get(KeyframeIndex::new(place))?.pose.get(rbt).translation;
+        let index = target.columns.nearest(target.scale.time_at(at.x))?;
+        let x = target.scale.x_of(target.columns.time(index));
+        let value = editor.document().keyframes.get(KeyframeIndex::new(index))?.pose.get(rbt).translation;
         (0..3)
             .map(|axis| (axis, pos2(x, lane.y_of(value[axis])).distance(at)))
             .filter(|&(_, distance)| distance <= REACH)
             .min_by(|a, b| a.1.total_cmp(&b.1))
-            .map(|(axis, _)| Dot { place, axis })
+            .map(|(axis, _)| Dot { index, axis })
     }
 
     /// Says what the pointer is over. Says whether it said something.
@@ -157,10 +160,10 @@ impl Graphs {
         let Some(at) = response.hover_pos() else { return false };
         let Some(rbt) = look.editor.session().chosen else { return false };
         if let Some(dot) = self.hovered {
-            let keyframe = look.editor.document().keyframes.get(KeyframeIndex::new(dot.place));
+            let keyframe = look.editor.document().keyframes.get(KeyframeIndex::new(dot.index));
             let value = keyframe.map_or(0.0, |keyframe| keyframe.pose.get(rbt).translation[dot.axis]);
             let heading = look.words.message(texts::keyframe_quantity(
-                dot.place.to_string(),
+                dot.index.to_string(),
                 AXES[dot.axis],
                 format!("{value:.3}"),
             ));
@@ -169,8 +172,8 @@ impl Graphs {
             return true;
         }
         let warned = warnings(look, rbt).into_iter().find(|&(x, ..)| warning_place(look, x).distance(at) <= 9.0);
-        let Some((_, place, degrees)) = warned else { return false };
-        let (from, to) = (place.to_string(), (place + 1).to_string());
+        let Some((_, index, degrees)) = warned else { return false };
+        let (from, to) = (index.to_string(), (index + 1).to_string());
         let heading = look.words.message(texts::keyframe_turns(&from, &to, format!("{degrees:.1}")));
         let body = look.words.say(texts::HALF_TURN_ADVICE);
         response.clone().on_hover_ui_at_pointer(|ui| tip(ui, &heading, body, look));
@@ -188,14 +191,14 @@ impl Graphs {
         let colour = if chosen.is_some() { tokens.accent } else { tokens.dim };
         let at = pos2(column.left() + 12.0, column.top() + ROW / 2.0);
         painter.text(at, Align2::LEFT_CENTER, node, small_font(), colour);
-        for (place, quantity) in Quantity::ALL.into_iter().enumerate() {
+        for (index, quantity) in Quantity::ALL.into_iter().enumerate() {
             #[expect(clippy::cast_precision_loss, reason = "there are four")]
-            let top = column.top() + ROW * (place as f32 + 1.0);
+            let top = column.top() + ROW * (index as f32 + 1.0);
             let row = Rect::from_x_y_ranges(column.left() + 4.0..=column.right() - 4.0, top..=top + ROW);
             let seen = row.intersect(column);
             let name = look.words.say(quantity.name());
-            let response = ui.interact(seen, ui.scope_id().with(("graph", place)), Sense::click());
-            let is_on = self.shown[place];
+            let response = ui.interact(seen, ui.scope_id().with(("graph", index)), Sense::click());
+            let is_on = self.shown[index];
             response.widget_info(|| {
                 WidgetInfo::selected(Role::CheckBox, true, is_on, look.words.message(texts::graph_of(name)))
             });
@@ -220,7 +223,7 @@ impl Graphs {
                 }
             }
             if was_pressed(&response) {
-                self.shown[place] = !is_on;
+                self.shown[index] = !is_on;
             }
         }
     }
@@ -248,11 +251,11 @@ impl Graphs {
             .collect();
         #[expect(clippy::cast_precision_loss, reason = "there are at most four")]
         let height = tracks.height() / shown.len().max(1) as f32;
-        for (place, quantity) in shown.into_iter().enumerate() {
+        for (index, quantity) in shown.into_iter().enumerate() {
             #[expect(clippy::cast_precision_loss, reason = "there are at most four")]
-            let top = tracks.top() + height * place as f32;
+            let top = tracks.top() + height * index as f32;
             let area = Rect::from_x_y_ranges(tracks.x_range(), top..=top + height);
-            if place > 0 {
+            if index > 0 {
                 painter.hline(area.x_range(), top + 0.5, Stroke::new(1.0, look.tokens.line));
             }
             let lane = self.lane(&painter, look, &range, rbt, quantity, area.shrink2(vec2(0.0, 4.0)));
@@ -277,7 +280,7 @@ impl Graphs {
         let axes = if quantity == Quantity::Translation { 3 } else { 1 };
         let in_force = document.interpolation;
         let mut curves = Vec::new();
-        // The one in force is drawn last, over the others.
+        // The current interpolation is drawn last, over the others.
         let others = Interpolation::ALL.into_iter().filter(|&other| other != in_force);
         for interpolation in others.chain([in_force]) {
             let movement =
@@ -289,7 +292,7 @@ impl Graphs {
         let in_sight = columns.within(&scale.in_sight(0.0));
         let dots = if axes == 3 && in_sight.len() < 400 { in_sight } else { 0..0 };
         let own =
-            dots.clone().flat_map(|place| document.keyframes.as_slice()[place].pose.get(rbt).translation.to_array());
+            dots.clone().flat_map(|index| document.keyframes.as_slice()[index].pose.get(rbt).translation.to_array());
         let all = curves.iter().flat_map(|(_, _, values)| values.iter().flat_map(|value| value[..axes].to_vec()));
         let least = if matches!(quantity, Quantity::Translation | Quantity::Speed) { 0.1 } else { 2.0 };
         let (low, high) = room(all.chain(own), least);
@@ -310,19 +313,19 @@ impl Graphs {
         #[expect(clippy::cast_possible_truncation, reason = "it is for points on a screen")]
         let gap = scale.view.points_per_unit as f32;
         if gap >= LEAST_GAP {
-            for place in dots {
-                self.dots(painter, look, &lane, rbt, place);
+            for index in dots {
+                self.dots(painter, look, &lane, rbt, index);
             }
         }
         scale_of_values(painter, look, &lane);
         lane
     }
 
-    fn dots(&self, painter: &Painter, look: &Look<'_>, lane: &Lane, rbt: RbtIndex, place: usize) {
-        let x = look.target.scale.x_of(look.target.columns.time(place));
-        let value = look.editor.document().keyframes.as_slice()[place].pose.get(rbt).translation;
+    fn dots(&self, painter: &Painter, look: &Look<'_>, lane: &Lane, rbt: RbtIndex, index: usize) {
+        let x = look.target.scale.x_of(look.target.columns.time(index));
+        let value = look.editor.document().keyframes.as_slice()[index].pose.get(rbt).translation;
         for axis in 0..3 {
-            let dot = Dot { place, axis };
+            let dot = Dot { index, axis };
             let is_hot = self.hovered == Some(dot) || self.dragged.is_some_and(|dragged| dragged.dot == dot);
             let colour = colour_of(look, Quantity::Translation, axis);
             let centre = pos2(x, lane.y_of(value[axis]));
@@ -384,10 +387,10 @@ fn warnings(look: &Look<'_>, rbt: RbtIndex) -> Vec<(f32, usize, f32)> {
     }
     let first = seen.start.saturating_sub(1).max(1);
     (first..seen.end.min(keyframes.len().saturating_sub(2)))
-        .filter_map(|place| {
-            let (_, degrees) = luck::nodes(keyframes, place, std::iter::once(rbt)).pop()?;
-            let middle = f64::midpoint(columns.time(place), columns.time(place + 1));
-            Some((scale.x_of(middle), place, degrees))
+        .filter_map(|index| {
+            let (_, degrees) = half_turn::nodes(keyframes, index, std::iter::once(rbt)).pop()?;
+            let middle = f64::midpoint(columns.time(index), columns.time(index + 1));
+            Some((scale.x_of(middle), index, degrees))
         })
         .collect()
 }

@@ -1,9 +1,9 @@
-//! Where the parts of the timeline stand, and which of them is at a point.
+//! Layout and hit tests of the timeline.
 
 use egui::{Pos2, Rect, pos2, vec2};
 
 use super::columns::Columns;
-use super::luck::has_luck;
+use super::half_turn::has_half_turn;
 use super::scale::Scale;
 use crate::keyframe::Easing;
 use crate::ui::theme::ROW;
@@ -31,7 +31,7 @@ const STRIP: f32 = THUMBNAIL.y + 6.0;
 /// A lower timeline has no strip: the rows come first.
 const LEAST_FOR_STRIP: f32 = 184.0;
 /// Intervals shorter than this have no room for a warning.
-const LEAST_FOR_LUCK: f32 = 44.0;
+const LEAST_FOR_WARNING: f32 = 44.0;
 /// Intervals at least this long show their easing in the middle.
 pub const LEAST_FOR_EASING: f32 = 64.0;
 /// How far from the middle of a small thing it can be taken.
@@ -100,12 +100,12 @@ pub enum Hit {
     /// The time handle of the interval that begins at a keyframe.
     Grip(usize),
     /// The warning on the interval that begins at a keyframe.
-    Luck(usize),
+    HalfTurnWarning(usize),
     /// Nothing: a drag selects what it surrounds.
     Empty,
 }
 
-/// What finding something needs to know.
+/// Everything that hit tests need.
 #[derive(Clone, Copy, Debug)]
 pub struct Target<'a> {
     /// The areas.
@@ -138,7 +138,7 @@ impl Target<'_> {
         if layout.strip.contains(at) {
             let pictures = self.thumbnails();
             let found = pictures.into_iter().find(|(_, rect)| rect.contains(at));
-            return found.map_or(Hit::Empty, |(place, _)| Hit::Diamond(place));
+            return found.map_or(Hit::Empty, |(index, _)| Hit::Diamond(index));
         }
         let row_middle = if layout.summary.contains(at) {
             Some(layout.summary.center().y)
@@ -147,15 +147,15 @@ impl Target<'_> {
         };
         let Some(row_middle) = row_middle else { return Hit::Empty };
         if layout.summary.contains(at)
-            && let Some(place) = self.grip_at(at.x)
+            && let Some(index) = self.grip_at(at.x)
         {
-            return Hit::Grip(place);
+            return Hit::Grip(index);
         }
         match self.diamond_at(at.x) {
-            Some(place) if (at.y - row_middle).abs() <= RADIUS + 3.0 => Hit::Diamond(place),
+            Some(index) if (at.y - row_middle).abs() <= RADIUS + 3.0 => Hit::Diamond(index),
             _ if layout.summary.contains(at) => {
-                let warned = self.lucks().find(|(_, x)| (x - at.x).abs() <= REACH + 3.0);
-                warned.map_or(Hit::Empty, |(place, _)| Hit::Luck(place))
+                let warned = self.half_turn_warnings().find(|(_, x)| (x - at.x).abs() <= REACH + 3.0);
+                warned.map_or(Hit::Empty, |(index, _)| Hit::HalfTurnWarning(index))
             }
             _ => Hit::Empty,
         }
@@ -175,12 +175,12 @@ impl Target<'_> {
         let seen = self.columns.within(&self.scale.in_sight(THUMBNAIL.x));
         let mut free_from = f32::NEG_INFINITY;
         let mut found = Vec::new();
-        for place in (seen.start.next_multiple_of(stride)..seen.end).step_by(stride) {
-            let x = self.scale.x_of(self.columns.time(place));
+        for index in (seen.start.next_multiple_of(stride)..seen.end).step_by(stride) {
+            let x = self.scale.x_of(self.columns.time(index));
             if x >= free_from {
                 free_from = x + least;
                 let centre = pos2(x, self.layout.strip.center().y);
-                found.push((place, Rect::from_center_size(centre, THUMBNAIL)));
+                found.push((index, Rect::from_center_size(centre, THUMBNAIL)));
             }
         }
         found
@@ -188,33 +188,33 @@ impl Target<'_> {
 
     /// The intervals in sight in which a node turns by nearly half a turn, and where their marks stand: in the middle, or beside the
     /// easing there.
-    pub fn lucks(&self) -> impl Iterator<Item = (usize, f32)> + '_ {
+    pub fn half_turn_warnings(&self) -> impl Iterator<Item = (usize, f32)> + '_ {
         let keyframes = self.columns.keyframes();
         let nodes = keyframes.first().map_or(0, |keyframe| keyframe.pose.len());
         let seen = self.columns.within(&self.scale.in_sight(0.0));
         // Where hundreds are in sight, none has room.
         let seen = if seen.len() > 200 { 0..0 } else { seen.start.saturating_sub(1)..seen.end };
-        seen.filter_map(move |place| {
-            let from = self.scale.x_of(self.columns.time(place));
-            let to = self.scale.x_of(self.columns.time_after(place));
-            if to - from < LEAST_FOR_LUCK || !has_luck(keyframes, place, 0..nodes) {
+        seen.filter_map(move |index| {
+            let from = self.scale.x_of(self.columns.time(index));
+            let to = self.scale.x_of(self.columns.time_after(index));
+            if to - from < LEAST_FOR_WARNING || !has_half_turn(keyframes, index, 0..nodes) {
                 return None;
             }
-            let has_easing = keyframes[place].easing != Easing::Linear && to - from >= LEAST_FOR_EASING;
-            Some((place, f32::midpoint(from, to) - if has_easing { 25.0 } else { 0.0 }))
+            let has_easing = keyframes[index].easing != Easing::Linear && to - from >= LEAST_FOR_EASING;
+            Some((index, f32::midpoint(from, to) - if has_easing { 25.0 } else { 0.0 }))
         })
     }
 
-    /// The keyframe whose column is at a place.
+    /// The keyframe whose column is at a horizontal position.
     #[must_use]
     pub fn diamond_at(&self, x: f32) -> Option<usize> {
-        let place = self.columns.nearest(self.scale.time_at(x))?;
-        ((self.scale.x_of(self.columns.time(place)) - x).abs() <= RADIUS + 1.5).then_some(place)
+        let index = self.columns.nearest(self.scale.time_at(x))?;
+        ((self.scale.x_of(self.columns.time(index)) - x).abs() <= RADIUS + 1.5).then_some(index)
     }
 
     fn range_handle(&self, at: Pos2) -> Option<Hit> {
         let (first, last) = self.range.filter(|_| at.y >= self.layout.ruler.bottom() - RANGE_BAR - 2.0)?;
-        let distance = |place: usize| (self.scale.x_of(self.columns.time(place)) - at.x).abs();
+        let distance = |index: usize| (self.scale.x_of(self.columns.time(index)) - at.x).abs();
         let (to_first, to_last) = (distance(first), distance(last));
         if to_first.min(to_last) > REACH + 2.0 {
             None
@@ -228,18 +228,18 @@ impl Target<'_> {
     /// Where the grip of the interval that begins at a keyframe stands, if it has one. It stands at the interval's end; that of the
     /// first at its beginning, which is the end that a change of its length moves.
     #[must_use]
-    pub fn grip_x(&self, place: usize) -> Option<f32> {
-        if place + 1 >= self.columns.len() {
+    pub fn grip_x(&self, index: usize) -> Option<f32> {
+        if index + 1 >= self.columns.len() {
             return None;
         }
-        let from = self.scale.x_of(self.columns.time(place));
-        let to = self.scale.x_of(self.columns.time(place + 1));
-        (to - from >= LEAST_FOR_GRIP).then_some(if place == 0 { from + GRIP } else { to - GRIP })
+        let from = self.scale.x_of(self.columns.time(index));
+        let to = self.scale.x_of(self.columns.time(index + 1));
+        (to - from >= LEAST_FOR_GRIP).then_some(if index == 0 { from + GRIP } else { to - GRIP })
     }
 
     fn grip_at(&self, x: f32) -> Option<usize> {
-        let place = self.columns.insertion(self.scale.time_at(x)).checked_sub(1)?;
-        self.grip_x(place).filter(|grip| (grip - x).abs() <= REACH).map(|_| place)
+        let index = self.columns.insertion(self.scale.time_at(x)).checked_sub(1)?;
+        self.grip_x(index).filter(|grip| (grip - x).abs() <= REACH).map(|_| index)
     }
 
     /// The row of a node at a height.

@@ -5,7 +5,7 @@ use egui::{Align2, Painter, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetIn
 use super::hit::Layout;
 use super::paint::Look;
 use super::rows::{Row, Subject};
-use super::{Ask, Tab, Timeline, key_menu};
+use super::{Ask, Tab, Timeline, timed_key_menu};
 use crate::editor::keymap::Binding;
 use crate::editor::{Command, ViewCommand, WindowCommand};
 use crate::pose::RbtIndex;
@@ -42,14 +42,14 @@ pub fn header(timeline: &mut Timeline, ui: &Ui, layout: &Layout, bindings: &[Bin
         }
     }
     let at =
-        |place: f32| Rect::from_center_size(pos2(layout.header.right() - 16.0 - 24.0 * place, middle), vec2(24.0, ROW));
-    for (place, icon, command, ask) in [
+        |slot: f32| Rect::from_center_size(pos2(layout.header.right() - 16.0 - 24.0 * slot, middle), vec2(24.0, ROW));
+    for (slot, icon, command, ask) in [
         (1.0, Icon::FitAll, WindowCommand::FitTimeline, Ask::FitAll),
         (0.0, Icon::FitSelection, WindowCommand::FitSelection, Ask::FitSelection),
     ] {
         let binding = binding_of(bindings, &Command::Window(command));
         let (name, key) = binding.map(|binding| (words.say(binding.title()), binding.menu_key())).unwrap_or_default();
-        if button_at(ui, at(place), icon, name, &key, true, false) {
+        if button_at(ui, at(slot), icon, name, &key, true, false) {
             timeline.ask(ask);
             ui.ctx().request_repaint();
         }
@@ -67,9 +67,9 @@ pub fn rows(timeline: &mut Timeline, ui: &Ui, look: &Look<'_>, rows: &[Row], com
     ui.painter().hline(column.x_range(), summary.bottom() - 0.5, Stroke::new(1.0, tokens.line));
     let area = column.with_min_y(summary.bottom());
     let painter = ui.painter().with_clip_rect(area.intersect(ui.clip_rect()));
-    for place in look.target.rows_in_sight() {
-        let row = &rows[place];
-        let rect = Rect::from_x_y_ranges(column.x_range(), look.target.row_rect(place).y_range());
+    for index in look.target.rows_in_sight() {
+        let row = &rows[index];
+        let rect = Rect::from_x_y_ranges(column.x_range(), look.target.row_rect(index).y_range());
         let seen = rect.intersect(area);
         match row.subject {
             Subject::Rbt { rbt, .. } => name(ui, &painter, look, (row, rbt), seen, rect, commands),
@@ -123,7 +123,7 @@ fn name(
         look.words.say(texts::CHOOSE_IT_DRAGS_MOVE_IT_AND_THE)
     };
     let response = response.on_hover_text(tip);
-    key_menu::of_rbt(&response, look.editor, row.node, commands);
+    timed_key_menu::of_rbt(&response, look.editor, row.node, commands);
     if was_pressed(&response) {
         commands.push(Command::View(ViewCommand::Choose((!is_chosen).then_some(rbt))));
     }

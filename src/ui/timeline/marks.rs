@@ -1,9 +1,9 @@
-//! What the timeline shows beside diamonds: small pictures of keyframes, and warnings on intervals.
+//! Thumbnails of keyframes and half turn warnings on the timeline.
 
 use egui::{Painter, Rect, Shape, Stroke, StrokeKind, pos2, vec2};
 
+use super::half_turn::has_half_turn;
 use super::hit::{Hit, Target};
-use super::luck::has_luck;
 use super::paint::Look;
 use super::rows::{Row, Subject};
 use crate::keyframe::KeyframeIndex;
@@ -17,16 +17,16 @@ pub fn strip(painter: &Painter, look: &Look<'_>, thumbnails: &mut Thumbnails) {
     let (tokens, editor) = (look.tokens, look.editor);
     let painter = painter.with_clip_rect(layout.strip.intersect(painter.clip_rect()));
     let current = editor.document().keyframes.current();
-    for (place, rect) in look.target.thumbnails() {
-        let index = KeyframeIndex::new(place);
-        let Some(keyframe) = columns.keyframes().get(place) else { continue };
+    for (index, rect) in look.target.thumbnails() {
+        let keyframe_index = KeyframeIndex::new(index);
+        let Some(keyframe) = columns.keyframes().get(index) else { continue };
         thumbnails.paint(&painter, rect, &keyframe.pose, tokens);
-        let is_selected = editor.session().selected.binary_search(&index).is_ok();
-        let border = if current == Some(index) {
+        let is_selected = editor.session().selected.binary_search(&keyframe_index).is_ok();
+        let border = if current == Some(keyframe_index) {
             Stroke::new(2.0, tokens.accent)
         } else if is_selected {
             Stroke::new(1.0, tokens.accent)
-        } else if look.hovered == Some(Hit::Diamond(place)) {
+        } else if look.hovered == Some(Hit::Diamond(index)) {
             Stroke::new(1.0, tokens.text)
         } else {
             Stroke::new(1.0, tokens.strong_line)
@@ -36,13 +36,14 @@ pub fn strip(painter: &Painter, look: &Look<'_>, thumbnails: &mut Thumbnails) {
 }
 
 /// Marks intervals in which a node turns by nearly half a turn: on the row of all, and on the rows of those nodes.
-pub fn luck(painter: &Painter, look: &Look<'_>, rows: &[Row]) {
+pub fn half_turns(painter: &Painter, look: &Look<'_>, rows: &[Row]) {
     let Target { layout, columns, .. } = look.target;
-    let intervals: Vec<(usize, f32)> = look.target.lucks().collect();
+    let intervals: Vec<(usize, f32)> = look.target.half_turn_warnings().collect();
     let summary = painter.with_clip_rect(layout.summary.intersect(painter.clip_rect()));
-    for &(place, x) in &intervals {
+    for &(index, x) in &intervals {
         let centre = pos2(x, layout.summary.center().y);
-        let colour = if look.hovered == Some(Hit::Luck(place)) { look.tokens.text } else { look.tokens.error };
+        let colour =
+            if look.hovered == Some(Hit::HalfTurnWarning(index)) { look.tokens.text } else { look.tokens.error };
         let behind = [centre + vec2(0.0, -9.0), centre + vec2(9.5, 7.5), centre + vec2(-9.5, 7.5)];
         summary.add(Shape::convex_polygon(behind.to_vec(), look.tokens.panel, Stroke::NONE));
         paint(&summary, Icon::Warning, centre, colour);
@@ -50,8 +51,8 @@ pub fn luck(painter: &Painter, look: &Look<'_>, rows: &[Row]) {
     let nodes = painter.with_clip_rect(layout.nodes.intersect(painter.clip_rect()));
     for row in look.target.rows_in_sight() {
         let Subject::Rbt { rbts, .. } = &rows[row].subject else { continue };
-        for &(place, x) in &intervals {
-            if has_luck(columns.keyframes(), place, rbts.clone()) {
+        for &(index, x) in &intervals {
+            if has_half_turn(columns.keyframes(), index, rbts.clone()) {
                 let line = Rect::from_center_size(pos2(x, look.target.row_middle(row)), vec2(14.0, 2.0));
                 nodes.rect_filled(line, 1.0, look.tokens.error);
             }

@@ -10,7 +10,9 @@ use super::paint::curve;
 use super::tips::{CURVES, easing_text};
 use super::{Tab, Timeline};
 use crate::editor::keymap::Binding;
-use crate::editor::{Command, Edit, Editor, PlaybackCommand, TimelineEdit, ViewCommand, WindowCommand};
+use crate::editor::{
+    ClipboardCommand, Command, Edit, Editor, PlaybackCommand, SelectionCommand, TimelineEdit, WindowCommand,
+};
 use crate::keyframe::{DURATION_RANGE, Easing, KeyframeIndex};
 use crate::ui::binding_of;
 use crate::ui::icons::was_pressed;
@@ -36,22 +38,22 @@ impl Timeline {
             && let Some(at) = response.interact_pointer_pos()
         {
             self.menu_for = match target.at(at) {
-                Hit::Diamond(place) if self.tab == Tab::Keyframes => Some(place),
+                Hit::Diamond(index) if self.tab == Tab::Keyframes => Some(index),
                 _ => None,
             };
-            if let Some(place) = self.menu_for
-                && editor.session().selected.binary_search(&KeyframeIndex::new(place)).is_err()
+            if let Some(index) = self.menu_for
+                && editor.session().selected.binary_search(&KeyframeIndex::new(index)).is_err()
             {
-                self.pick(place, editor, egui::Modifiers::NONE, commands);
+                self.pick(index, editor, egui::Modifiers::NONE, commands);
             }
         }
-        let menu_for = self.menu_for.filter(|&place| place < target.columns.len());
+        let menu_for = self.menu_for.filter(|&index| index < target.columns.len());
         let popup = Popup::context_menu(response).close_behavior(PopupCloseBehavior::CloseOnClickOutside);
         popup.show(|ui| {
             ui.set_min_width(216.0);
             ui.spacing_mut().item_spacing.y = 0.0;
             match menu_for {
-                Some(place) => self.of_keyframe(ui, place, editor, bindings, commands),
+                Some(index) => self.of_keyframe(ui, index, editor, bindings, commands),
                 None => of_nothing(ui, target, editor, bindings, commands),
             }
         });
@@ -61,28 +63,28 @@ impl Timeline {
     fn of_keyframe(
         &mut self,
         ui: &mut Ui,
-        place: usize,
+        index: usize,
         editor: &Editor,
         bindings: &[Binding],
         commands: &mut Vec<Command>,
     ) {
-        let index = KeyframeIndex::new(place);
-        let Some(keyframe) = editor.document().keyframes.get(index) else { return };
+        let keyframe_index = KeyframeIndex::new(index);
+        let Some(keyframe) = editor.document().keyframes.get(keyframe_index) else { return };
         let at_hand = editor.keyframes_at_hand().len();
         let words = Words::of(ui);
         let heading = if at_hand > 1 {
             words.message(texts::count_keyframes(at_hand))
         } else {
-            words.message(texts::keyframe_number(place.to_string()))
+            words.message(texts::keyframe_number(index.to_string()))
         };
         caption(ui, &heading);
         let rename = binding_of(bindings, &Command::Window(WindowCommand::RenameCurrent));
         let (name, key) = rename.map(|binding| (words.say(binding.title()), binding.menu_key())).unwrap_or_default();
         if row(ui, name, &key, !editor.is_playing()) {
-            self.start_renaming(editor, Some(index));
+            self.start_renaming(editor, Some(keyframe_index));
             ui.close();
         }
-        duration(ui, index, keyframe.duration, editor, commands);
+        duration(ui, keyframe_index, keyframe.duration, editor, commands);
         ui.add_enabled_ui(!editor.is_playing(), |ui| {
             ui.menu_button(words.say(texts::EASING), |ui| {
                 if let Some(easing) = easings(ui, keyframe.easing) {
@@ -94,7 +96,7 @@ impl Timeline {
         ui.separator();
         for edit in [
             Command::Edit(Edit::Timeline(TimelineEdit::DuplicateKeyframes)),
-            Command::View(ViewCommand::CopyKeyframes),
+            Command::Clipboard(ClipboardCommand::CopyKeyframes),
             Command::Edit(Edit::Timeline(TimelineEdit::CutKeyframes)),
             Command::Edit(Edit::Timeline(TimelineEdit::PasteKeyframes)),
             Command::Edit(Edit::Timeline(TimelineEdit::ReverseKeyframes)),
@@ -111,7 +113,7 @@ fn of_nothing(ui: &mut Ui, target: &Target<'_>, editor: &Editor, bindings: &[Bin
     let count = target.columns.len();
     if row(ui, words.say(texts::SELECT_ALL_KEYFRAMES), "", count > 0) {
         let all = (0..count).map(KeyframeIndex::new).collect();
-        commands.push(Command::View(ViewCommand::SelectKeyframes(all)));
+        commands.push(Command::Selection(SelectionCommand::Keyframes(all)));
         ui.close();
     }
     item(ui, editor, bindings, Command::Edit(Edit::Timeline(TimelineEdit::PasteKeyframes)), commands);
@@ -197,8 +199,8 @@ pub fn easings(ui: &mut Ui, current: Easing) -> Option<Easing> {
     egui::Grid::new("easings").spacing(vec2(GRID, GRID)).min_col_width(PICTURE.x).show(ui, |ui| {
         let words = Words::of(ui);
         let ends = ["", words.say(texts::IN), words.say(texts::OUT), words.say(texts::IN_OUT)];
-        for (place, heading) in ends.into_iter().enumerate() {
-            if place == 0 {
+        for (index, heading) in ends.into_iter().enumerate() {
+            if index == 0 {
                 ui.label("");
             } else {
                 ui.vertical_centered(|ui| ui.label(RichText::new(heading).size(10.0).color(Tokens::of(ui).dim)));

@@ -1,4 +1,4 @@
-//! How the timeline looks: ruler, rows, diamonds, playhead. Nothing here takes part in what the pointer does.
+//! Painting of the timeline: ruler, rows, diamonds, playhead. Input is handled elsewhere.
 
 use egui::text::{LayoutJob, TextWrapping};
 use egui::{Align2, Color32, FontFamily, FontId, Painter, Pos2, Rect, Shape, Stroke, pos2, vec2};
@@ -26,9 +26,9 @@ pub struct Look<'a> {
     pub editor: &'a Editor,
     /// Where everything is.
     pub target: &'a Target<'a>,
-    /// The colours in force.
+    /// The current colours.
     pub tokens: &'a Tokens,
-    /// The words in force.
+    /// The current language's words.
     pub words: Words,
     /// What the pointer is over.
     pub hovered: Option<Hit>,
@@ -59,7 +59,7 @@ pub fn ground(painter: &Painter, look: &Look<'_>) {
 
 fn played_x(look: &Look<'_>) -> Option<(f32, f32)> {
     let (first, last) = look.target.range?;
-    let x = |place: usize| look.target.scale.x_of(look.target.columns.time(place));
+    let x = |index: usize| look.target.scale.x_of(look.target.columns.time(index));
     Some((x(first), x(last)))
 }
 
@@ -117,24 +117,24 @@ fn numbers(painter: &Painter, look: &Look<'_>) {
     let mut taken = f32::NEG_INFINITY;
     let current_x = current.map(|current| scale.x_of(columns.time(current.get())));
     let groups = columns.groups(scale.in_sight(120.0), scale.units(18.0));
-    let others = groups.map(|group| group.start).filter(|&place| current != Some(KeyframeIndex::new(place)));
-    for place in current.map(KeyframeIndex::get).into_iter().chain(others) {
-        let is_current = current == Some(KeyframeIndex::new(place));
-        let x = scale.x_of(columns.time(place));
+    let others = groups.map(|group| group.start).filter(|&index| current != Some(KeyframeIndex::new(index)));
+    for index in current.map(KeyframeIndex::get).into_iter().chain(others) {
+        let is_current = current == Some(KeyframeIndex::new(index));
+        let x = scale.x_of(columns.time(index));
         if !is_current && (x < taken || current_x.is_some_and(|current| (x - current).abs() < 22.0)) {
             continue;
         }
-        let colour = match (is_current, look.hovered == Some(Hit::Diamond(place))) {
+        let colour = match (is_current, look.hovered == Some(Hit::Diamond(index))) {
             (true, _) => tokens.accent,
             (false, true) => tokens.text,
             (false, false) => tokens.dim,
         };
-        let number = painter.text(pos2(x, y), Align2::CENTER_CENTER, place, ruler_font(), colour);
-        let Some(name) = keyframes.get(place).and_then(|keyframe| keyframe.name.as_deref()) else {
+        let number = painter.text(pos2(x, y), Align2::CENTER_CENTER, index, ruler_font(), colour);
+        let Some(name) = keyframes.get(index).and_then(|keyframe| keyframe.name.as_deref()) else {
             taken = if is_current { taken } else { number.right() + 6.0 };
             continue;
         };
-        let to = scale.x_of(columns.time_after(place)).max(x + 60.0);
+        let to = scale.x_of(columns.time_after(index)).max(x + 60.0);
         let room = Rect::from_x_y_ranges(number.right() + 4.0..=to - 12.0, layout.ruler.y_range());
         let font = FontId::new(11.0, FontFamily::Proportional);
         let text = if is_current { tokens.accent } else { tokens.text };
@@ -183,7 +183,7 @@ fn groups<'a>(look: &'a Look<'a>) -> impl Iterator<Item = (f32, Group)> + 'a {
         let is_selected = selected.get(first_selected).is_some_and(|index| index.get() < group.end);
         let is_current = current.is_some_and(|current| group.contains(&current));
         let stands_for = if is_current { current.unwrap_or(group.start) } else { group.start };
-        let is_hot = matches!(look.hovered, Some(Hit::Diamond(place)) if group.contains(&place));
+        let is_hot = matches!(look.hovered, Some(Hit::Diamond(index)) if group.contains(&index));
         let steers = range.is_some() && (group.start == 0 || group.end == count) && group.len() == 1;
         let x = scale.x_of(columns.time(stands_for));
         (x, Group { start: group.start, end: group.end, is_current, is_selected, is_hot, steers })
@@ -242,17 +242,17 @@ fn intervals(painter: &Painter, look: &Look<'_>, drag: Option<&Drag>) {
         return;
     }
     let dragged = match drag {
-        Some(Drag::Retime(retime)) => Some(retime.place),
+        Some(Drag::Retime(retime)) => Some(retime.index),
         _ => None,
     };
     let before = seen.start.saturating_sub(1);
-    for (place, keyframe) in keyframes.iter().enumerate().take(seen.end).skip(before) {
-        let Some(grip) = look.target.grip_x(place) else { continue };
-        let is_hot = look.hovered == Some(Hit::Grip(place)) || dragged == Some(place);
+    for (index, keyframe) in keyframes.iter().enumerate().take(seen.end).skip(before) {
+        let Some(grip) = look.target.grip_x(index) else { continue };
+        let is_hot = look.hovered == Some(Hit::Grip(index)) || dragged == Some(index);
         let colour = if is_hot { tokens.accent } else { tokens.strong_line };
         let bar = Rect::from_center_size(pos2(grip, y), if is_hot { vec2(3.0, 12.0) } else { vec2(2.0, 8.0) });
         painter.rect_filled(bar, 1.0, colour);
-        let (from, to) = (scale.x_of(columns.time(place)), scale.x_of(columns.time(place + 1)));
+        let (from, to) = (scale.x_of(columns.time(index)), scale.x_of(columns.time(index + 1)));
         let easing = keyframe.easing;
         if easing != Easing::Linear && to - from >= LEAST_FOR_EASING {
             let middle = Rect::from_center_size(pos2(f32::midpoint(from, to), y), vec2(26.0, 14.0));
@@ -291,7 +291,7 @@ pub fn nodes(painter: &Painter, look: &Look<'_>, rows: &[Row]) {
         let Subject::Rbt { rbts, .. } = &rows[row].subject else { continue };
         for (x, group) in &groups {
             let moves = (group.start..group.end.min(group.start + LOOKED_AT))
-                .any(|place| place == 0 || differs(&keyframes[place].pose, &keyframes[place - 1].pose, rbts));
+                .any(|index| index == 0 || differs(&keyframes[index].pose, &keyframes[index - 1].pose, rbts));
             let colour = match (moves, colour(group, tokens)) {
                 (false, colour) if colour == tokens.dim => tokens.strong_line,
                 (_, colour) => colour,
@@ -339,7 +339,7 @@ pub fn dragging(painter: &Painter, look: &Look<'_>, drag: &Drag, surrounded: Opt
         }
         Drag::Move { grabbed } => insertion(painter, look, *grabbed, at),
         Drag::Retime(retime) => {
-            let Some(keyframe) = keyframes(look).get(retime.place) else { return };
+            let Some(keyframe) = keyframes(look).get(retime.index) else { return };
             let seconds = keyframe.duration * f64::from(look.editor.document().ms_between_keyframes) / 1000.0;
             let (steps, seconds) = (format!("{:.2}", keyframe.duration), format!("{seconds:.2}"));
             let text = if retime.asked.1 {
@@ -347,8 +347,8 @@ pub fn dragging(painter: &Painter, look: &Look<'_>, drag: &Drag, surrounded: Opt
             } else {
                 look.words.message(texts::steps_and_seconds(&steps, &seconds))
             };
-            let from = scale.x_of(columns.time(retime.place));
-            let to = scale.x_of(columns.time_after(retime.place));
+            let from = scale.x_of(columns.time(retime.index));
+            let to = scale.x_of(columns.time_after(retime.index));
             let y = layout.summary.bottom() + 6.0;
             let span = Stroke::new(1.5, tokens.accent);
             painter.hline(from..=to, y, span);
@@ -372,8 +372,8 @@ fn insertion(painter: &Painter, look: &Look<'_>, grabbed: usize, at: Pos2) {
     let Target { layout, scale, columns, .. } = look.target;
     let tokens = look.tokens;
     let to = columns.insertion(scale.time_at(at.x));
-    let places = look.editor.keyframes_at_hand();
-    if super::drag::moves_anything(&places, to) {
+    let indices = look.editor.keyframes_at_hand();
+    if super::drag::moves_anything(&indices, to) {
         let (first, last) = columns.ends();
         let (before, after) = (to.checked_sub(1), (to < columns.len()).then_some(to));
         let x = match (before, after) {
@@ -390,8 +390,8 @@ fn insertion(painter: &Painter, look: &Look<'_>, grabbed: usize, at: Pos2) {
     }
     let grabbed_x = scale.x_of(columns.time(grabbed));
     let colour = tokens.accent.gamma_multiply(0.6);
-    for &place in places.iter().take(100) {
-        let x = scale.x_of(columns.time(place)) - grabbed_x + at.x;
+    for &index in indices.iter().take(100) {
+        let x = scale.x_of(columns.time(index)) - grabbed_x + at.x;
         if layout.tracks.x_range().contains(x) {
             diamond(painter, pos2(x, layout.summary.center().y), RADIUS, colour, Stroke::NONE);
         }

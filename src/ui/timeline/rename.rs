@@ -39,17 +39,17 @@ impl Timeline {
         commands: &mut Vec<Command>,
     ) {
         let Some(renaming) = &mut self.renaming else { return };
-        let place = renaming.keyframe.get();
-        if place >= target.columns.len() || editor.is_playing() {
+        let index = renaming.keyframe.get();
+        if index >= target.columns.len() || editor.is_playing() {
             self.renaming = None;
             return;
         }
         let tracks = target.layout.tracks;
-        let x = target.scale.x_of(target.columns.time(place)) - 12.0;
+        let x = target.scale.x_of(target.columns.time(index)) - 12.0;
         let x = x.min(tracks.right() - NAME_FIELD - 4.0).max(tracks.left() + 4.0);
         let area = Rect::from_min_size(pos2(x, target.layout.ruler.top() + 8.0), vec2(NAME_FIELD, ROW + 2.0));
         let id = Id::unique("name of a keyframe");
-        let hint = Words::of(ui).message(texts::name_of_keyframe(place.to_string()));
+        let hint = Words::of(ui).message(texts::name_of_keyframe(index.to_string()));
         let field = TextEdit::singleline(&mut renaming.typed)
             .id(id)
             .hint_text(&hint)

@@ -1,4 +1,4 @@
-//! The rows of the timeline: the tree of nodes as far as it is unfolded, and the channels of those that have keys at their own times.
+//! The rows of the timeline: the unfolded part of the node tree, and the channels of nodes that have timed keys.
 
 use std::collections::HashSet;
 use std::ops::Range;
@@ -53,7 +53,7 @@ impl Row {
         }
     }
 
-    /// Whether its diamonds are keys at their own times.
+    /// Whether its diamonds are timed keys.
     #[must_use]
     pub const fn has_keys(&self) -> bool {
         !matches!(self.subject, Subject::Rbt { .. })
@@ -121,7 +121,7 @@ fn has_row(scene: &SceneGraph, node: &Node) -> bool {
     }
 }
 
-/// Whether a scene has rows of keys at their own times.
+/// Whether a scene has rows of timed keys.
 #[must_use]
 pub fn has_key_rows(scene: &SceneGraph) -> bool {
     scene.nodes().iter().any(|node| !matches!(node.kind, NodeKind::Rbt(_)) && has_row(scene, node))

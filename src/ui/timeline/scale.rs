@@ -1,6 +1,6 @@
-//! Where a playing time stands on the screen. Times count units of the ms between keyframes from the first played keyframe.
+//! Conversion between playing time and screen position. Times count units of the ms between keyframes from the first played keyframe.
 
-/// The closest that one can look, in points a unit.
+/// The largest zoom, in points a unit.
 pub const MOST_POINTS: f64 = 4000.0;
 /// Fewer points a unit than this and an untouched timeline scrolls instead of shrinking.
 const LEAST_AT_FIRST: f64 = 44.0;
@@ -9,7 +9,7 @@ const MOST_AT_FIRST: f64 = 168.0;
 /// Room beside the first and the last keyframe, in points.
 pub const MARGIN: f64 = 24.0;
 
-/// What part of time is in sight.
+/// The visible part of time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
     /// The time at the left edge.
@@ -27,7 +27,7 @@ impl View {
         Self { start: first - MARGIN / points_per_unit, points_per_unit }
     }
 
-    /// As a timeline is shown that nobody has zoomed: comfortable, from its beginning.
+    /// The view of a timeline that was never zoomed: a readable scale, from the beginning.
     #[must_use]
     pub fn at_first(first: f64, last: f64, width: f32) -> Self {
         let fitting = Self::fitting(first, last, width);
@@ -102,7 +102,7 @@ impl Scale {
         self.left + from_left
     }
 
-    /// The time that stands at a place.
+    /// The time at a horizontal position, in points.
     #[must_use]
     pub fn time_at(&self, x: f32) -> f64 {
         self.view.start + f64::from(x - self.left) / self.view.points_per_unit

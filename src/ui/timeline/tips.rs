@@ -1,9 +1,9 @@
-//! What is said of the thing under the pointer.
+//! Tooltips of the timeline.
 
 use egui::{Response, RichText, Ui};
 
+use super::half_turn;
 use super::hit::Hit;
-use super::luck;
 use super::paint::Look;
 use super::{Tab, Timeline};
 use crate::keyframe::{Easing, KeyframeIndex};
@@ -30,9 +30,9 @@ impl Timeline {
         let Some(hit) = self.hovered else { return };
         let words = look.words;
         let (heading, body) = match hit {
-            Hit::Diamond(place) => {
-                let (heading, body) = keyframe(look, place);
-                let pose = look.editor.document().keyframes.get(KeyframeIndex::new(place)).map(|it| &it.pose);
+            Hit::Diamond(index) => {
+                let (heading, body) = keyframe(look, index);
+                let pose = look.editor.document().keyframes.get(KeyframeIndex::new(index)).map(|it| &it.pose);
                 response.clone().on_hover_ui_at_pointer(|ui| {
                     if let Some(pose) = pose {
                         thumbnails.show_large(ui, pose);
@@ -41,11 +41,11 @@ impl Timeline {
                 });
                 return;
             }
-            Hit::Grip(place) => (
-                words.message(texts::interval_after(place.to_string(), length(look, place))),
+            Hit::Grip(index) => (
+                words.message(texts::interval_after(index.to_string(), length(look, index))),
                 words.say(texts::DRAG_TO_RETIME_IT_WITH_SHIFT_THE).to_owned(),
             ),
-            Hit::Luck(place) => luck_tip(look, place),
+            Hit::HalfTurnWarning(index) => half_turn_tip(look, index),
             Hit::RangeStart => (
                 words.say(texts::PLAYING_BEGINS_HERE).to_owned(),
                 words.say(texts::DRAG_TO_ANOTHER_KEYFRAME).to_owned(),
@@ -68,11 +68,11 @@ pub(super) fn tip(ui: &mut Ui, heading: &str, body: &str, look: &Look<'_>) {
 }
 
 /// Which nodes turn by nearly half a turn in an interval.
-fn luck_tip(look: &Look<'_>, place: usize) -> (String, String) {
-    let (from, to) = (place.to_string(), (place + 1).to_string());
+fn half_turn_tip(look: &Look<'_>, index: usize) -> (String, String) {
+    let (from, to) = (index.to_string(), (index + 1).to_string());
     let heading = look.words.message(texts::keyframe_half_turn(&from, &to));
     let scene = look.editor.scene();
-    let nodes = luck::nodes(look.editor.document().keyframes.as_slice(), place, scene.rbt_indices());
+    let nodes = half_turn::nodes(look.editor.document().keyframes.as_slice(), index, scene.rbt_indices());
     let mut lines: Vec<String> =
         nodes.iter().take(3).map(|&(rbt, degrees)| format!("{} {degrees:.1}°", scene.rbt_path(rbt))).collect();
     if nodes.len() > 3 {
@@ -99,35 +99,35 @@ pub(super) fn easing_text(easing: Easing, words: Words) -> String {
     }
 }
 
-fn length(look: &Look<'_>, place: usize) -> String {
-    let keyframe = look.editor.document().keyframes.get(KeyframeIndex::new(place));
+fn length(look: &Look<'_>, index: usize) -> String {
+    let keyframe = look.editor.document().keyframes.get(KeyframeIndex::new(index));
     let duration = keyframe.map_or(1.0, |keyframe| keyframe.duration);
     let seconds = duration * f64::from(look.editor.document().ms_between_keyframes) / 1000.0;
     look.words.message(texts::steps_and_seconds(format!("{duration:.2}"), format!("{seconds:.2}")))
 }
 
-fn keyframe(look: &Look<'_>, place: usize) -> (String, String) {
+fn keyframe(look: &Look<'_>, index: usize) -> (String, String) {
     let words = look.words;
     let keyframes = &look.editor.document().keyframes;
-    let keyframe = keyframes.get(KeyframeIndex::new(place));
+    let keyframe = keyframes.get(KeyframeIndex::new(index));
     let name = keyframe.and_then(|keyframe| keyframe.name.as_deref());
-    let heading = words.message(texts::keyframe_number(place.to_string()));
+    let heading = words.message(texts::keyframe_number(index.to_string()));
     let heading = match name {
         Some(name) => format!("{heading} · {name}"),
         None => heading,
     };
     let count = keyframes.len();
-    let steers = count >= 4 && (place == 0 || place + 1 == count);
+    let steers = count >= 4 && (index == 0 || index + 1 == count);
     let mut lines = Vec::new();
     if steers {
         lines.push(words.say(texts::IT_ONLY_STEERS_THE_SPLINE_IT_IS).to_owned());
     } else if count >= 4 {
-        let seconds = look.target.columns.time(place) * f64::from(look.editor.document().ms_between_keyframes) / 1000.0;
-        lines.push(words.message(texts::key_time_and_seconds((place - 1).to_string(), format!("{seconds:.2}"))));
+        let seconds = look.target.columns.time(index) * f64::from(look.editor.document().ms_between_keyframes) / 1000.0;
+        lines.push(words.message(texts::key_time_and_seconds((index - 1).to_string(), format!("{seconds:.2}"))));
     }
-    if place + 1 < count {
+    if index + 1 < count {
         let easing = keyframe.map_or(Easing::Linear, |keyframe| keyframe.easing);
-        lines.push(words.message(texts::then_interval(length(look, place), easing_text(easing, words))));
+        lines.push(words.message(texts::then_interval(length(look, index), easing_text(easing, words))));
     }
     (heading, lines.join("\n"))
 }

@@ -9,24 +9,24 @@ use super::*;
 use crate::editor::{Command, Edit, Editor, PlaybackCommand, WindowCommand};
 use crate::scene::{DEFAULT_SCENE, built_in_scene};
 use crate::settings::Settings;
-use crate::ui::{Ui, theme};
+use crate::ui::{Panels, theme};
 
 const SIZE_PX: [u32; 2] = [1024, 640];
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
-/// Panels without a window.
+/// PanelPainter without a window.
 struct Bench {
     gpu: Gpu,
     context: Context,
     editor: Editor,
-    ui: Ui,
+    ui: Panels,
 }
 
-/// Panels as they were laid out once.
+/// PanelPainter as they were laid out once.
 struct Layout {
     shapes: Vec<ClippedShape>,
     textures: TexturesDelta,
-    place: Place,
+    layout: WindowLayout,
 }
 
 impl Drop for Layout {
@@ -44,7 +44,7 @@ impl Bench {
         }
         let context = Context::default();
         theme::install(&context);
-        Self { gpu: Gpu::headless().expect("an adapter"), context, editor, ui: Ui::new() }
+        Self { gpu: Gpu::headless().expect("an adapter"), context, editor, ui: Panels::new() }
     }
 
     fn lay_out(&mut self, events: Vec<Event>, pixels_per_point: f32, can_copy: bool) -> Layout {
@@ -56,20 +56,24 @@ impl Bench {
         let mut shown = self.context.run_ui(input, |root| scene = self.ui.show(root, &self.editor).viewport);
         assert_eq!(shown.pixels_per_point, pixels_per_point);
         let scene = scene * pixels_per_point;
-        let place = Place {
+        let layout = WindowLayout {
             size_px: SIZE_PX,
             scene_px: Rect::from_min_max(scene.min.round(), scene.max.round()),
             pixels_per_point,
             can_copy,
         };
-        Layout { shapes: std::mem::take(&mut shown.shapes), textures: std::mem::take(&mut shown.textures_delta), place }
+        Layout {
+            shapes: std::mem::take(&mut shown.shapes),
+            textures: std::mem::take(&mut shown.textures_delta),
+            layout,
+        }
     }
 
     /// The window's pixels after an update, over a scene of one colour.
-    fn picture(&self, panels: &mut Panels, layout: &Layout) -> Vec<u8> {
+    fn picture(&self, panels: &mut PanelPainter, layout: &Layout) -> Vec<u8> {
         let Gpu { device, queue, .. } = &self.gpu;
         let mut textures = layout.textures.clone();
-        panels.update(&self.gpu, &self.context, layout.shapes.clone(), &mut textures, layout.place);
+        panels.update(&self.gpu, &self.context, layout.shapes.clone(), &mut textures, layout.layout);
         let [width, height] = SIZE_PX;
         let texture = device.create_texture(&wgpu::TextureDescriptor {
             label: None,
@@ -149,8 +153,8 @@ fn session() -> Vec<Step> {
 fn check(pixels_per_point: f32, can_copy: bool) {
     let mut bench = Bench::new();
     let mut settings = Settings::default();
-    let (mut kept, mut anew) = (Panels::new(&bench.gpu, FORMAT), Panels::new(&bench.gpu, FORMAT));
-    for (place, step) in session().into_iter().enumerate() {
+    let (mut kept, mut anew) = (PanelPainter::new(&bench.gpu, FORMAT), PanelPainter::new(&bench.gpu, FORMAT));
+    for (index, step) in session().into_iter().enumerate() {
         let mut events = Vec::new();
         match step {
             Step::Nothing => {}
@@ -163,7 +167,7 @@ fn check(pixels_per_point: f32, can_copy: bool) {
         let (kept, anew) = (bench.picture(&mut kept, &layout), bench.picture(&mut anew, &layout));
         let differing = kept.chunks_exact(4).zip(anew.chunks_exact(4)).position(|(kept, anew)| kept != anew);
         let width = SIZE_PX[0] as usize;
-        assert_eq!(differing.map(|at| (at % width, at / width)), None, "step {place}: the first pixel that differs");
+        assert_eq!(differing.map(|at| (at % width, at / width)), None, "step {index}: the first pixel that differs");
     }
 }
 
@@ -194,6 +198,6 @@ fn playing_fills_little() {
     bench.editor.tick(1);
     let after = bench.lay_out(Vec::new(), 1.0, true);
     let area: f32 = damage::between(&before.shapes, &after.shapes, 1.0).iter().map(|area| area.area()).sum();
-    let window = after.place.window().area();
+    let window = after.layout.window().area();
     assert!(area > 0.0 && area < 0.05 * window, "{:.1} % of the window", 100.0 * area / window);
 }

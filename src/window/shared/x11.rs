@@ -45,11 +45,11 @@ pub struct Shared {
     window: xproto::Window,
     context: Gcontext,
     depth: u8,
-    kept: Option<Kept>,
+    buffers: Option<Buffers>,
 }
 
 /// What pictures of one size need.
-struct Kept {
+struct Buffers {
     texture: wgpu::Texture,
     back: ReadBack,
     /// As long as the read-back's buffer, or longer.
@@ -85,7 +85,7 @@ impl Shared {
         server.create_gc(context, window, &silent).ok()?.check().ok()?;
         // A server elsewhere says only now that it cannot share.
         Memory::new(&server, 4096).ok()?.give_back(&server).ok()?;
-        Some(Self { server, window, context, depth, kept: None })
+        Some(Self { server, window, context, depth, buffers: None })
     }
 
     /// The texture to draw on: it keeps what was drawn. `configuration` says what it is to be like.
@@ -95,16 +95,16 @@ impl Shared {
         configuration: &wgpu::SurfaceConfiguration,
     ) -> Result<wgpu::Texture, SharedError> {
         let &wgpu::SurfaceConfiguration { width, height, format, .. } = configuration;
-        if let Some(kept) = &self.kept
-            && (kept.texture.width(), kept.texture.height()) == (width, height)
+        if let Some(buffers) = &self.buffers
+            && (buffers.texture.width(), buffers.texture.height()) == (width, height)
         {
-            return Ok(kept.texture.clone());
+            return Ok(buffers.texture.clone());
         }
-        let memory = self.kept.take().and_then(|kept| kept.memory);
+        let memory = self.buffers.take().and_then(|buffers| buffers.memory);
         let back = ReadBack::new(gpu, width, height)?;
         let copied_to = wgpu::TextureUsages::COPY_DST;
         let texture = gpu.picture_texture("window", format, [width, height], copied_to, &configuration.view_formats);
-        self.kept = Some(Kept { texture: texture.clone(), back, memory });
+        self.buffers = Some(Buffers { texture: texture.clone(), back, memory });
         Ok(texture)
     }
 
@@ -117,7 +117,7 @@ impl Shared {
         before: Vec<wgpu::CommandBuffer>,
         encoder: wgpu::CommandEncoder,
     ) -> Result<(), SharedError> {
-        let Kept { texture, back, memory } = self.kept.as_mut().expect("there is a texture to draw on");
+        let Buffers { texture, back, memory } = self.buffers.as_mut().expect("there is a texture to draw on");
         back.submit(gpu, before, encoder, texture);
         let drawn = match back.read(gpu) {
             Ok(drawn) => drawn,

@@ -1,4 +1,4 @@
-//! Where keys at their own times stand on the timeline, and which of them is at a point.
+//! Positions of timed keys on the timeline, and hit tests for them.
 
 use std::sync::Arc;
 
@@ -77,7 +77,7 @@ pub(super) fn ends_of_selection(editor: &Editor) -> Option<(f64, f64)> {
 pub(super) fn scrubbing(target: &Target<'_>, editor: &Editor, x: f32) -> Option<Command> {
     let view = KeyView { editor, target, rows: &[] };
     let seconds = view.tidy_at(x).max(0.0);
-    let is_there = editor.holds_seconds() && (editor.seconds() - seconds).abs() < 1e-9;
+    let is_there = editor.holds_timed_keys() && (editor.seconds() - seconds).abs() < 1e-9;
     (has_key_rows(editor.scene()) && !is_there).then_some(Command::View(ViewCommand::ScrubSeconds(seconds)))
 }
 
@@ -92,7 +92,7 @@ impl KeyView<'_> {
         self.target.scale.units(points) * seconds_per_unit(self.editor)
     }
 
-    /// The time that stands at a place.
+    /// The time at a horizontal position, in points.
     pub fn seconds_at(&self, x: f32) -> f64 {
         self.target.scale.time_at(x) * seconds_per_unit(self.editor)
     }
@@ -155,7 +155,7 @@ impl KeyView<'_> {
         }
         let columns = self.target.columns;
         let unit = seconds_per_unit(self.editor);
-        let keyframe = columns.nearest(seconds / unit).map(|place| columns.time(place) * unit);
+        let keyframe = columns.nearest(seconds / unit).map(|index| columns.time(index) * unit);
         let mut candidates: Vec<f64> = keyframe.into_iter().chain([0.0, playhead(self.editor)]).collect();
         for row in (0..self.rows.len()).filter(|&row| self.rows[row].has_keys()) {
             for (track, times) in self.tracks(row).into_iter().zip(self.times(row)) {
@@ -171,7 +171,7 @@ impl KeyView<'_> {
 /// The time nearest to one.
 fn nearest(times: &[f64], seconds: f64) -> Option<f64> {
     let after = times.partition_point(|&at| at <= seconds);
-    let beside = [after.checked_sub(1), Some(after)].into_iter().flatten().filter_map(|place| times.get(place));
+    let beside = [after.checked_sub(1), Some(after)].into_iter().flatten().filter_map(|index| times.get(index));
     beside.copied().min_by(|a, b| (a - seconds).abs().total_cmp(&(b - seconds).abs()))
 }
 

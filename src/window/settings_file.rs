@@ -1,4 +1,4 @@
-//! The settings between one start and the next: read once, written when they change.
+//! The settings file: read at the start, written when a setting changes.
 
 use std::path::PathBuf;
 
@@ -9,27 +9,27 @@ use crate::words::{Language, Message, texts};
 
 /// The settings and their file.
 #[derive(Debug)]
-pub struct Kept {
+pub struct SettingsFile {
     /// The settings.
     pub settings: Settings,
-    /// Where they are kept; `None` where the system has no place for them.
+    /// The file's path; `None` if the system has no folder for settings.
     path: Option<PathBuf>,
-    /// Whether the file holds what was not understood, and must not be lost.
+    /// Whether the file could not be understood. It is then copied before it is overwritten.
     is_foreign: bool,
 }
 
-impl Kept {
-    /// What was kept, and what to say where that could not be read; the usual settings are in force then.
+impl SettingsFile {
+    /// Reads the settings. If they cannot be read, returns the defaults and a message.
     pub fn read() -> (Self, Option<Message>) {
         let usual = Settings { language: system_language(), ..Settings::default() };
         Self::read_from(storage::settings_path(), usual)
     }
 
     fn read_from(path: Option<PathBuf>, usual: Settings) -> (Self, Option<Message>) {
-        let kept = |settings, path, is_foreign| Self { settings, path, is_foreign };
-        let Some(path) = path else { return (kept(usual, None, false), None) };
+        let file = |settings, path, is_foreign| Self { settings, path, is_foreign };
+        let Some(path) = path else { return (file(usual, None, false), None) };
         if !storage::exists(&path) {
-            return (kept(usual, Some(path), false), None);
+            return (file(usual, Some(path), false), None);
         }
         let settings = storage::read(&path, LARGEST_SETTINGS_BYTES)
             .map_err(|error| error.message())
@@ -38,16 +38,16 @@ impl Kept {
             Ok(settings) => {
                 // Older settings name bindings in English; the next time they are written, it is by ids.
                 let keys = by_id(&settings.keys);
-                (kept(Settings { keys, ..settings }, Some(path), false), None)
+                (file(Settings { keys, ..settings }, Some(path), false), None)
             }
             Err(reason) => {
                 let said = texts::settings_not_understood(path.display(), reason);
-                (kept(usual, Some(path), true), Some(said))
+                (file(usual, Some(path), true), Some(said))
             }
         }
     }
 
-    /// Writes the settings. Says where the file is that stood there, if it was not understood.
+    /// Writes the settings. Returns a message with the copy's path if a file that was not understood was copied.
     pub fn write(&mut self) -> Result<Option<Message>, Message> {
         let Some(path) = &self.path else { return Ok(None) };
         let failed = |error: storage::StorageError| {
@@ -83,12 +83,12 @@ mod tests {
     fn settings_are_kept() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("inbetween").join("settings.json");
-        let (mut kept, problem) = Kept::read_from(Some(path.clone()), Settings::default());
+        let (mut file, problem) = SettingsFile::read_from(Some(path.clone()), Settings::default());
         assert_eq!(problem, None);
-        kept.settings.scale_percent = 150;
-        assert_eq!(kept.write(), Ok(None));
-        let (again, problem) = Kept::read_from(Some(path), Settings::default());
-        assert_eq!((again.settings, problem), (kept.settings, None));
+        file.settings.scale_percent = 150;
+        assert_eq!(file.write(), Ok(None));
+        let (again, problem) = SettingsFile::read_from(Some(path), Settings::default());
+        assert_eq!((again.settings, problem), (file.settings, None));
     }
 
     #[test]
@@ -96,14 +96,14 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("settings.json");
         storage::write(&path, b"{ \"version\": 9").unwrap();
-        let (mut kept, problem) = Kept::read_from(Some(path.clone()), Settings::default());
-        assert_eq!(kept.settings, Settings::default());
+        let (mut file, problem) = SettingsFile::read_from(Some(path.clone()), Settings::default());
+        assert_eq!(file.settings, Settings::default());
         assert!(problem.unwrap().to_string().contains("line 1 column"));
-        let sentence = kept.write().unwrap().unwrap().to_string();
+        let sentence = file.write().unwrap().unwrap().to_string();
         let copy = folder.path().join("settings.json.bak");
         assert!(sentence.contains(&copy.display().to_string()), "{sentence}");
         assert_eq!(storage::read(&copy, 100).unwrap(), b"{ \"version\": 9");
-        assert_eq!(kept.write(), Ok(None));
+        assert_eq!(file.write(), Ok(None));
         assert!(Settings::from_json(&storage::read(&path, 1000).unwrap()).is_ok());
     }
 
@@ -114,9 +114,9 @@ mod tests {
         let old =
             r#"{"format": "inbetween.settings", "version": 1, "keys": {"New keyframe": ["F5"], "arcball": ["F6"]}}"#;
         std::fs::write(&path, old).unwrap();
-        let (mut kept, problem) = Kept::read_from(Some(path.clone()), Settings::default());
+        let (mut file, problem) = SettingsFile::read_from(Some(path.clone()), Settings::default());
         assert_eq!(problem, None);
-        assert_eq!(kept.write(), Ok(None));
+        assert_eq!(file.write(), Ok(None));
         let text = std::fs::read_to_string(&path).unwrap();
         let json: serde_json::Value = serde_json::from_str(&text).unwrap();
         assert_eq!(json["keys"], serde_json::json!({"keyframe-new": ["F5"], "arcball": ["F6"]}));

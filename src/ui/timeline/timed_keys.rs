@@ -1,12 +1,12 @@
-//! What clicks and drags do in the rows of keys at their own times.
+//! Clicks and drags in the rows of timed keys.
 
 use egui::{CursorIcon, Key, Modifiers, PointerButton, Pos2, Rect, Response, Ui, pos2};
 
 use super::drag::{Mode, mode_of};
 use super::hit::Target;
-use super::key_menu::Menu;
-use super::key_view::{KeyHit, KeyView};
-use crate::editor::{Command, Edit, GestureCommand, KeyAt, SceneEdit, ViewCommand};
+use super::timed_key_menu::Menu;
+use super::timed_key_view::{KeyHit, KeyView};
+use crate::editor::{Command, Edit, GestureCommand, KeyAt, SceneEdit, SelectionCommand, ViewCommand};
 
 /// A drag that goes on.
 #[derive(Clone, Debug, PartialEq)]
@@ -56,8 +56,8 @@ impl Keys {
             self.go_on(ui, view, at, modifiers, commands);
             return true;
         }
-        let place = pressed_at.or(at).filter(|_| response.hovered() || response.is_pointer_button_down_on());
-        let hit = place.and_then(|place| view.at(place));
+        let under = pressed_at.or(at).filter(|_| response.hovered() || response.is_pointer_button_down_on());
+        let hit = under.and_then(|under| view.at(under));
         self.hovered = hit;
         let (Some(hit), false) = (hit, ui.input(|input| input.pointer.middle_down())) else {
             self.hovered = None;
@@ -98,7 +98,7 @@ impl Keys {
         let under = view.keys_at(hit.row, grabbed);
         let keys = if under.iter().all(|key| before.contains(key)) { before.clone() } else { under };
         if keys != before {
-            commands.push(Command::View(ViewCommand::SelectKeys(keys.clone())));
+            commands.push(Command::Selection(SelectionCommand::TimedKeys(keys.clone())));
         }
         commands.push(Command::Gesture(GestureCommand::Begin));
         self.drag = Some(KeyDrag::Move { keys, grabbed, from_x: from.x, asked: 0.0, before });
@@ -119,7 +119,7 @@ impl Keys {
                 commands.push(Command::Gesture(GestureCommand::Abort));
             }
             let (KeyDrag::Move { before, .. } | KeyDrag::Box { before, .. }) = drag;
-            commands.push(Command::View(ViewCommand::SelectKeys(std::mem::take(before))));
+            commands.push(Command::Selection(SelectionCommand::TimedKeys(std::mem::take(before))));
             self.drag = None;
             return;
         }
@@ -145,7 +145,7 @@ impl Keys {
                     let keys = combined(before, taken, *mode);
                     let selected = &view.editor.session().selected_keys;
                     if keys.len() != selected.len() || !keys.iter().all(|key| selected.contains(key)) {
-                        commands.push(Command::View(ViewCommand::SelectKeys(keys)));
+                        commands.push(Command::Selection(SelectionCommand::TimedKeys(keys)));
                     }
                 }
             }
@@ -195,12 +195,12 @@ pub(super) fn pick(view: &KeyView<'_>, hit: KeyHit, modifiers: Modifiers, comman
     let mode = mode_of(modifiers);
     let Some(seconds) = hit.key else {
         if mode == Mode::Replace && !selected.is_empty() {
-            commands.push(Command::View(ViewCommand::SelectKeys(Vec::new())));
+            commands.push(Command::Selection(SelectionCommand::TimedKeys(Vec::new())));
         }
         return;
     };
     let keys = combined(selected, view.keys_at(hit.row, seconds), mode);
-    commands.push(Command::View(ViewCommand::SelectKeys(keys)));
+    commands.push(Command::Selection(SelectionCommand::TimedKeys(keys)));
     if mode == Mode::Replace && seconds >= 0.0 && !view.editor.is_playing() {
         commands.push(Command::View(ViewCommand::ScrubSeconds(seconds)));
     }

@@ -1,8 +1,8 @@
-//! The keys of every command, which are changed by pressing others.
+//! The dialog that lists and changes hotkeys.
 
 use egui::{Align, Button, Event, Layout, RichText, ScrollArea, Ui, vec2};
 
-use super::Shown;
+use super::PanelInput;
 use super::icons::{Icon, paint, was_pressed};
 use super::theme::{GRID, ROW, Tokens, text_font};
 use super::words::Words;
@@ -13,40 +13,40 @@ use crate::words::texts;
 /// Width of the dialog, in points.
 const WIDTH: f32 = 560.0;
 
-/// What is going on in the dialog.
+/// The state of the dialog.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct KeysDialog {
-    /// Which key of which binding waits for a press.
+pub struct HotkeysDialog {
+    /// The id of the binding and the index of its hotkey that wait for a press.
     waiting: Option<(&'static str, usize)>,
     /// Why the last press was refused.
     refused: Option<String>,
 }
 
-/// What came of showing it.
+/// Whether the dialog stays open.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Outcome {
+pub enum DialogState {
     /// It stays.
     Stays,
-    /// It stays, and Escape was for what waits in it.
+    /// It stays open: Escape ended the wait for a press.
     TookEscape,
     /// It is over.
     IsOver,
 }
 
-impl KeysDialog {
+impl HotkeysDialog {
     /// Shows it.
-    pub fn show(&mut self, ui: &mut Ui, shown: Shown<'_>, commands: &mut Vec<Command>) -> Outcome {
+    pub fn show(&mut self, ui: &mut Ui, shown: PanelInput<'_>, commands: &mut Vec<Command>) -> DialogState {
         let words = Words::of(ui);
         ui.set_width(WIDTH);
-        let mut outcome = Outcome::Stays;
-        if let Some((id, place)) = self.waiting {
+        let mut outcome = DialogState::Stays;
+        if let Some((id, index)) = self.waiting {
             match press(ui) {
                 Some(Pressed::Nothing) => {
                     self.waiting = None;
-                    outcome = Outcome::TookEscape;
+                    outcome = DialogState::TookEscape;
                 }
-                Some(Pressed::Removes) => self.change(shown, id, place, None, words, commands),
-                Some(Pressed::Chord(chord)) => self.change(shown, id, place, Some(chord), words, commands),
+                Some(Pressed::Removes) => self.change(shown, id, index, None, words, commands),
+                Some(Pressed::Chord(chord)) => self.change(shown, id, index, Some(chord), words, commands),
                 None => {}
             }
         }
@@ -66,7 +66,7 @@ impl KeysDialog {
             }
         });
         ui.add_space(2.0 * GRID);
-        // There is always room for the sentence, so that nothing jumps.
+        // Reserve the space for the message, so that nothing moves when it appears.
         let refused = self.refused.clone().unwrap_or_default();
         ui.add_sized(
             vec2(WIDTH, ROW),
@@ -74,12 +74,12 @@ impl KeysDialog {
         );
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if ui.button(words.say(texts::CLOSE)).clicked() {
-                outcome = Outcome::IsOver;
+                outcome = DialogState::IsOver;
             }
             let is_changed = !shown.keymap.changes().is_empty();
             if ui.add_enabled(is_changed, Button::new(words.say(texts::RESET_ALL))).clicked() {
                 self.begin(None);
-                commands.push(Command::Window(WindowCommand::ResetAllKeys));
+                commands.push(Command::Window(WindowCommand::ResetAllHotkeys));
             }
         });
         outcome
@@ -95,8 +95,8 @@ impl KeysDialog {
             ui.painter().text(at, egui::Align2::LEFT_CENTER, name, text_font(), Tokens::of(ui).text);
             label.on_hover_text(words.say(binding.explanation()));
             let is_fixed = !can_change(binding);
-            for (place, chord) in binding.chords.iter().enumerate() {
-                self.cap(ui, binding, place, &chord.label(), is_fixed, words);
+            for (index, chord) in binding.chords.iter().enumerate() {
+                self.cap(ui, binding, index, &chord.label(), is_fixed, words);
             }
             let next = binding.chords.len();
             if !is_fixed {
@@ -108,22 +108,22 @@ impl KeysDialog {
                 reset.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, &says));
                 if was_pressed(&reset) {
                     self.begin(None);
-                    commands.push(Command::Window(WindowCommand::ResetKeys(binding.id)));
+                    commands.push(Command::Window(WindowCommand::ResetHotkeys(binding.id)));
                 }
             }
         });
     }
 
-    /// The cap of a key, or of one more.
-    fn cap(&mut self, ui: &mut Ui, binding: &Binding, place: usize, label: &str, is_fixed: bool, words: Words) {
+    /// Draws one hotkey as a key cap, or the cap that adds one.
+    fn cap(&mut self, ui: &mut Ui, binding: &Binding, index: usize, label: &str, is_fixed: bool, words: Words) {
         let tokens = Tokens::of(ui);
-        let is_waiting = self.waiting == Some((binding.id, place));
+        let is_waiting = self.waiting == Some((binding.id, index));
         let text = if is_waiting {
             RichText::new(words.say(texts::PRESS_A_KEY)).color(tokens.accent)
         } else {
             RichText::new(label).monospace()
         };
-        let is_more = place == binding.chords.len();
+        let is_more = index == binding.chords.len();
         let mut button = Button::new(text).min_size(vec2(ROW, ROW)).frame_when_inactive(!is_more);
         if is_waiting {
             button = button.stroke(egui::Stroke::new(1.0, tokens.accent));
@@ -142,7 +142,7 @@ impl KeysDialog {
         if response.clicked() {
             // The next press is not for the button.
             response.surrender_focus();
-            self.begin(Some((binding.id, place)));
+            self.begin(Some((binding.id, index)));
         }
     }
 
@@ -153,29 +153,29 @@ impl KeysDialog {
 
     fn change(
         &mut self,
-        shown: Shown<'_>,
+        shown: PanelInput<'_>,
         id: &'static str,
-        place: usize,
+        index: usize,
         chord: Option<Chord>,
         words: Words,
         commands: &mut Vec<Command>,
     ) {
         self.begin(None);
         let mut chords = shown.keymap.get(id).map(|binding| binding.chords.clone()).unwrap_or_default();
-        if place < chords.len() {
-            chords.remove(place);
+        if index < chords.len() {
+            chords.remove(index);
         }
         if let Some(chord) = chord.filter(|chord| !chords.contains(chord)) {
-            chords.insert(place.min(chords.len()), chord);
+            chords.insert(index.min(chords.len()), chord);
         }
         match shown.keymap.clash(id, &chords) {
             Some(error) => self.refused = Some(words.message(error.message())),
-            None => commands.push(Command::Window(WindowCommand::SetKeys(id, chords))),
+            None => commands.push(Command::Window(WindowCommand::SetHotkeys(id, chords))),
         }
     }
 }
 
-/// What a press means to a key that waits.
+/// What a press does to the hotkey that waits for it.
 enum Pressed {
     /// Leave it as it is.
     Nothing,
@@ -194,7 +194,7 @@ fn press(ui: &Ui) -> Option<Pressed> {
         input.events = others;
         keyboard
     });
-    // A sign is what the layout types, wherever it stands on the board.
+    // Signs are matched by the character that the layout types.
     let typed = events.iter().find_map(|event| match event {
         Event::Text(text) => text.chars().next().filter(|sign| !sign.is_alphanumeric() && !sign.is_whitespace()),
         _ => None,
@@ -220,7 +220,7 @@ fn chord(key: egui::Key, typed: Option<char>, modifiers: Modifiers) -> Option<Ch
         let mut characters = name.chars();
         characters.next().filter(|_| characters.next().is_none()).map(Key::typing)
     };
-    // Its sign is the one for people.
+    // Show the sign that is printed on the key.
     let minus = (key == egui::Key::Minus).then_some(Key::Character('-'));
     let key = named.or(minus).or_else(|| one(key.name())).or_else(|| one(key.symbol_or_name()))?;
     Some(Chord { key, modifiers })

@@ -1,33 +1,33 @@
-//! From the window system's key events to presses that the table of bindings knows.
+//! Translates key events of the window system to [`KeyPress`]es of the keymap.
 
 use winit::event::{ElementState, KeyEvent};
 use winit::keyboard::{Key as LogicalKey, KeyCode, ModifiersState, NamedKey, PhysicalKey};
 
 use crate::editor::keymap::{Key, KeyPress, Modifiers};
 
-/// What of a key event matters, as plain data.
+/// The relevant part of a key event, as plain data.
 #[derive(Clone, Debug, PartialEq)]
 pub struct KeyInput {
-    /// The key's place on the board.
-    pub place: Option<KeyCode>,
-    /// What the layout in force makes of it.
+    /// The position of the key on the keyboard.
+    pub physical: Option<KeyCode>,
+    /// The key by the current keyboard layout.
     pub logical: LogicalKey,
     /// Whether it went down, not up.
     pub is_pressed: bool,
-    /// Whether it comes from holding the key down.
+    /// Whether it repeats because the key is held down.
     pub is_repeat: bool,
-    /// Whether no finger did it: the window got the focus while the key was down.
+    /// Whether the window system made it up because the focus changed while the key was down.
     pub is_synthetic: bool,
-    /// What is held with it.
+    /// The modifiers that are held.
     pub modifiers: Modifiers,
 }
 
 impl KeyInput {
-    /// What of an event matters.
+    /// From a window system's event.
     #[must_use]
     pub fn new(event: &KeyEvent, is_synthetic: bool, modifiers: ModifiersState) -> Self {
         Self {
-            place: match event.physical_key {
+            physical: match event.physical_key {
                 PhysicalKey::Code(code) => Some(code),
                 PhysicalKey::Unidentified(_) => None,
             },
@@ -49,12 +49,12 @@ impl KeyInput {
         typed(&self.logical) == Some(Key::Space)
     }
 
-    /// The press that it is, whether the key goes down or up; `None` where no finger did it.
+    /// The press that it is, whether the key goes down or up; `None` if it is synthetic.
     #[must_use]
     pub fn press(&self) -> Option<KeyPress> {
         (!self.is_synthetic).then(|| KeyPress {
             typed: typed(&self.logical),
-            placed: self.place.and_then(|place| placed(place, self.modifiers.shift)),
+            on_us_layout: self.physical.and_then(|physical| on_us_layout(physical, self.modifiers.shift)),
             modifiers: self.modifiers,
             is_repeat: self.is_repeat,
         })
@@ -104,10 +104,10 @@ const fn without_character(named: NamedKey) -> Option<Key> {
     })
 }
 
-/// What a US board has in a place.
-fn placed(place: KeyCode, shift: bool) -> Option<Key> {
+/// The key at a position of a US keyboard.
+fn on_us_layout(physical: KeyCode, shift: bool) -> Option<Key> {
     let with_shift = |plain, shifted| if shift { shifted } else { plain };
-    Some(Key::Character(match place {
+    Some(Key::Character(match physical {
         KeyCode::KeyA => 'a',
         KeyCode::KeyB => 'b',
         KeyCode::KeyC => 'c',
@@ -213,9 +213,9 @@ mod tests {
     const CTRL: Modifiers = Modifiers { ctrl: true, ..PLAIN };
     const CTRL_SHIFT: Modifiers = Modifiers { shift: true, ..CTRL };
 
-    fn input(logical: &str, place: KeyCode, modifiers: Modifiers) -> KeyInput {
+    fn input(logical: &str, physical: KeyCode, modifiers: Modifiers) -> KeyInput {
         KeyInput {
-            place: Some(place),
+            physical: Some(physical),
             logical: LogicalKey::Character(logical.into()),
             is_pressed: true,
             is_repeat: false,
@@ -229,8 +229,12 @@ mod tests {
     }
 
     #[track_caller]
-    fn check(logical: &str, place: KeyCode, modifiers: Modifiers, expected: Option<&str>) {
-        assert_eq!(name(&input(logical, place, modifiers)), expected, "{logical} on {place:?} with {modifiers:?}");
+    fn check(logical: &str, physical: KeyCode, modifiers: Modifiers, expected: Option<&str>) {
+        assert_eq!(
+            name(&input(logical, physical, modifiers)),
+            expected,
+            "{logical} on {physical:?} with {modifiers:?}"
+        );
     }
 
     #[test]
@@ -287,7 +291,7 @@ mod tests {
 
     #[test]
     fn named_keys() {
-        let named = |key, place| KeyInput { logical: LogicalKey::Named(key), ..input("", place, PLAIN) };
+        let named = |key, physical| KeyInput { logical: LogicalKey::Named(key), ..input("", physical, PLAIN) };
         assert_eq!(name(&named(NamedKey::Escape, KeyCode::Escape)), Some("Cancel"));
         assert_eq!(name(&named(NamedKey::F11, KeyCode::F11)), Some("Panels"));
         assert_eq!(name(&named(NamedKey::Space, KeyCode::Space)), Some("Display keyframe"));

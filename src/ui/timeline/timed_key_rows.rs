@@ -1,15 +1,15 @@
-//! How the rows of keys at their own times look: names, diamonds, the playhead of their clock.
+//! Drawing of the timed key rows: names, diamonds, the playhead of their clock.
 
 use egui::{Align2, Color32, Painter, Rect, Response, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
 
 use super::hit::SMALL_RADIUS;
-use super::key_view::{KeyHit, KeyView, playhead};
-use super::keys::{Keys, add, pick, scene};
 use super::labels::depth;
 use super::paint::{Look, label};
 use super::rows::{Row, Subject, has_key_rows};
+use super::timed_key_view::{KeyHit, KeyView, playhead};
+use super::timed_keys::{Keys, add, pick, scene};
 use super::tips::tip;
-use crate::editor::{Command, KeyAt, SceneEdit, ViewCommand};
+use crate::editor::{Command, KeyAt, SceneEdit, SelectionCommand};
 use crate::scene::{Channel, KeyValue};
 use crate::ui::angles::degrees_from_rotation;
 use crate::ui::icons::{Icon, button_at, diamond, was_pressed};
@@ -51,8 +51,8 @@ fn seen(times: &[f64], view: &KeyView<'_>) -> Vec<f64> {
     let mut seen = Vec::new();
     let mut next = from;
     loop {
-        let place = times.partition_point(|&at| at < next);
-        let Some(&at) = times.get(place).filter(|&&at| at <= to) else { return seen };
+        let index = times.partition_point(|&at| at < next);
+        let Some(&at) = times.get(index).filter(|&&at| at <= to) else { return seen };
         seen.push(at);
         next = at + gap;
     }
@@ -77,8 +77,8 @@ impl Keys {
             painter.rect_stroke(rect, 2.0, Stroke::new(1.0, tokens.accent), egui::StrokeKind::Inside);
         }
         if let Some((seconds, by)) = self.dragged() {
-            let place = pos2(view.x_of(seconds), (at.y - 22.0).max(look.target.layout.tracks.top() + 10.0));
-            label(painter, look, place, &format!("{seconds:.3} s  ({by:+.3})"));
+            let label_at = pos2(view.x_of(seconds), (at.y - 22.0).max(look.target.layout.tracks.top() + 10.0));
+            label(painter, look, label_at, &format!("{seconds:.3} s  ({by:+.3})"));
         }
     }
 
@@ -210,7 +210,7 @@ impl Keys {
             let keys = tracks.flat_map(|(track, times)| {
                 times.iter().map(move |&seconds| KeyAt { track: track.clone(), seconds }).collect::<Vec<_>>()
             });
-            commands.push(Command::View(ViewCommand::SelectKeys(keys.collect())));
+            commands.push(Command::Selection(SelectionCommand::TimedKeys(keys.collect())));
         }
     }
 

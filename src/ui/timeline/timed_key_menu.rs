@@ -9,12 +9,14 @@ use egui::{
 use glam::Vec3;
 
 use super::drag_of_number;
-use super::key_rows::{channel_name, put_control_above};
-use super::key_view::{KeyHit, KeyView, playhead};
-use super::keys::{Keys, add, pick, scene};
 use super::rows::Subject;
+use super::timed_key_rows::{channel_name, put_control_above};
+use super::timed_key_view::{KeyHit, KeyView, playhead};
+use super::timed_keys::{Keys, add, pick, scene};
 use crate::colour::Colour;
-use crate::editor::{Command, Edit, Editor, GestureCommand, KeyAt, SceneEdit, TimelineEdit, TrackPath, ViewCommand};
+use crate::editor::{
+    Command, Edit, Editor, GestureCommand, KeyAt, SceneEdit, SelectionCommand, TimelineEdit, TrackPath,
+};
 use crate::scene::{Channel, KeyValue, NodeId, NodeKind};
 use crate::ui::angles::{degrees_from_rotation, rotation_from_degrees};
 use crate::ui::icons::was_pressed;
@@ -213,8 +215,8 @@ fn value(ui: &mut Ui, menu: &mut Menu, editor: &Editor, id: NodeId, key: &KeyAt,
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = GRID;
         ui.add_space(2.0);
-        for (place, name) in names.into_iter().enumerate() {
-            let mut number = DragValue::new(&mut numbers[place]).speed(speed).max_decimals(decimals);
+        for (index, name) in names.into_iter().enumerate() {
+            let mut number = DragValue::new(&mut numbers[index]).speed(speed).max_decimals(decimals);
             number = match value {
                 KeyValue::Colour(_) => number.range(0.0..=255.0),
                 KeyValue::Scale(_) => number.range(1e-6..=1e6),
@@ -272,7 +274,7 @@ fn of_row(ui: &mut Ui, menu: &mut Menu, view: &KeyView<'_>, row: usize, commands
         .collect();
     let has_some = !all.is_empty();
     if item(ui, words.say(texts::SELECT_ALL_KEYS_OF_THE_ROW), "", has_some) {
-        commands.push(Command::View(ViewCommand::SelectKeys(all)));
+        commands.push(Command::Selection(SelectionCommand::TimedKeys(all)));
     }
     if matches!(menu.subject, Subject::Channel(_)) {
         return;

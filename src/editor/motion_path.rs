@@ -22,7 +22,7 @@ impl Editor {
     /// The node whose path is shown: the chosen one, unless it is the eye, whose path would end at itself.
     #[must_use]
     pub fn path_node(&self) -> Option<RbtIndex> {
-        self.session.chosen.filter(|&chosen| self.session.shows_path && chosen != self.eye())
+        self.session.chosen.filter(|&chosen| self.session.shows_motion_path && chosen != self.eye())
     }
 
     /// The dot of a keyframe, where there is a path and the keyframe is in the list.
@@ -46,19 +46,19 @@ impl Editor {
         let current = self.document.keyframes.current();
         let arcball = self.manipulation(camera).arcball.filter(|_| self.session.shows_arcball);
         (0..self.document.keyframes.len())
-            .filter_map(|place| {
-                let dot = self.path_dot(KeyframeIndex::new(place))?;
+            .filter_map(|index| {
+                let dot = self.path_dot(KeyframeIndex::new(index))?;
                 let (seen_px, _) = camera.project(dot.centre_in_world)?;
                 let distance = seen_px.distance(at_px);
-                let is_the_ball_s = Some(dot.keyframe) == current
+                let is_under_arcball = Some(dot.keyframe) == current
                     && arcball.is_some_and(|ball| ball.centre_px.distance(seen_px) < ball.radius_px);
-                (distance <= reach_px && !is_the_ball_s).then_some((distance, dot))
+                (distance <= reach_px && !is_under_arcball).then_some((distance, dot))
             })
             .min_by(|a, b| a.0.total_cmp(&b.0))
             .map(|(_, dot)| dot)
     }
 
-    /// Where a node goes in a keyframe, in its parent's space, when its dot is moved by so many pixels (y down) in the plane through it
+    /// Where a node goes in a keyframe, in its parent's space, when its dot is moved by `by_px` pixels (y down) in the plane through it
     /// that is parallel to the view. `None` where the dot is behind the eye, or its parent has no inverse.
     #[must_use]
     pub fn path_dot_moved(&self, camera: &Camera, dot: PathDot, by_px: Vec2) -> Option<Vec3> {

@@ -1,4 +1,4 @@
-//! Intervals in which a node turns by nearly half a turn: which way round it goes hangs on the last digits.
+//! Intervals in which a node turns by nearly 180 degrees: rounding decides the direction of the turn.
 
 use std::ops::Range;
 
@@ -7,9 +7,9 @@ use glam::Quat;
 use crate::keyframe::{Easing, Keyframe};
 use crate::pose::RbtIndex;
 
-/// Beyond this angle in degrees, which way round a turn goes is a matter of luck.
-pub const LUCK: f32 = 170.0;
-/// The cosine of half of that: below it, quaternions are that far apart. A test holds it to [`LUCK`].
+/// The least angle in degrees at which the direction of a turn counts as ambiguous.
+pub const AMBIGUOUS_DEGREES: f32 = 170.0;
+/// cos([`AMBIGUOUS_DEGREES`] / 2): quaternions with a smaller absolute dot product are at least that far apart. A test checks the value.
 const HALF_COSINE: f32 = 0.087_155_74;
 
 /// The angle from one rotation to another in degrees, the short way: exact for small angles too.
@@ -19,27 +19,27 @@ pub fn degrees_between(from: Quat, to: Quat) -> f32 {
 }
 
 /// Whether an interval shows what is between its keyframes: it is played, and does not hold.
-fn blends(keyframes: &[Keyframe], place: usize) -> bool {
-    place > 0 && place + 2 < keyframes.len() && keyframes[place].easing != Easing::Hold
+fn blends(keyframes: &[Keyframe], index: usize) -> bool {
+    index > 0 && index + 2 < keyframes.len() && keyframes[index].easing != Easing::Hold
 }
 
 /// Whether one of these nodes turns by nearly half a turn in the interval that begins at a keyframe.
-pub fn has_luck(keyframes: &[Keyframe], place: usize, rbts: Range<usize>) -> bool {
-    blends(keyframes, place) && !keyframes[place].pose.shares_with(&keyframes[place + 1].pose) && {
-        let (from, to) = (&keyframes[place].pose, &keyframes[place + 1].pose);
+pub fn has_half_turn(keyframes: &[Keyframe], index: usize, rbts: Range<usize>) -> bool {
+    blends(keyframes, index) && !keyframes[index].pose.shares_with(&keyframes[index + 1].pose) && {
+        let (from, to) = (&keyframes[index].pose, &keyframes[index + 1].pose);
         let turns = |rbt| from.get(rbt).rotation.dot(to.get(rbt).rotation).abs() < HALF_COSINE;
         rbts.map(RbtIndex::new).any(turns)
     }
 }
 
 /// Those nodes, and by how many degrees they turn.
-pub fn nodes(keyframes: &[Keyframe], place: usize, rbts: impl Iterator<Item = RbtIndex>) -> Vec<(RbtIndex, f32)> {
-    if !blends(keyframes, place) {
+pub fn nodes(keyframes: &[Keyframe], index: usize, rbts: impl Iterator<Item = RbtIndex>) -> Vec<(RbtIndex, f32)> {
+    if !blends(keyframes, index) {
         return Vec::new();
     }
-    let rotation = |place: usize, rbt| keyframes[place].pose.get(rbt).rotation;
-    rbts.map(|rbt| (rbt, degrees_between(rotation(place, rbt), rotation(place + 1, rbt))))
-        .filter(|&(_, degrees)| degrees > LUCK)
+    let rotation = |index: usize, rbt| keyframes[index].pose.get(rbt).rotation;
+    rbts.map(|rbt| (rbt, degrees_between(rotation(index, rbt), rotation(index + 1, rbt))))
+        .filter(|&(_, degrees)| degrees > AMBIGUOUS_DEGREES)
         .collect()
 }
 
@@ -63,11 +63,11 @@ mod tests {
 
     #[test]
     fn nearly_half_a_turn_is_found_and_nothing_else() {
-        assert!((HALF_COSINE - (LUCK / 2.0).to_radians().cos()).abs() < 1e-7);
+        assert!((HALF_COSINE - (AMBIGUOUS_DEGREES / 2.0).to_radians().cos()).abs() < 1e-7);
         for (turn, expected) in [(169.5, false), (170.5, true), (180.0, true), (189.5, true), (190.5, false)] {
             let keyframes = list(&[0.0, 0.0, turn, turn, turn]);
-            assert_eq!(has_luck(&keyframes, 1, 0..2), expected, "{turn}°");
-            assert!(!has_luck(&keyframes, 1, 0..1), "the other node stands still");
+            assert_eq!(has_half_turn(&keyframes, 1, 0..2), expected, "{turn}°");
+            assert!(!has_half_turn(&keyframes, 1, 0..1), "the other node stands still");
             let found = nodes(&keyframes, 1, (0..2).map(RbtIndex::new));
             assert_eq!(found.len(), usize::from(expected), "{turn}°");
         }
@@ -76,8 +76,8 @@ mod tests {
     #[test]
     fn what_only_steers_or_holds_turns_nowhere() {
         let mut keyframes = list(&[0.0, 180.0, 0.0, 0.0, 180.0]);
-        assert_eq!((0..5).filter(|&place| has_luck(&keyframes, place, 0..2)).collect::<Vec<_>>(), [1]);
+        assert_eq!((0..5).filter(|&index| has_half_turn(&keyframes, index, 0..2)).collect::<Vec<_>>(), [1]);
         keyframes[1].easing = Easing::Hold;
-        assert!(!has_luck(&keyframes, 1, 0..2));
+        assert!(!has_half_turn(&keyframes, 1, 0..2));
     }
 }
