@@ -18,14 +18,14 @@ use crate::words::{Message, display_by_message, texts};
 pub enum SampleError {
     /// The list is too short.
     TooFewKeyframes {
-        /// How many there are.
+        /// The number of keyframes.
         keyframes: usize,
     },
-    /// The key time is before the first or after the last played keyframe, or no number.
+    /// The key time is before the first or after the last played keyframe, or NaN.
     OutOfRange {
-        /// The key time asked for.
+        /// The requested key time.
         key_time: f64,
-        /// The last key time that can be shown.
+        /// The last valid key time.
         last_key_time: usize,
     },
 }
@@ -33,7 +33,7 @@ pub enum SampleError {
 display_by_message!(SampleError);
 
 impl SampleError {
-    /// Why, as a message.
+    /// The error as a message.
     #[must_use]
     pub fn message(&self) -> Message {
         match self {
@@ -43,7 +43,7 @@ impl SampleError {
     }
 }
 
-/// A list that is long enough to play: what its samples are taken from.
+/// A list that is long enough to play. Gives poses at key times.
 ///
 /// ```
 /// use glam::Vec3;
@@ -96,7 +96,7 @@ impl<'a> PlayRange<'a> {
         KeyframeIndex::new(self.keyframes.len() - 2)
     }
 
-    /// Whether there is a pose at a key time, without making it.
+    /// Checks that there is a pose at a key time, without computing it.
     ///
     /// # Errors
     /// [`SampleError::OutOfRange`] outside of [0, n − 1].
@@ -115,17 +115,17 @@ impl<'a> PlayRange<'a> {
     /// keyframe itself, to the bit.
     ///
     /// # Errors
-    /// [`SampleError::OutOfRange`] outside of that.
+    /// [`SampleError::OutOfRange`] outside of that range.
     pub fn pose_at(&self, key_time: f64, interpolation: Interpolation) -> Result<Pose, SampleError> {
         let mut pose = Pose::identity(0);
         self.pose_into(key_time, interpolation, &mut pose)?;
         Ok(pose)
     }
 
-    /// As [`PlayRange::pose_at`], in the storage of a pose that is there already, where nobody shares it.
+    /// Like [`PlayRange::pose_at`], but reuses the storage of `into` if nothing shares it.
     ///
     /// # Errors
-    /// [`SampleError::OutOfRange`]; the pose is as it was then.
+    /// [`SampleError::OutOfRange`]; `into` is then unchanged.
     pub fn pose_into(&self, key_time: f64, interpolation: Interpolation, into: &mut Pose) -> Result<(), SampleError> {
         self.check(key_time)?;
         let (start, alpha) = self.interval_at(key_time);
@@ -133,8 +133,8 @@ impl<'a> PlayRange<'a> {
         Ok(())
     }
 
-    /// The keyframe of the list where the interval around a key time begins, and the eased fraction of the interval; kept within the
-    /// range.
+    /// The keyframe of the list where the interval around a key time begins, and the eased fraction of the interval. The key time is
+    /// clamped to the range.
     pub(super) fn interval_at(&self, key_time: f64) -> (usize, f32) {
         #[expect(clippy::cast_precision_loss, reason = "no list has 2^52 keyframes")]
         let key_time = key_time.clamp(0.0, self.last_key_time() as f64);
@@ -145,7 +145,7 @@ impl<'a> PlayRange<'a> {
         (start, alpha)
     }
 
-    /// The two ends of an interval for one node. The last played keyframe begins an interval too, as far as its start goes.
+    /// The two ends of an interval for one node. `start` may be the last played keyframe.
     pub(super) fn ends(&self, start: usize, rbt: RbtIndex) -> (Rbt, Rbt) {
         let list = self.keyframes.as_slice();
         (list[start].pose.get(rbt), list[start + 1].pose.get(rbt))
