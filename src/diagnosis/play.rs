@@ -11,6 +11,7 @@ use super::DISTANCE_OF_NO_NUMBER;
 use super::model::{Blend, Rules, WhenEqual};
 use super::samples::Row;
 use crate::keyframe::Keyframe;
+use crate::pose::RbtIndex;
 
 /// If the absolute w of a rotation is below this, it is half a turn and rounding decides the direction.
 const HALF_TURN: f64 = 1e-6;
@@ -73,9 +74,9 @@ impl Sequence {
     }
 
     /// One node of a keyframe. The index is clamped to the list.
-    fn at(&self, index: isize, node: usize, rules: &Rules) -> Transform {
+    fn at(&self, index: isize, node: RbtIndex, rules: &Rules) -> Transform {
         let last = self.keyframes.len() as isize - 1;
-        let Transform { translation, rotation } = self.keyframes[index.clamp(0, last) as usize][node];
+        let Transform { translation, rotation } = self.keyframes[index.clamp(0, last) as usize][node.get()];
         Transform { translation, rotation: quaternion(reordered(rotation, rules.read)) }
     }
 }

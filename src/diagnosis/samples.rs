@@ -5,6 +5,7 @@ use thiserror::Error;
 
 use super::model::INTEGER_TICK_PACE;
 use super::play::WHOLE;
+use crate::pose::RbtIndex;
 use crate::text::str_without_byte_order_mark;
 
 /// The largest file of samples that is read: 64 MiB.
@@ -19,7 +20,7 @@ pub struct Row {
     /// The key time at which it should have been shown, at least 0.
     pub key_time: f64,
     /// The node's index in poses.
-    pub node: usize,
+    pub node: RbtIndex,
     /// Its translation in its parent's space, in scene units; may be NaN.
     pub translation: DVec3,
     /// The components of its rotation as printed: w, x, y, z; may be NaN or not of unit length.
@@ -244,7 +245,7 @@ impl Header {
         })?;
         let ms = self.ms.map(|index| time(index, MS)).transpose()?;
         let key_time = time(self.columns[0], COLUMNS[0])?;
-        Ok((Row { key_time, node, translation: DVec3::new(x, y, z), rotation_wxyz }, ms))
+        Ok((Row { key_time, node: RbtIndex::new(node), translation: DVec3::new(x, y, z), rotation_wxyz }, ms))
     }
 }
 
@@ -302,7 +303,7 @@ mod tests {
         let text = "\u{feff}MS,key_time,rbt_ind,tx,ty,tz,rw,rx,ry,rz\r\n\r\n500,0.25,3,1,2,3,nan,0,0,0\r\n";
         let samples = samples_from_csv(text.as_bytes(), 22, 2000).expect("it is good");
         assert!(samples.has_ms && samples.has_no_number);
-        assert_eq!((samples.rows[0].key_time, samples.rows[0].node), (0.25, 3));
+        assert_eq!((samples.rows[0].key_time, samples.rows[0].node.get()), (0.25, 3));
         assert_eq!(samples.rows[0].translation, DVec3::new(1.0, 2.0, 3.0));
     }
 }

@@ -168,15 +168,15 @@ impl KeyframeList {
 
     /// Inserts a keyframe right after the current one, or as the only one, and makes it current.
     pub fn insert_after_current(&mut self, keyframe: Keyframe) -> KeyframeIndex {
-        self.insert(self.current.map_or(0, |current| current.0 + 1), keyframe)
+        self.insert(KeyframeIndex(self.current.map_or(0, |current| current.0 + 1)), keyframe)
     }
 
     /// Inserts a keyframe before `index`, which is at most the list's length, and makes it current.
-    pub fn insert(&mut self, index: usize, keyframe: Keyframe) -> KeyframeIndex {
+    pub fn insert(&mut self, index: KeyframeIndex, keyframe: Keyframe) -> KeyframeIndex {
         let mut keyframes = self.stored.keyframes.clone();
-        keyframes.insert(index, keyframe);
-        *self = Self::with_current(keyframes, Some(index));
-        KeyframeIndex(index)
+        keyframes.insert(index.0, keyframe);
+        *self = Self::with_current(keyframes, Some(index.0));
+        index
     }
 
     /// Replaces a keyframe, which must exist. The current keyframe stays current.
@@ -205,7 +205,8 @@ impl KeyframeList {
     /// The control points of the interval from keyframe `start` to the one after it, both of which must have another neighbour.
     ///
     /// Computed once for each state of the list.
-    pub(super) fn control_points(&self, start: usize) -> &IntervalControlPoints {
+    pub(super) fn control_points(&self, start: KeyframeIndex) -> &IntervalControlPoints {
+        let start = start.0;
         self.stored.control_points[start].get_or_init(|| {
             let pose = |index: usize| self.stored.keyframes[index].pose.to_vec();
             let (before, from, to, after) = (pose(start - 1), pose(start), pose(start + 1), pose(start + 2));

@@ -135,26 +135,26 @@ impl<'a> PlayRange<'a> {
 
     /// The keyframe of the list where the interval around a key time begins, and the eased fraction of the interval. The key time is
     /// clamped to the range.
-    pub(super) fn interval_at(&self, key_time: f64) -> (usize, f32) {
+    pub(super) fn interval_at(&self, key_time: f64) -> (KeyframeIndex, f32) {
         #[expect(clippy::cast_precision_loss, reason = "no list has 2^52 keyframes")]
         let key_time = key_time.clamp(0.0, self.last_key_time() as f64);
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it lies in the list")]
         let start = key_time.floor() as usize + 1;
         #[expect(clippy::cast_possible_truncation, reason = "the fraction of a key time needs no more than f32")]
         let alpha = self.keyframes.as_slice()[start].easing.value(key_time.fract()) as f32;
-        (start, alpha)
+        (KeyframeIndex::new(start), alpha)
     }
 
     /// The two ends of an interval for one node. `start` may be the last played keyframe.
-    pub(super) fn ends(&self, start: usize, rbt: RbtIndex) -> (Rbt, Rbt) {
-        let list = self.keyframes.as_slice();
+    pub(super) fn ends(&self, start: KeyframeIndex, rbt: RbtIndex) -> (Rbt, Rbt) {
+        let (list, start) = (self.keyframes.as_slice(), start.get());
         (list[start].pose.get(rbt), list[start + 1].pose.get(rbt))
     }
 
     /// One node's `parent_from_node` at the fraction `alpha` of the played interval that begins at keyframe `start` of the list,
     /// 1 ≤ start ≤ N − 2.
     #[must_use]
-    pub fn rbt_at(&self, start: usize, alpha: f32, interpolation: Interpolation, rbt: RbtIndex) -> Rbt {
+    pub fn rbt_at(&self, start: KeyframeIndex, alpha: f32, interpolation: Interpolation, rbt: RbtIndex) -> Rbt {
         let (from, to) = self.ends(start, rbt);
         if alpha == 0.0 {
             return from;
@@ -170,14 +170,14 @@ impl<'a> PlayRange<'a> {
     }
 
     /// Makes `into` the pose at the fraction `alpha` of the interval that begins at keyframe `start` of the list.
-    fn blend(&self, start: usize, alpha: f32, interpolation: Interpolation, into: &mut Pose) {
+    fn blend(&self, start: KeyframeIndex, alpha: f32, interpolation: Interpolation, into: &mut Pose) {
         let list = self.keyframes.as_slice();
-        let from = &list[start].pose;
+        let from = &list[start.get()].pose;
         if alpha == 0.0 {
             into.clone_from(from);
             return;
         }
-        let to = &list[start + 1].pose;
+        let to = &list[start.get() + 1].pose;
         if alpha == 1.0 {
             into.clone_from(to);
             return;

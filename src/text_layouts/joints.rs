@@ -82,7 +82,7 @@ pub(super) fn match_joints(
     scene: &SceneGraph,
     options: &Options,
     plan: &mut Plan,
-) -> Vec<Option<usize>> {
+) -> Vec<Option<RbtIndex>> {
     let own = scene.rbt_count();
     if plan.nodes > own {
         plan.find(
@@ -92,10 +92,10 @@ pub(super) fn match_joints(
     }
     if let Some(joints) = &options.joints {
         plan.find(Certainty::Sure, "joints: as the list says");
-        let listed = joints.nodes.iter().map(|node| node.map(RbtIndex::get));
-        return listed.chain(std::iter::repeat(None)).take(plan.nodes).collect();
+        return joints.nodes.iter().copied().chain(std::iter::repeat(None)).take(plan.nodes).collect();
     }
-    let mut node_of_row: Vec<Option<usize>> = (0..plan.nodes).map(|row| (row < own).then_some(row)).collect();
+    let mut node_of_row: Vec<Option<RbtIndex>> =
+        (0..plan.nodes).map(|row| (row < own).then_some(RbtIndex::new(row))).collect();
     if offsets.len() < own {
         return node_of_row;
     }
@@ -144,7 +144,7 @@ pub(super) fn match_joints(
         };
         for row in 0..robot.wanted.len() {
             let node = order.as_ref().map_or(row, |order| order[row]);
-            node_of_row[robot.first + row] = Some(robot.first + node);
+            node_of_row[robot.first + row] = Some(RbtIndex::new(robot.first + node));
             if !matches!(found_here, Found::Nothing) {
                 differs = differs.max((offsets[robot.first + row].length() - robot.wanted[node].length()).abs());
             }

@@ -10,7 +10,6 @@ use super::lexer::numbers;
 use super::plan::Plan;
 use super::report::Certainty;
 use crate::keyframe::Keyframe;
-use crate::pose::RbtIndex;
 use crate::rbt::Rbt;
 use crate::rotation_rules::{Mending, NORMALISED, RECOGNISED};
 use crate::scene::SceneGraph;
@@ -76,7 +75,7 @@ fn build<const WIDTH: usize>(
     for (row_index, (_, row)) in rows(bytes, plan).enumerate() {
         let row_of_keyframe = row_index % plan.nodes;
         if let Some(node) = node_of_row[row_of_keyframe] {
-            pose.set(RbtIndex::new(node), decode(row));
+            pose.set(node, decode(row));
         }
         if row_of_keyframe + 1 == plan.nodes {
             // Poses that do not change share their storage.

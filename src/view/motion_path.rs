@@ -56,7 +56,7 @@ pub(super) fn add_path(frame: &mut Frame, editor: &Editor) {
                     let alpha = piece as f32 / pieces as f32;
                     let to: Vec3 = scene
                         .world_from_node_with(editor.seconds(), node, |rbt| {
-                            range.rbt_at(start, alpha, document.interpolation, rbt).to_affine()
+                            range.rbt_at(KeyframeIndex::new(start), alpha, document.interpolation, rbt).to_affine()
                         })
                         .translation
                         .into();
