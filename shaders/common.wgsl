@@ -1,6 +1,6 @@
-// Shared by every shader: what is the same for a whole picture, and the last step of every pixel.
-// Colours are linear light until `finished`. No derivatives anywhere, so that pictures are the same to the byte.
-// The renderer puts a constant before this: ENCODE_SRGB, whether the target stores what it is given, so that the shader must encode.
+// Shared by every shader: the globals of a picture, and the last step of every fragment. Colours are linear light until `finished`. No
+// shader uses derivatives, so that a picture has the same bytes each time. The renderer prepends a constant, ENCODE_SRGB: whether the
+// shader must encode sRGB because the target does not.
 
 struct Globals {
     clip_from_world: mat4x4f,

@@ -1,4 +1,4 @@
-// Corners of shapes, placed by their instances.
+// Vertices of shapes, transformed by their instances.
 
 struct Corner {
     @location(0) core: vec3f,
@@ -26,7 +26,7 @@ fn world_position(corner: Corner) -> vec3f {
     );
 }
 
-// The cofactor matrix carries normals through any affine that does not mirror.
+// The cofactor matrix transforms normals for any affine that does not mirror.
 fn world_normal(corner: Corner) -> vec3f {
     let x = corner.world_from_shape_x.xyz;
     let y = corner.world_from_shape_y.xyz;

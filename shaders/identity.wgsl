@@ -1,4 +1,4 @@
-// Which node each pixel shows, plus one: 0 is none. Follows `corner.wgsl`.
+// The index of the node that each pixel shows, plus one; 0 is none. Follows `corner.wgsl`.
 
 struct IdentityPixel {
     @invariant @builtin(position) in_clip: vec4f,

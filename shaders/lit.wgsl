@@ -1,4 +1,4 @@
-// A warm sun, a cool sky and what the ground throws back.
+// Lighting: a warm sun, a cool sky, and light reflected by the ground.
 
 const SUN: vec3f = vec3f(0.96, 0.84, 0.68);
 const SKY_FILL: vec3f = vec3f(0.33, 0.39, 0.47);
@@ -7,11 +7,11 @@ const BOUNCE: vec3f = vec3f(0.20, 0.185, 0.17);
 @group(1) @binding(0) var sun_map: texture_depth_2d;
 @group(1) @binding(1) var sun_map_sampler: sampler_comparison;
 
-// Where a point is looked up in the sun's map: texture coordinates and depth. The point is lifted off its surface, more
-// where the sun grazes it, so that the surface does not shade itself.
-fn map_place(in_world: vec3f, normal_in_world: vec3f) -> vec3f {
+// The position of a point in the shadow map: texture coordinates and depth. The point is moved off its surface, more at grazing sun, so
+// that the surface does not shadow itself.
+fn map_position(in_world: vec3f, normal_in_world: vec3f) -> vec3f {
     let facing = dot(normal_in_world, globals.towards_sun_in_world.xyz);
     let lift = globals.towards_sun_in_world.w * (0.6 + 1.6 * saturate(1.0 - facing));
-    let place = globals.map_from_world * vec4f(in_world + normal_in_world * lift, 1.0);
-    return vec3f(place.xy * vec2f(0.5, -0.5) + 0.5, place.z);
+    let in_map = globals.map_from_world * vec4f(in_world + normal_in_world * lift, 1.0);
+    return vec3f(in_map.xy * vec2f(0.5, -0.5) + 0.5, in_map.z);
 }

@@ -1,4 +1,4 @@
-// The chosen node's outline, around the mask of all its shapes: red is all of it, green what nothing hides.
+// The chosen node's outline, around the mask of all its shapes: red is the whole shape, green its visible part.
 
 @group(1) @binding(0) var mask: texture_2d<f32>;
 

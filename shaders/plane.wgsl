@@ -1,6 +1,6 @@
 // Planes, with their grid.
 
-// The ground is lit to its own colour, whatever the exposure.
+// The lit ground has its own colour at any exposure.
 const GROUND_SUN: vec3f = vec3f(0.84, 0.77, 0.67);
 
 @vertex
@@ -20,18 +20,19 @@ fn plane_vertex(corner: Corner) -> Pixel {
     out.in_clip = globals.clip_from_world * vec4f(in_world, 1.0);
     out.surface = vec4f(corner.core.xz * half_extents, corner.core.xz);
     out.along_view = vec3f(dot(x_axis, from_eye) / scale.x, height, dot(z_axis, from_eye) / scale.y);
-    out.map_place = map_place(in_world, normal);
+    out.map_position = map_position(in_world, normal);
     out.colour = vec4f(corner.colour * (fill + GROUND_SUN * sun), 1.0 / (haze_distance * haze_distance));
     out.shaded = corner.colour * fill;
     return out;
 }
 
-// How much of a pixel lines of `width` at whole numbers cover along both axes. `footprint` is the pixel's size, `pixels` one over that.
-fn lines_cover(place: vec2f, width: f32, footprint: vec2f, pixels: vec2f) -> f32 {
-    // In pixels: lines at least one wide, and at most half of what is between them.
+// The part of a pixel that is covered by lines of `width` at whole numbers along both axes. `footprint` is the pixel's size, `pixels` one
+// over that.
+fn lines_cover(on_plane: vec2f, width: f32, footprint: vec2f, pixels: vec2f) -> f32 {
+    // In pixels: lines are at least one wide, and at most half of the gap.
     let drawn = min(max(width * pixels, vec2f(1.0)), 0.5 * pixels);
-    let from_line = abs(fract(place + 0.5) - 0.5) * pixels;
-    // Lines that are drawn wider than they are, are fainter.
+    let from_line = abs(fract(on_plane + 0.5) - 0.5) * pixels;
+    // Widened lines are fainter.
     let cover = saturate(0.5 * drawn + 0.5 - from_line) * clamp(width * pixels, vec2f(2.0 * width), vec2f(1.0));
     // Lines closer than pixels become their average.
     let blended = mix(cover, vec2f(width), saturate(footprint * 2.0 - 0.6));
@@ -48,9 +49,9 @@ fn plane_fragment(pixel: Pixel) -> @location(0) vec4f {
     let pixels = 1.0 / footprint;
     let fine = lines_cover(grid, 0.014, footprint, pixels);
     let coarse = lines_cover(grid * 0.2, 0.006, footprint * 0.2, pixels * 5.0);
-    let ground = mix(pixel.shaded, pixel.colour.rgb, sun_arriving(pixel.map_place));
+    let ground = mix(pixel.shaded, pixel.colour.rgb, sun_arriving(pixel.map_position));
     let marked = ground * (1.0 - max(0.20 * fine, 0.36 * coarse));
-    // The ground melts into the horizon with distance, and before a wide plane ends.
+    // The ground fades into the horizon with distance, and before the edge of a wide plane.
     let haze = 1.0 - exp2(-squared * pixel.colour.w);
     let towards_edge = max(abs(pixel.surface.z), abs(pixel.surface.w));
     let edge = saturate((towards_edge - 0.55) * 2.4) * saturate(squared * 0.0002 - 0.1);

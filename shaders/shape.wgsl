@@ -1,4 +1,4 @@
-// Shapes but planes, and ghosts of them.
+// Shapes except planes, and their ghosts.
 
 const EXPOSURE: f32 = 1.22;
 
@@ -20,13 +20,13 @@ fn shape_vertex_of(corner: Corner) -> Pixel {
     out.in_clip = globals.clip_from_world * vec4f(in_world, 1.0);
     out.surface = vec4f(normal, ambient_arriving(in_world.y, normal.y));
     out.along_view = globals.eye_in_world.xyz - in_world;
-    out.map_place = map_place(in_world, normal);
+    out.map_position = map_position(in_world, normal);
     out.colour = vec4f(corner.colour, corner.opacity);
     out.shaded = corner.colour * BOUNCE;
     return out;
 }
 
-// A shoulder that keeps the brightest faces short of white, and a floor short of black.
+// Tone curve: keeps the brightest faces below white and the darkest above black.
 fn toned(colour: vec3f) -> vec3f {
     let bounded = min(colour, vec3f(1.9));
     return max(bounded * (1.0 - 0.235 * bounded), vec3f(0.003));
@@ -37,13 +37,13 @@ fn shape_fragment(pixel: Pixel) -> @location(0) vec4f {
     let normal = normalize(pixel.surface.xyz);
     let to_eye = normalize(pixel.along_view);
     let to_sun = globals.towards_sun_in_world.xyz;
-    let arriving = sun_arriving(pixel.map_place);
+    let arriving = sun_arriving(pixel.map_position);
     let facing_sun = dot(normal, to_sun);
     let facing_eye = dot(normal, to_eye);
     let sun = max(facing_sun, 0.0) * arriving;
     let ambient = pixel.surface.w * (pixel.shaded + pixel.colour.rgb * ((SKY_FILL - BOUNCE) * (0.5 + 0.5 * normal.y)));
-    // A gentle highlight, and the sky at grazing angles.
-    // The square of the normal's cosine with what is half-way between sun and eye, both of them one long.
+    // A gentle highlight, and the sky at grazing angles. The squared cosine of the normal and the half vector between the unit vectors to
+    // sun and eye.
     let h2 = pow2(max(facing_sun + facing_eye, 0.0)) / max(2.0 + 2.0 * dot(to_sun, to_eye), 0.001);
     let h8 = pow2(pow2(h2));
     let highlight = pow2(h8) * h8 * sun;
@@ -56,7 +56,7 @@ fn pow2(x: f32) -> f32 {
     return x * x;
 }
 
-// A hair behind its place, so that a ghost exactly on its shape stays hidden: depth is reversed.
+// Slightly farther (depth is reversed), so that a ghost exactly on its shape stays hidden.
 @vertex
 fn ghost_vertex(corner: Corner) -> Pixel {
     var out = shape_vertex_of(corner);
@@ -74,7 +74,7 @@ fn ghost_fragment(pixel: Pixel) -> @location(0) vec4f {
     return finished(min(colour, vec3f(0.93)), saturate(pixel.colour.w * (0.75 + 1.3 * rim)));
 }
 
-// For depth alone, where the pass has a colour target that must stay as it is.
+// Depth only, in a pass whose colour target must not change.
 @fragment
 fn nothing_fragment() -> @location(0) vec4f {
     return vec4f(0.0);

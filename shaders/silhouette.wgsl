@@ -1,7 +1,7 @@
-// Where shapes are, and nothing else of them.
+// Positions of shapes only.
 
-// The sun's map is depth alone. Its pixels read all that a picture's pixels do, so that a software driver compiles what is between
-// corners and pixels once for both (`pixel.wgsl`); nothing takes what the fragment gives, and drivers leave its work out.
+// The shadow map has only depth. Its fragments read all components of a picture's fragments, so that a software driver compiles the
+// interface once for both (`pixel.wgsl`). The fragment's result is unused, so drivers remove its work.
 @vertex
 fn shadow_vertex(corner: Corner) -> Pixel {
     let in_map = globals.map_from_world * vec4f(world_position(corner), 1.0);
@@ -9,7 +9,7 @@ fn shadow_vertex(corner: Corner) -> Pixel {
     out.in_clip = in_map;
     out.surface = in_map;
     out.along_view = in_map.xyz;
-    out.map_place = in_map.xyz;
+    out.map_position = in_map.xyz;
     out.colour = in_map;
     out.shaded = in_map.xyz;
     return out;
@@ -17,12 +17,12 @@ fn shadow_vertex(corner: Corner) -> Pixel {
 
 @fragment
 fn shadow_fragment(pixel: Pixel) -> @location(0) vec4f {
-    return pixel.surface + pixel.colour + vec4f(pixel.along_view + pixel.map_place + pixel.shaded, 0.0);
+    return pixel.surface + pixel.colour + vec4f(pixel.along_view + pixel.map_position + pixel.shaded, 0.0);
 }
 
-// A hair nearer than `shape_vertex`, so that a shape does not hide itself: depth is reversed.
+// Slightly nearer than `shape_vertex` (depth is reversed), so that a shape does not hide itself.
 @vertex
-fn place_vertex(corner: Corner) -> @invariant @builtin(position) vec4f {
+fn position_vertex(corner: Corner) -> @invariant @builtin(position) vec4f {
     var in_clip = globals.clip_from_world * vec4f(world_position(corner), 1.0);
     in_clip.z *= 1.0005;
     return in_clip;

@@ -1,4 +1,4 @@
-// The sky, where nothing else is: a gradient from the horizon up.
+// The sky behind everything: a gradient from the horizon up.
 
 @vertex
 fn sky_vertex(@builtin(vertex_index) index: u32) -> Pixel {
@@ -10,7 +10,7 @@ fn sky_vertex(@builtin(vertex_index) index: u32) -> Pixel {
     out.surface = vec4f(in_pixels, 0.06711056, 0.00583715);
     out.along_view = globals.first_ray_in_world.xyz + in_pixels.x * globals.ray_right_in_world.xyz
         + in_pixels.y * globals.ray_down_in_world.xyz;
-    out.map_place = vec3f(1.9, 0.9, 52.9829189);
+    out.map_position = vec3f(1.9, 0.9, 52.9829189);
     out.colour = vec4f(globals.zenith.xyz, 0.0035);
     out.shaded = globals.horizon.xyz;
     return out;
@@ -20,10 +20,9 @@ fn sky_vertex(@builtin(vertex_index) index: u32) -> Pixel {
 fn sky_fragment(pixel: Pixel) -> @location(0) vec4f {
     let ray = pixel.along_view;
     let height = max(ray.y * inverseSqrt(dot(ray, ray)), 0.0);
-    let climb = height * (pixel.map_place.x - pixel.map_place.y * height);
-    // Half a step of fixed noise, so that no band has a sharp edge. Eight pixels in a row share it, which no eye can tell and which files
-    // are smaller for.
-    let place = floor(pixel.surface.xy * vec2f(0.125, 1.0));
-    let noise = fract(pixel.map_place.z * fract(dot(place, pixel.surface.zw))) - 0.5;
+    let climb = height * (pixel.map_position.x - pixel.map_position.y * height);
+    // Fixed noise of half a colour step, against banding. Eight pixels in a row share it: this is not visible and makes files smaller.
+    let cell = floor(pixel.surface.xy * vec2f(0.125, 1.0));
+    let noise = fract(pixel.map_position.z * fract(dot(cell, pixel.surface.zw))) - 0.5;
     return finished(mix(pixel.shaded, pixel.colour.rgb, climb) + noise * pixel.colour.w, 1.0);
 }

@@ -1,4 +1,4 @@
-// Lines and dots: quads of so many pixels, faded at their borders over one pixel.
+// Lines and dots: quads with a size in pixels, faded over one pixel at their borders.
 
 struct Stroke {
     @location(0) from_in_world: vec3f,
@@ -28,7 +28,7 @@ fn line_vertex(@builtin(vertex_index) index: u32, stroke: Stroke) -> StrokePixel
     return line_vertex_of(index, stroke);
 }
 
-// Where something is in front of it a line keeps little of its opacity.
+// Hidden parts of a line keep little of its opacity.
 @vertex
 fn hidden_line_vertex(@builtin(vertex_index) index: u32, stroke: Stroke) -> StrokePixel {
     var out = line_vertex_of(index, stroke);
@@ -61,9 +61,9 @@ fn line_vertex_of(index: u32, stroke: Stroke) -> StrokePixel {
     let reach = out.half_width_px + 0.5;
     let side_px = vec2f(-along.y, along.x) * corner.y * reach;
     let end_clip = select(from_clip, to_clip, corner.x > 0.0);
-    let place_px = select(from_px, to_px, corner.x > 0.0) + side_px;
-    // A hair nearer than the surface it may lie on.
-    out.in_clip = vec4f(place_px * 2.0 / viewport_px(), min(end_clip.z / end_clip.w * 1.0005, 1.0), 1.0);
+    let position_px = select(from_px, to_px, corner.x > 0.0) + side_px;
+    // Slightly nearer than the surface that it may lie on.
+    out.in_clip = vec4f(position_px * 2.0 / viewport_px(), min(end_clip.z / end_clip.w * 1.0005, 1.0), 1.0);
     out.across_px = vec2f(0.0, corner.y * reach);
     return out;
 }

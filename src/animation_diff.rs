@@ -1,6 +1,6 @@
-//! How far two animations of one scene are apart, node by node, as they play.
+//! The difference of two animations of one scene while they play, node by node.
 //!
-//! Both are sampled at the same moments of playing, each at its own pace; one that has ended holds its end. Pure functions.
+//! Both are sampled at the same times, each with its own timing. An animation that has ended holds its last pose. Pure functions.
 
 use glam::DQuat;
 use num_rational::BigRational;
@@ -11,12 +11,12 @@ use crate::keyframe::{PlayRange, SampleError, whole};
 use crate::pose::Pose;
 use crate::rbt::Rbt;
 
-/// One side of a comparison: what is played, and how.
+/// One side of a comparison: an animation with its timing.
 #[derive(Clone, Copy, Debug)]
 pub struct Played<'a> {
     /// The played part of the list.
     pub range: &'a PlayRange<'a>,
-    /// How it is interpolated.
+    /// The interpolation.
     pub interpolation: Interpolation,
     /// Milliseconds between keyframes.
     pub ms_between_keyframes: u32,
@@ -29,13 +29,13 @@ impl Played<'_> {
         self.range.timing().key_time_at(&(ms / whole(self.ms_between_keyframes as usize)))
     }
 
-    /// How long it plays, in milliseconds.
+    /// The playing time, in milliseconds.
     #[must_use]
     pub fn length_ms(&self) -> BigRational {
         self.range.timing().total() * whole(self.ms_between_keyframes as usize)
     }
 
-    /// What is shown at a time in milliseconds from the start.
+    /// The pose at a time in milliseconds from the start.
     ///
     /// # Errors
     /// [`SampleError`], as [`PlayRange::pose_at`].
@@ -44,7 +44,7 @@ impl Played<'_> {
     }
 }
 
-/// What difference passes.
+/// The tolerances of a comparison.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerances {
     /// Distance of translations, in scene units.
@@ -59,10 +59,10 @@ impl Default for Tolerances {
     }
 }
 
-/// How far something of one node is apart over the frames: translations in scene units, or rotations in degrees.
+/// The difference of one node's translation (scene units) or rotation (degrees) over all frames.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Deviation {
-    /// The largest.
+    /// The largest difference.
     pub largest: f64,
     /// The first animation's key time at which it is largest.
     pub largest_at: f64,
@@ -72,26 +72,26 @@ pub struct Deviation {
     pub exceeds_at: Option<f64>,
 }
 
-/// How far one node is apart.
+/// The difference of one node.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct NodeDifference {
-    /// Of its translation.
+    /// Of its translation, in scene units.
     pub translation: Deviation,
-    /// Of its rotation.
+    /// Of its rotation, in degrees.
     pub rotation: Deviation,
 }
 
-/// How far two animations are apart.
+/// The difference of two animations.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Difference {
     /// Each RBT node, in the scene's order.
     pub nodes: Vec<NodeDifference>,
-    /// For each frame how far the pose is off: the sum over the nodes of each part in tolerances.
+    /// For each frame, the sum over all nodes of translation and rotation differences, each divided by its tolerance.
     pub off_by_frame: Vec<f64>,
 }
 
 impl Difference {
-    /// Whether nothing exceeds its tolerance.
+    /// Whether no difference exceeds its tolerance.
     #[must_use]
     pub fn is_within(&self) -> bool {
         self.nodes.iter().all(|node| node.translation.exceeds_at.is_none() && node.rotation.exceeds_at.is_none())
@@ -106,8 +106,8 @@ pub fn distances(a: Rbt, b: Rbt) -> (f64, f64) {
     (a.translation.as_dvec3().distance(b.translation.as_dvec3()), angle.to_degrees())
 }
 
-/// The times at which two animations are compared, in milliseconds from the start: frame k at k · 1000/fps while that is before the
-/// end, and the end. `None` where more than `most_frames` frames are before the end.
+/// The times at which two animations are compared, in milliseconds from the start: frame k at k · 1000/fps while that is before the end,
+/// and the end. `None` if more than `most_frames` frames are before the end.
 #[must_use]
 pub fn frame_times_ms(length_ms: &BigRational, fps: u32, most_frames: usize) -> Option<Vec<BigRational>> {
     let period = whole(1000) / whole(fps as usize);
@@ -117,7 +117,7 @@ pub fn frame_times_ms(length_ms: &BigRational, fps: u32, most_frames: usize) -> 
     Some(times)
 }
 
-/// Compares two animations at times in milliseconds from the start, of which there is at least one.
+/// Compares two animations at times in milliseconds from the start, at least one.
 ///
 /// # Errors
 /// [`SampleError`], as [`PlayRange::pose_at`].
@@ -151,7 +151,7 @@ pub fn compare(
 }
 
 impl Deviation {
-    /// Counts a frame in; until the end `rms` is the sum of squares.
+    /// Adds a frame. `rms` is the sum of squares until all frames are added.
     fn take(&mut self, key_time: f64, off: f64, tolerance: f64) {
         self.rms += off * off;
         if off > self.largest {

@@ -1,10 +1,10 @@
-//! Blends of whole poses, sixteen nodes at a time: the same as [`crate::interpolation`] says of one, within rounding.
+//! Blends of whole poses, sixteen nodes at a time, with the results of [`crate::interpolation`] within rounding.
 //!
-//! Between two keyframes every node has the same fraction α. So both weights of `slerp`, `sin((1 − α)θ)/sin θ` and `sin(αθ)/sin θ`,
-//! are functions of `|cos θ|` alone for the whole pose. [`Weights`] fits a polynomial of degree 9 to each of them once; what is left
-//! for each node are products and sums. Rotations differ from those of `slerp` in exact arithmetic by less than 3e-7 radians, on a
-//! Catmull-Rom spline by less than 5e-7, and are as near to unit length. On processors without fused multiplication and addition it is
-//! 3.5e-7, near half a turn.
+//! Between two keyframes every node has the same fraction α. So both weights of `slerp`, `sin((1 − α)θ)/sin θ` and `sin(αθ)/sin θ`, are
+//! functions of `|cos θ|` alone for the whole pose. [`Weights`] fits a polynomial of degree 9 to each of them once per pose. Each node then
+//! takes only products and sums. Rotations differ from those of `slerp` in exact arithmetic by less than 3e-7 radians, on a Catmull-Rom
+//! spline by less than 5e-7, and are as near to unit length. On processors without fused multiplication and addition it is 3.5e-7, near
+//! half a turn.
 //!
 //! The widest instructions that the processor has are chosen when the program runs. Those with fused multiplication and addition
 //! (AVX2, AVX-512, NEON) agree with each other to the bit.
@@ -29,7 +29,8 @@ pub fn widest() -> Level {
     Level::new()
 }
 
-/// Translations by `lerp`, rotations by `slerp`, from one pose to another. All slices are of one length, or the rest stays as it is.
+/// Translations by `lerp`, rotations by `slerp`, from one pose to another. Slices should have one length; elements beyond the shortest are
+/// left unchanged.
 pub fn linear(level: Level, weights: &Weights, from: &[RbtBlock], to: &[RbtBlock], into: &mut [RbtBlock]) {
     dispatch!(level, simd => linear_with(simd, weights, from, to, into));
 }
@@ -37,23 +38,24 @@ pub fn linear(level: Level, weights: &Weights, from: &[RbtBlock], to: &[RbtBlock
 /// The four control points of the Bézier curves of all nodes.
 #[derive(Clone, Copy, Debug)]
 pub struct Curves<'a> {
-    /// Where the curves start.
+    /// The start points.
     pub start: &'a [RbtBlock],
-    /// The control points after that.
+    /// The control points after the start.
     pub after_start: &'a [RbtBlock],
-    /// Those before the end.
+    /// The control points before the end.
     pub before_end: &'a [RbtBlock],
-    /// Where the curves end.
+    /// The end points.
     pub end: &'a [RbtBlock],
 }
 
-/// A place on cubic Bézier curves by de Casteljau's six blends. All slices are of one length, or the rest stays as it is.
+/// Points on cubic Bézier curves by de Casteljau's six blends. Slices should have one length; elements beyond the shortest are left
+/// unchanged.
 pub fn bezier(level: Level, weights: &Weights, curves: Curves<'_>, into: &mut [RbtBlock]) {
     dispatch!(level, simd => bezier_with(simd, weights, curves, into));
 }
 
-// What follows is compiled once for each set of instructions. Every function must be inlined into one that `dispatch` makes, and
-// closures are not: what they hold would be compiled for the oldest processor.
+// The functions below are compiled once for each instruction set. Each must be inlined into a function that `dispatch` makes. Closures are
+// not inlined: their code would be compiled for the oldest processor.
 
 /// One component of sixteen nodes.
 type Lanes<S> = f32x16<S>;
@@ -128,7 +130,7 @@ impl<S: Simd> Transforms<S> {
         self.rotation[3].store_slice(qw);
     }
 
-    /// Translations: `from + α (to − from)`, which leaves equal ones as they are. Rotations: `slerp` the short way.
+    /// Translations: `from + α (to − from)`, which keeps equal ones bit for bit. Rotations: `slerp` the short way.
     #[inline(always)]
     fn blended(self, simd: S, by: &Fitted<'_, S>, to: Self) -> Self {
         let ([x0, y0, z0], [x1, y1, z1]) = (self.translation, to.translation);
@@ -148,7 +150,7 @@ fn dot<S: Simd>(a: [Lanes<S>; 4], b: [Lanes<S>; 4]) -> Lanes<S> {
 fn slerp<S: Simd>(simd: S, by: &Fitted<'_, S>, from: [Lanes<S>; 4], to: [Lanes<S>; 4]) -> [Lanes<S>; 4] {
     let cosine = dot(from, to);
     let versine = Lanes::splat(simd, 1.0) - cosine.abs();
-    // Horner's scheme for the even and the odd powers of both, written out: a loop would be one over memory.
+    // Horner's scheme for the even and the odd powers of both, unrolled by hand: a loop would go through memory.
     let (f, t) = (&by.weights.from, &by.weights.to);
     let square = versine * versine;
     macro_rules! horner {
@@ -170,7 +172,7 @@ fn slerp<S: Simd>(simd: S, by: &Fitted<'_, S>, from: [Lanes<S>; 4], to: [Lanes<S
         from[2].mul_add(from_weight, to[2] * to_weight),
         from[3].mul_add(from_weight, to[3] * to_weight),
     ];
-    // One step of Newton's method towards unit length, from very near.
+    // One step of Newton's method towards unit length; the length is already close to 1.
     let scale = dot(blended, blended).mul_add(Lanes::splat(simd, -0.5), Lanes::splat(simd, 1.5));
     [blended[0] * scale, blended[1] * scale, blended[2] * scale, blended[3] * scale]
 }

@@ -1,4 +1,4 @@
-//! Cameras, projection, rays through pixels, and the arcball's mathematics. Nothing here knows what is being moved.
+//! Cameras, projection, rays through pixels, and the arcball's mathematics. This module does not know what is moved.
 
 use glam::{Affine3A, Mat4, Quat, Vec2, Vec3};
 
@@ -8,7 +8,7 @@ use crate::scene::Ray;
 /// Distance of the near plane from the eye, in scene units.
 pub const NEAR: f32 = 0.05;
 
-/// A perspective camera: where it is, what it sees, and the picture it makes.
+/// A perspective camera: position, field of view and picture size.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
     /// Eye space (−Z forward, Y up) to world space.
@@ -20,7 +20,7 @@ pub struct Camera {
 }
 
 impl Camera {
-    /// Eye to clip space: reversed depth, infinite far plane, so that precision does not depend on how far one sees.
+    /// Eye to clip space: reversed depth, infinite far plane, so that depth precision does not depend on the view distance.
     #[must_use]
     pub fn clip_from_eye(&self) -> Mat4 {
         let focal = 1.0 / (self.vertical_fov * 0.5).tan();
@@ -39,7 +39,7 @@ impl Camera {
         self.world_from_eye.inverse().to_affine()
     }
 
-    /// Scene units that a pixel covers at one unit of depth.
+    /// The side of a pixel in scene units at depth 1.
     #[must_use]
     pub fn units_per_pixel_at_unit_depth(&self) -> f32 {
         2.0 * (self.vertical_fov * 0.5).tan() / self.size_px.y

@@ -1,11 +1,11 @@
 //! The fixed-rate animation clock: whole ticks out of wall time, exactly.
 //!
-//! Time comes in as [`Duration`]s, from the caller; no clock is read here. What is left over between ticks is kept in whole
-//! sixtieths of a nanosecond, never as a float, so any split of the same wall time gives the same ticks: an hour is 216,000.
+//! The caller reads the wall clock and passes [`Duration`]s. The remainder between ticks is kept in whole sixtieths of a nanosecond, never
+//! as a float, so any split of the same wall time gives the same ticks: an hour is 216,000.
 
 use std::time::Duration;
 
-/// The rate of the animation clock.
+/// The rate of the animation clock, in ticks per second of wall time.
 pub const TICKS_PER_SECOND: u32 = 60;
 
 const NANOSECONDS_PER_SECOND: u128 = 1_000_000_000;
@@ -13,7 +13,7 @@ const NANOSECONDS_PER_SECOND: u128 = 1_000_000_000;
 /// Cuts wall time into ticks of exactly 1/60 s.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct AnimationClock {
-    /// Time since the last whole tick, in 1/60 ns: below 10⁹.
+    /// Time since the last whole tick, in 1/60 ns, below 10⁹.
     leftover_sixtieth_ns: u128,
 }
 
@@ -24,7 +24,7 @@ impl AnimationClock {
         Self::default()
     }
 
-    /// Takes in elapsed wall time and says how many ticks it completed.
+    /// Adds elapsed wall time and returns the number of completed ticks.
     #[must_use]
     pub fn advance(&mut self, elapsed: Duration) -> u64 {
         let total = self.leftover_sixtieth_ns + elapsed.as_nanos() * u128::from(TICKS_PER_SECOND);

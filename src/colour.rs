@@ -31,7 +31,7 @@ pub fn srgb_from_linear(channel: f32) -> f32 {
 pub struct Colour(pub Vec3);
 
 impl Colour {
-    /// The colour of a shape that is given none: a light grey.
+    /// The default colour of shapes: a light grey.
     pub const DEFAULT: Self = Self(Vec3::splat(0.7));
 
     /// The current keyframe, the playhead, the selection; the outline of the chosen node.
@@ -65,13 +65,13 @@ impl Colour {
         Self(Vec3::new(red as f32 / 255.0, green as f32 / 255.0, blue as f32 / 255.0))
     }
 
-    /// As [`Colour::from_rgb`].
+    /// The colour of `[red, green, blue]` in sRGB, each 0 to 255.
     #[must_use]
     pub const fn from_bytes([red, green, blue]: [u8; 3]) -> Self {
         Self::from_rgb(red, green, blue)
     }
 
-    /// Red, green and blue in sRGB, each 0 to 255, the nearest to what it is.
+    /// Red, green and blue in sRGB, each 0 to 255, rounded to the nearest.
     #[must_use]
     pub const fn to_bytes(self) -> [u8; 3] {
         const fn byte(channel: f32) -> u8 {
@@ -87,19 +87,19 @@ impl Colour {
         self.0.map(linear_from_srgb)
     }
 
-    /// The colour of linear-light red, green and blue that `#rrggbb` can say, nearest to these.
+    /// The colour nearest to a linear-light one that `#rrggbb` can express.
     #[must_use]
     pub fn nearest_to_linear(linear: Vec3) -> Self {
         Self::nearest(linear.map(srgb_from_linear))
     }
 
-    /// The colour that `#rrggbb` can say, nearest to red, green and blue in sRGB.
+    /// The colour nearest to an sRGB one (0 to 1) that `#rrggbb` can express.
     #[must_use]
     pub const fn nearest(srgb: Vec3) -> Self {
         Self::from_bytes(Self(srgb).to_bytes())
     }
 
-    /// It as `#rrggbb`.
+    /// The colour as text, `#rrggbb`.
     #[must_use]
     pub fn to_hex(self) -> String {
         let [red, green, blue] = self.to_bytes();

@@ -1,8 +1,8 @@
-//! Films and pictures of an animation: which moments, seen by whom, drawn and written. The window and the command line share it, so
-//! that both write the same bytes.
+//! Export of films and pictures: the moments, the camera, drawing and writing. The window and the command line share it, so both write the
+//! same bytes.
 //!
-//! It draws on an adapter of its own and waits for nobody: the caller is told of each frame, and may end the work there. What is not
-//! finished then is not kept. [`RenderRequest`] is the way in; [`Job`] is a request that owns what it needs, for a thread.
+//! It draws on its own adapter and never blocks on the caller: a callback receives each frame and may cancel. Unfinished files are then
+//! removed. [`RenderRequest`] is the entry point; [`Job`] is a request that owns its data, for a thread.
 
 mod error;
 mod ffmpeg;

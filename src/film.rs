@@ -1,7 +1,7 @@
-//! Films and pictures as files: the table of formats, their encoders, and the options of an export.
+//! Film and picture files: the table of formats, their encoders, and the options of an export.
 //!
-//! Nothing here draws, waits or touches a file: encoders take pictures and write to whatever takes bytes. The same pictures always give
-//! the same bytes. A new format is a file under `formats/` and a row of the table there.
+//! This module does not draw, wait or open files: encoders take pictures and write to any `Write`. The same pictures always give the same
+//! bytes. To add a format, add a file under `formats/` and a row to the table there.
 
 mod format;
 mod formats;
@@ -45,16 +45,16 @@ pub enum FilmError {
         /// Height in pixels.
         height: u32,
     },
-    /// The bytes cannot be written.
+    /// The output refuses the bytes.
     Unwritten(#[from] io::Error),
-    /// The encoder refuses.
+    /// The encoder refuses the picture.
     Encoding(#[source] Box<dyn std::error::Error + Send + Sync>),
 }
 
 display_by_message!(FilmError);
 
 impl FilmError {
-    /// Why, as a message.
+    /// The error as a message.
     #[must_use]
     pub fn message(&self) -> Message {
         match self {

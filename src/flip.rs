@@ -1,13 +1,12 @@
-//! How different two pictures look: a number, and a picture of where.
+//! The visible difference of two pictures: a score, and a picture of the errors.
 //!
-//! Pixels in, numbers out; nothing here knows where a picture came from. The measure is LDR-FLIP (Andersson, Nilsson,
-//! Akenine-Möller, Oskarsson, Åström, Fairchild: "FLIP: A Difference Evaluator for Alternating Images", Proc. ACM Comput. Graph.
-//! Interact. Tech. 3(2), 2020): what a person would notice who flips between two pictures on a screen, 67 pixels to a degree.
-//! Colours are blurred as the eye does, compared in a uniform colour space, and weighed up where edges or points differ.
+//! Pixels in, numbers out. The measure is LDR-FLIP (Andersson, Nilsson, Akenine-Möller, Oskarsson, Åström, Fairchild: "FLIP: A Difference
+//! Evaluator for Alternating Images", Proc. ACM Comput. Graph. Interact. Tech. 3(2), 2020): the difference that a person notices when
+//! flipping between two pictures on a screen, 67 pixels to a degree. Colours are filtered by the eye's contrast sensitivity and compared in
+//! a uniform colour space. Differences of edges and points increase the error.
 //!
-//! A verdict needs one number. FLIP's mean over the picture takes a moved hand for less than a shift of all colours by one level
-//! that nobody sees; so the [`Comparison::score`] is the mean over the worst thousandth of the pixels, which rises where
-//! something is seen somewhere and not where nothing is seen anywhere.
+//! A verdict needs one number. FLIP's mean over the picture rates a moved hand lower than an invisible shift of all colours by one level.
+//! So [`Comparison::score`] is the mean over the worst thousandth of the pixels: it is high if a difference is visible anywhere.
 
 mod colour;
 mod features;
@@ -19,7 +18,7 @@ use thiserror::Error;
 
 use crate::picture::Image;
 
-/// The score up to which two pictures are taken to look the same where nothing else is said.
+/// The default tolerance: two pictures with at most this score look the same.
 pub const DEFAULT_TOLERANCE: f32 = 0.06;
 
 /// Why two pictures cannot be compared.
@@ -38,7 +37,7 @@ pub enum CompareError {
     Empty,
 }
 
-/// What the comparison of two pictures found.
+/// The comparison of two pictures.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Comparison {
     width: u32,
@@ -49,8 +48,8 @@ pub struct Comparison {
     largest: f32,
 }
 
-/// Compares two pictures of one size. Where either is translucent, both are laid over black and over white, and the larger error counts.
-/// The order of the two does not matter.
+/// Compares two pictures of one size. If either is translucent, both are composited over black and over white, and the larger error is
+/// used. The order of the two does not matter.
 ///
 /// # Errors
 /// [`CompareError`]
@@ -83,7 +82,7 @@ impl Comparison {
         let worst = ordered.len().div_ceil(1000);
         ordered.select_nth_unstable_by(worst - 1, |a, b| b.total_cmp(a));
         let largest = ordered[..worst].iter().copied().fold(0.0, f32::max);
-        // In the picture's order and in f64: the same sum whatever the selection did.
+        // Summed in picture order and in f64, so that the sum does not depend on the order of the selection.
         let mut worst_errors = ordered[..worst].to_vec();
         worst_errors.sort_by(f32::total_cmp);
         Self { width, height, score: mean(&worst_errors), mean: mean(&errors), largest, errors }
@@ -119,7 +118,7 @@ impl Comparison {
         self.score <= tolerance
     }
 
-    /// The result as people read it: score, verdict, mean and largest error.
+    /// The result as a sentence: score, verdict, mean and largest error.
     #[must_use]
     pub fn sentence(&self, tolerance: f32) -> String {
         let verdict = if self.is_within(tolerance) { "within" } else { "beyond" };
@@ -127,7 +126,7 @@ impl Comparison {
         format!("score {score:.6}, {verdict} the tolerance {tolerance} (mean {mean:.6}, largest {largest:.6})")
     }
 
-    /// A picture of the errors: black where there is none, through violet and orange to pale yellow where it is 1.
+    /// A picture of the errors: from black (0) through violet and orange to pale yellow (1).
     #[must_use]
     pub fn difference(&self) -> Image {
         heat::picture(self.width, self.height, &self.errors)

@@ -1,7 +1,7 @@
-//! The seam between CPU and GPU: one picture as plain data.
+//! The interface between CPU and GPU: one picture as plain data.
 //!
-//! A [`Frame`] is all that the renderer needs and knows nothing of where it came from: camera matrices, shapes in world space,
-//! ghosts, lines, dots, the arcball. [`crate::view`] makes frames. Tests of scenes stop here; only tests of pixels need an adapter.
+//! A [`Frame`] has all the data that the renderer needs: camera matrices, shapes in world space, ghosts, lines, dots, the arcball. It does
+//! not depend on its source; [`crate::view`] makes frames. Tests of scenes check frames; only tests of pixels need an adapter.
 
 use glam::{Affine3A, Mat4, Vec3, Vec4};
 
@@ -43,7 +43,7 @@ impl View {
 /// One shape, ready to be drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DrawItem {
-    /// Which mesh.
+    /// The mesh of which it is an instance.
     pub mesh: MeshKind,
     /// Shape space to world space, any affine.
     pub world_from_shape: Affine3A,
@@ -53,14 +53,14 @@ pub struct DrawItem {
     pub rounding: f32,
     /// Linear-light colour, 0 to 1.
     pub colour: Vec3,
-    /// The scene's node: what an identity picture shows.
+    /// The index of the scene's node, for identity pictures.
     pub node: u32,
     /// Whether it belongs to the chosen node, which gets an outline in the accent colour.
     pub outlined: bool,
 }
 
 impl DrawItem {
-    /// Whether it is ground: a plane. It casts no shadow, has no ghost, and does not count for a scene's extent.
+    /// Whether it is ground, which is any plane. Ground casts no shadow, has no ghost, and is not part of a scene's extent.
     #[must_use]
     pub const fn is_ground(&self) -> bool {
         match self.mesh {
@@ -73,13 +73,13 @@ impl DrawItem {
 /// A translucent, outlined copy of a shape, drawn over the scene without a shadow.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ghost {
-    /// Its geometry; `colour` is its tint and `outlined` is not looked at.
+    /// Its geometry. `colour` is its tint; `outlined` is ignored.
     pub item: DrawItem,
     /// Opacity of the fill, 0 to 1.
     pub opacity: f32,
 }
 
-/// A straight line in the scene, hidden by what is in front of it.
+/// A straight line in the scene, hidden by shapes in front of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Line {
     /// One end, in world space.
@@ -112,10 +112,10 @@ pub struct ArcballMark {
     pub radius: f32,
 }
 
-/// One picture.
+/// All data of one picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frame {
-    /// The camera.
+    /// The camera's matrices.
     pub view: View,
     /// Opaque shapes.
     pub items: Vec<DrawItem>,
@@ -125,12 +125,12 @@ pub struct Frame {
     pub lines: Vec<Line>,
     /// Dots, such as the keyframes on the motion path.
     pub dots: Vec<Dot>,
-    /// The arcball, where it is shown.
+    /// The arcball, if it is shown.
     pub arcball: Option<ArcballMark>,
 }
 
 impl Frame {
-    /// Makes lines and dots wider by a factor: from widths in points to pixels of a dense screen.
+    /// Scales the widths of lines and dots, for screens with several pixels per point.
     pub fn scale_strokes(&mut self, factor: f32) {
         for line in &mut self.lines {
             line.width_px *= factor;

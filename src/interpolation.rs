@@ -48,13 +48,13 @@ impl Interpolation {
         }
     }
 
-    /// The one that a name in a file means.
+    /// The interpolation with this name in files; `None` if there is none.
     #[must_use]
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|candidate| candidate.name() == name)
     }
 
-    /// The one after this, around the end.
+    /// The next interpolation, cyclically. The hotkey uses it.
     #[must_use]
     pub const fn next(self) -> Self {
         Self::ALL[(self as usize + 1) % Self::ALL.len()]
@@ -67,7 +67,8 @@ pub fn lerp(from: Vec3, to: Vec3, alpha: f32) -> Vec3 {
     from * (1.0 - alpha) + to * alpha
 }
 
-/// Conditional negation, `cn`: of `rotation` and `-rotation`, which mean the same, the one with w ≥ 0, so that a power of it takes the short way.
+/// Conditional negation, `cn`: the one of `rotation` and `-rotation` with w ≥ 0, so that a power of it takes the short way. Both are the
+/// same rotation.
 #[must_use]
 pub fn conditionally_negated(rotation: Quat) -> Quat {
     if rotation.w < 0.0 { -rotation } else { rotation }
@@ -75,8 +76,8 @@ pub fn conditionally_negated(rotation: Quat) -> Quat {
 
 /// The rotation about the same axis by `exponent` times the angle.
 ///
-/// For `(cos φ, sin φ k)` this is `(cos αφ, sin αφ k)`, with φ from `atan2`, so that rotations by next to nothing and by half a
-/// turn are as exact as any. The identity to any power is the identity.
+/// For `(cos φ, sin φ k)` this is `(cos αφ, sin αφ k)`, with φ from `atan2`, so that tiny rotations and half turns are as exact as others.
+/// The identity to any power is the identity.
 #[must_use]
 pub fn power(rotation: Quat, exponent: f32) -> Quat {
     let vector = Vec3::new(rotation.x, rotation.y, rotation.z);
@@ -106,7 +107,7 @@ pub struct ControlPoints<V> {
     pub before_end: V,
 }
 
-/// The divisors d in tangent = (next − previous) / d: 6 at both ends where all intervals are of one length.
+/// The divisors d in tangent = (next − previous) / d: 6 at both ends if all intervals have one length.
 ///
 /// For intervals of lengths p, q, r, the middle one being the curve's, the velocity at its start is `(c2 − c0)/(p + q)` and at its end
 /// `(c3 − c1)/(q + r)`; a cubic Bézier curve of length q leaves its start with `3 (d − c1)/q`. So `d = (c2 − c0) q/(3 (p + q)) + c1`,
@@ -115,7 +116,7 @@ pub struct ControlPoints<V> {
 pub struct TangentDivisors {
     /// At the start of the curve.
     pub start: f32,
-    /// At its end.
+    /// At the end of the curve.
     pub end: f32,
 }
 
@@ -131,13 +132,13 @@ impl TangentDivisors {
     }
 }
 
-/// Control points for translations: `d = (c2 − c0)/6 + c1`, `e = −(c3 − c1)/6 + c2`, where all intervals are of one length.
+/// Control points for translations: `d = (c2 − c0)/6 + c1`, `e = −(c3 − c1)/6 + c2`, if all intervals have one length.
 #[must_use]
 pub fn translation_control_points([c0, c1, c2, c3]: [Vec3; 4], divisors: TangentDivisors) -> ControlPoints<Vec3> {
     ControlPoints { after_start: (c2 - c0) / divisors.start + c1, before_end: c2 - (c3 - c1) / divisors.end }
 }
 
-/// Control points for rotations: `d = (cn(c2 c0⁻¹))^(1/6) c1`, `e = (cn(c3 c1⁻¹))^(−1/6) c2`, where all intervals are of one length.
+/// Control points for rotations: `d = (cn(c2 c0⁻¹))^(1/6) c1`, `e = (cn(c3 c1⁻¹))^(−1/6) c2`, if all intervals have one length.
 #[must_use]
 pub fn rotation_control_points([c0, c1, c2, c3]: [Quat; 4], divisors: TangentDivisors) -> ControlPoints<Quat> {
     let part = |to: Quat, from: Quat, exponent: f32| power(conditionally_negated(to * from.conjugate()), exponent);
@@ -196,9 +197,9 @@ pub fn bezier_rbt(start: Rbt, inner: ControlPoints<Rbt>, end: Rbt, alpha: f32) -
     )
 }
 
-/// Normalised linear interpolation: the blend of the two quaternions, of the nearer signs, brought back to unit length.
+/// Normalised linear interpolation: negates one quaternion if the dot product is negative, blends linearly, and normalises.
 ///
-/// It takes the same path as [`slerp`] at an uneven speed. For comparison only; nothing plays with it.
+/// It takes the same path as [`slerp`] at an uneven speed. Used only to compare, never to play.
 #[must_use]
 pub fn nlerp(from: Quat, to: Quat, alpha: f32) -> Quat {
     let to = if from.dot(to) < 0.0 { -to } else { to };

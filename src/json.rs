@@ -1,16 +1,16 @@
-//! What the JSON formats share: how a parse error reads, and how numbers are written.
+//! Shared by all JSON formats: the text of parse errors, and the writing of numbers.
 
 use std::fmt::{self, Write as _};
 
 use crate::rbt::Rbt;
 
-/// Below this size, all numbers but 0 have an exponent.
+/// `{:?}` writes numbers with an absolute value below this (except 0) with an exponent.
 const ALWAYS_WITH_EXPONENT: f32 = 1e-6;
-/// From this size on, numbers have none.
+/// `{:?}` writes numbers from this absolute value on without an exponent.
 const SMALLEST_WITHOUT_EXPONENT: f32 = 1e-4;
-/// Up to this size, all digits before the point are written.
+/// Below this absolute value all digits before the point are significant.
 const ALL_WHOLE: f32 = 16_777_216.0;
-/// So many places have numbers from [`SMALLEST_WITHOUT_EXPONENT`] on, at most.
+/// Numbers from [`SMALLEST_WITHOUT_EXPONENT`] on have at most this many decimal places.
 const MOST_PLACES: i32 = 13;
 
 /// Appends a text as a JSON string.
@@ -43,7 +43,7 @@ pub fn push_rbts(text: &mut String, rbts: impl Iterator<Item = Rbt>) {
     text.push(']');
 }
 
-/// A parse error as a sentence that ends with its place: `line L column C`.
+/// A parse error as a sentence that ends with its location: `line L column C`.
 #[must_use]
 pub fn sentence(error: &serde_json::Error) -> String {
     let text = error.to_string();
@@ -63,7 +63,7 @@ pub fn push_f32(text: &mut String, number: f32) {
     }
 }
 
-/// The text of a number as `{:?}` has it but for `.0`, several times as fast; `None` where that may be another one.
+/// The text that `{:?}` gives a number, without `.0`, several times as fast. `None` if the two texts may differ.
 #[inline]
 fn shortest(buffer: &mut zmij::Buffer, number: f32) -> Option<&str> {
     let size = number.abs();
@@ -74,8 +74,8 @@ fn shortest(buffer: &mut zmij::Buffer, number: f32) -> Option<&str> {
     let text = buffer.format_finite(number);
     match text.as_bytes() {
         [.., b'.', b'0'] => Some(&text[..text.len() - 2]),
-        // An odd number of 1/2^n has n places. Where one fewer tells it from its neighbours, two texts are as near, and the choice
-        // is another one.
+        // An odd multiple of 1/2^n has n decimal places. If n - 1 places identify it, the exact decimal lies half-way between two shortest
+        // texts, and `{:?}` and zmij may break the tie differently: leave those to the standard library.
         all => match fractional_bits(size) {
             n @ 1..=MOST_PLACES if all.iter().nth_back(n as usize - 1) == Some(&b'.') => None,
             _ => Some(text),
@@ -83,7 +83,7 @@ fn shortest(buffer: &mut zmij::Buffer, number: f32) -> Option<&str> {
     }
 }
 
-/// How many binary places a number has behind the point; below 1 where it is whole.
+/// The number of binary digits after the point; 0 or less for a whole number.
 #[inline]
 fn fractional_bits(size: f32) -> i32 {
     const FRACTION: u32 = (1 << (f32::MANTISSA_DIGITS - 1)) - 1;
@@ -93,7 +93,7 @@ fn fractional_bits(size: f32) -> i32 {
     f32::MANTISSA_DIGITS as i32 - 1 - exponent - significand.trailing_zeros() as i32
 }
 
-/// The same for a number of twice the precision.
+/// Like [`push_f32`], in double precision.
 pub fn push_f64(text: &mut String, number: f64) {
     debug_assert!(number.is_finite(), "JSON has no {number}");
     let _ = write!(text, "{number:?}");
@@ -114,7 +114,7 @@ pub fn push_f32s(text: &mut String, numbers: &[f32]) {
     text.push(']');
 }
 
-/// Room for the text of one transform, put together from short parts whose lengths the compiler knows where it can.
+/// A buffer for the text of one transform. Its parts have lengths known to the compiler where possible.
 #[derive(Debug)]
 pub struct RbtText {
     bytes: [u8; Self::MOST_BYTES],
@@ -128,10 +128,10 @@ impl Default for RbtText {
 }
 
 impl RbtText {
-    /// More than seven numbers, the names and what comes before take.
+    /// Enough for seven numbers, the names and the text before them.
     const MOST_BYTES: usize = 256;
 
-    /// A text, at most 32 bytes of it, then `{ "translation": [x, y, z], "rotation": [x, y, z, w] }`, which is ASCII.
+    /// `before`, then `{ "translation": [x, y, z], "rotation": [x, y, z, w] }` in ASCII. `before` has at most 32 bytes.
     pub fn of<const N: usize>(&mut self, before: &[u8; N], rbt: &Rbt) -> &[u8] {
         const { assert!(N <= 32) }
         self.len = 0;
@@ -165,7 +165,7 @@ impl RbtText {
         }
     }
 
-    /// Up to 16 bytes as two parts that overlap.
+    /// Copies up to 16 bytes as two copies that overlap.
     #[inline]
     fn put_digits(&mut self, digits: &[u8]) {
         let into = &mut self.bytes[self.len..self.len + digits.len()];

@@ -19,8 +19,8 @@ pub use other_blends::Blend;
 pub use sample::{PlayRange, SampleError};
 pub use timing::{Timing, to_f64, whole};
 
-/// Milliseconds between keyframes that can be chosen, both ends included.
+/// The allowed milliseconds between keyframes, both ends included.
 pub const MS_BETWEEN_KEYFRAMES_RANGE: std::ops::RangeInclusive<u32> = 100..=10_000;
 
-/// Milliseconds between keyframes where nothing else is said.
+/// The default milliseconds between keyframes.
 pub const DEFAULT_MS_BETWEEN_KEYFRAMES: u32 = 2000;

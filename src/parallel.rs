@@ -3,10 +3,10 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
-/// Maps items on as many cores as there are; results are in the order of the items.
+/// Maps items on all cores. Results are in the order of the items.
 ///
-/// Each thread takes the next item when it has finished one, so that items may take different times. The calling thread works as well:
-/// one item starts no thread. A panic in `map` is passed on after all threads have ended.
+/// Each thread takes the next item when it has finished one, so items may take different times. The calling thread works too, so a single
+/// item starts no thread. A panic in `map` is passed on after all threads have ended.
 pub fn map_in_order<T: Sync, R: Send>(items: &[T], map: impl Fn(&T) -> R + Sync) -> Vec<R> {
     let next = AtomicUsize::new(0);
     let work = || {

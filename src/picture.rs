@@ -1,4 +1,4 @@
-//! A finished picture on the CPU, its PNG, and pictures out of PNG files.
+//! A finished picture on the CPU, and PNG encoding and decoding.
 //!
 //! Pixels and bytes only: nothing here draws or touches a file.
 
@@ -39,7 +39,7 @@ impl Image {
         self.rows().to_png()
     }
 
-    /// Its rows.
+    /// The picture as borrowed rows.
     #[must_use]
     pub fn rows(&self) -> Rows<'_> {
         let row_bytes = 4 * self.width as usize;
@@ -86,7 +86,7 @@ impl Rows<'_> {
             }
             read += pixels.len();
         }
-        // Where there are too few or too many, the encoder says so.
+        // The encoder reports a wrong number of rows.
         packed.resize(3 * read, 0);
         let is_opaque = least_opacity == u8::MAX;
         if !is_opaque {
@@ -108,7 +108,7 @@ impl Rows<'_> {
         Ok(room.into_png())
     }
 
-    /// As [`Rows::to_png`], in memory that there is already.
+    /// Like [`Rows::to_png`], but reuses the memory of `room`.
     ///
     /// # Errors
     ///
@@ -128,8 +128,8 @@ impl Rows<'_> {
     }
 }
 
-/// Memory for making PNGs, one after the other. Getting it takes a quarter of the time of making one: a system hands it out page by page
-/// when it is first written to.
+/// Memory for encoding PNGs one after the other. Allocating it anew takes a quarter of the encoding time, because the system provides each
+/// page on its first write.
 #[derive(Debug, Default)]
 pub struct PngRoom {
     packed: Vec<u8>,
@@ -137,11 +137,11 @@ pub struct PngRoom {
 }
 
 impl PngRoom {
-    /// Memory for pictures of so many pixels, all of it written to.
+    /// Memory for pictures of this size. All pages are written to once.
     #[must_use]
     pub fn new(width: u32, height: u32) -> Self {
         let pixels = width as usize * height as usize;
-        // Zeros would be handed out without being written.
+        // Not zeros: an allocator provides those without writing to the pages.
         Self { packed: vec![1; 3 * pixels], bytes: vec![1; Self::usual_bytes(pixels)] }
     }
 
@@ -157,19 +157,18 @@ impl PngRoom {
         self.bytes
     }
 
-    /// More bytes than a PNG of so many pixels usually has.
+    /// An upper estimate of a PNG's bytes.
     fn usual_bytes(pixels: usize) -> usize {
         3 * pixels / 4 + 1024
     }
 }
 
-/// How pictures are written as PNGs, single ones and those of films: 8 bits a channel, marked as sRGB; without an alpha channel where all
-/// is opaque.
+/// The settings for all PNGs, single pictures and films: 8 bits a channel, marked as sRGB; without an alpha channel where all is opaque.
 pub fn set_up_png<W: Write>(encoder: &mut png::Encoder<'_, W>, is_opaque: bool) {
     encoder.set_color(if is_opaque { png::ColorType::Rgb } else { png::ColorType::Rgba });
     encoder.set_depth(png::BitDepth::Eight);
     encoder.set_compression(png::Compression::Fast);
-    // Choosing a filter for each row takes longer, for files that are no smaller; so does Paeth's.
+    // An adaptive filter and Paeth's filter take longer and give no smaller files.
     encoder.set_filter(png::Filter::Sub);
     encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
 }

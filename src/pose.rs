@@ -8,25 +8,25 @@ use crate::rbt::Rbt;
 
 pub use block::{LANES, RbtBlock};
 
-/// Which RBT node of a scene, by its place in a pre-order walk; issued by [`crate::scene::SceneGraph`].
+/// The index of an RBT node in a scene's pre-order walk of its RBT nodes; issued by [`crate::scene::SceneGraph`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct RbtIndex(usize);
 
 impl RbtIndex {
-    /// The node in that place; `place` must be below the number of RBT nodes of the scene it is used with.
+    /// The node with this index. It must be below the number of RBT nodes of the scene it is used with.
     #[must_use]
     pub const fn new(index: usize) -> Self {
         Self(index)
     }
 
-    /// Its place in poses and files, from 0.
+    /// The index in poses and files, from 0.
     #[must_use]
     pub const fn get(self) -> usize {
         self.0
     }
 }
 
-/// `parent_from_node` of every RBT node, in the scene's order. Cloning shares; a change copies where it is shared.
+/// `parent_from_node` of every RBT node, in the scene's order. Clones share storage; a change copies shared storage first.
 ///
 /// The transforms lie in blocks of [`LANES`], as [`crate::blend`] takes them.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,7 +36,7 @@ pub struct Pose {
 }
 
 impl Pose {
-    /// A pose of these transforms.
+    /// A pose of these transforms, in the scene's order.
     #[must_use]
     pub fn new(parent_from_node: Vec<Rbt>) -> Self {
         Self::from_slice(&parent_from_node)
@@ -55,7 +55,7 @@ impl Pose {
         Self { blocks: rbts.chunks(LANES).map(block).collect(), len: rbts.len() }
     }
 
-    /// A pose of so many nodes that change nothing.
+    /// A pose of `len` identity transforms.
     #[must_use]
     pub fn identity(len: usize) -> Self {
         Self { blocks: (0..len.div_ceil(LANES)).map(|_| RbtBlock::IDENTITY).collect(), len }
@@ -79,19 +79,19 @@ impl Pose {
         (0..self.len).map(|index| self.get(RbtIndex(index)))
     }
 
-    /// All transforms, in the scene's order, as a list of their own.
+    /// All transforms, in the scene's order, as a new list.
     #[must_use]
     pub fn to_vec(&self) -> Vec<Rbt> {
         self.iter().collect()
     }
 
-    /// The transforms in blocks; what fills up the last one is the identity.
+    /// The transforms in blocks. The last block is filled up with the identity.
     #[must_use]
     pub fn blocks(&self) -> &[RbtBlock] {
         &self.blocks
     }
 
-    /// Makes this a pose of `len` nodes, all of its blocks written by `write`; in its own storage where nobody shares that.
+    /// Makes this a pose of `len` nodes whose blocks are all written by `write`. Reuses the storage if nothing shares it.
     pub(crate) fn fill(&mut self, len: usize, write: impl FnOnce(&mut [RbtBlock])) {
         if self.len != len || Arc::get_mut(&mut self.blocks).is_none() {
             *self = Self::identity(len);
@@ -112,19 +112,19 @@ impl Pose {
         self.blocks[rbt.0 / LANES].get(rbt.0 % LANES)
     }
 
-    /// Changes one node's `parent_from_node`; poses that shared with this one keep theirs.
+    /// Changes one node's `parent_from_node`. Poses that share storage with this one do not change.
     pub fn set(&mut self, rbt: RbtIndex, parent_from_node: Rbt) {
         assert!(rbt.0 < self.len, "RBT node {} of a pose of {}", rbt.0, self.len);
         Arc::make_mut(&mut self.blocks)[rbt.0 / LANES].set(rbt.0 % LANES, parent_from_node);
     }
 
-    /// Whether the two share their storage, which makes them equal at no cost.
+    /// Whether the two poses share storage. If so they are equal; the check takes constant time.
     #[must_use]
     pub fn shares_with(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.blocks, &other.blocks)
     }
 
-    /// A number that poses have in common which share their storage, and no others while both are held.
+    /// The address of the storage: equal for poses that share it, different for others that exist at the same time.
     #[must_use]
     pub fn storage(&self) -> usize {
         self.blocks.as_ptr().addr()
@@ -136,7 +136,7 @@ impl Pose {
         Arc::strong_count(&self.blocks) > 1
     }
 
-    /// Whether two poses are the same, at no cost where they share.
+    /// Whether two poses are equal. Constant time if they share storage.
     #[must_use]
     pub fn same_as(&self, other: &Self) -> bool {
         self.shares_with(other) || self == other

@@ -1,11 +1,10 @@
 //! Drawing: a [`Frame`](crate::frame::Frame) in, pixels out, on any texture view.
 //!
-//! [`Gpu`] is the adapter and its device; [`Renderer`] draws a frame into whatever view it is given and cannot tell a window's from
-//! another; [`Offscreen`] is such a view with the way back to the CPU; [`Image`] is what comes back.
+//! [`Gpu`] is the adapter and its device. [`Renderer`] draws a frame into any texture view, of a window or not. [`Offscreen`] is a texture
+//! with read-back to the CPU; [`Image`] is the result.
 //!
-//! Nothing here knows the editor, the interface or where a frame came from. Colours are linear light until the last step of each
-//! fragment shader. Depth is reversed: 1 at the near plane, 0 at infinity. No shader uses derivatives, so that a picture is the
-//! same to the byte whenever it is drawn.
+//! This module does not know the editor or the user interface. Colours are linear light until the last step of each fragment shader. Depth
+//! is reversed: 1 at the near plane, 0 at infinity. No shader uses derivatives, so that a picture has the same bytes each time.
 
 mod arrange;
 mod bounds;

@@ -1,20 +1,21 @@
-//! Which quaternions count as rotations: the tolerances and rules of all that is read and edited.
+//! Which quaternions are accepted as rotations: the tolerances and rules for everything that is read or edited.
 //!
-//! Rounded numbers give quaternions that are a little off unit length. A file that this program wrote must read back to the same bits, so
-//! the smallest errors are kept; larger ones are rounding in somebody's text and are normalised; beyond that a file is wrong.
+//! Rounded numbers give quaternions that are not quite of unit length. A file that this program wrote must read back to the same bits, so
+//! the smallest errors are kept. Larger errors come from rounding in other programs and are normalised. Beyond that the file is wrong.
 
 use glam::Quat;
 
-/// How far from unit length a rotation may be to be kept bit for bit.
+/// A rotation whose length differs from 1 by at most this is kept bit for bit.
 pub const KEPT: f64 = 1e-6;
-/// How far from unit length a rotation may be to be normalised; beyond, it is an error.
+/// A rotation whose length differs from 1 by at most this is normalised; beyond, it is an error.
 pub const NORMALISED: f64 = 0.01;
-/// How far from unit length four numbers of a text may be to be taken for its quaternions, where nothing says which four they are.
+/// Largest difference from unit length at which four numbers of a text are recognised as a quaternion, if the text does not say which four
+/// are.
 pub const RECOGNISED: f64 = 5e-3;
 /// The least length of a quaternion that has a direction.
 const SHORTEST: f32 = 1e-6;
 
-/// What becomes of a quaternion of some length that stands for a rotation.
+/// The treatment of a quaternion that is read as a rotation, by its length.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mending {
     /// It is kept bit for bit.
@@ -40,7 +41,7 @@ impl Mending {
     }
 }
 
-/// A rotation of unit length, if the quaternion has a direction: what an edit gives may be of any other length.
+/// The quaternion scaled to unit length; `None` if it is too short or not finite. For edits, which may give any length.
 #[must_use]
 pub fn unit(rotation: Quat) -> Option<Quat> {
     let length = rotation.length();

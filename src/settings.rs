@@ -1,6 +1,6 @@
-//! Settings: hotkeys, colours, language, scale, recent files, sizes of panels. Plain data, and the text of its file.
+//! A user's settings: hotkeys, colours, language, scale, recent files, panel sizes. Plain data and its file format.
 //!
-//! The file's path and the meaning of chords are not known here.
+//! This module does not know where the file is, or what the name of a key means.
 
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
@@ -11,52 +11,51 @@ use thiserror::Error;
 
 use crate::words::{Argument, Language, Message, display_by_message, texts};
 
-/// The `format` field of the file.
+/// The value of `format`.
 const FORMAT: &str = "inbetween.settings";
-/// The version that is written, and the newest that is read.
+/// The version that is written; newer ones are refused.
 const VERSION: u32 = 1;
-/// Larger files are refused, in bytes.
+/// The largest settings file that is read, in bytes.
 pub const LARGEST_SETTINGS_BYTES: u64 = 1 << 20;
-/// How many recent files are kept.
+/// The largest number of recent files.
 pub const MOST_RECENT_FILES: usize = 10;
-/// The scales that the menu offers, in percent.
+/// The scales in the menu, in percent.
 pub const SCALES: [u16; 7] = [75, 90, 100, 125, 150, 175, 200];
-/// Sizes of panels that can be meant, in points.
+/// The valid panel sizes, in points.
 const PANEL_SIZES: RangeInclusive<f32> = 40.0..=4000.0;
 
-/// Which colours show.
+/// The colour theme.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum ThemeChoice {
-    /// Those of the system; dark, where it does not say.
+    /// The system's theme; dark if it has none.
     #[default]
     System,
-    /// Light.
+    /// Light panels.
     Light,
-    /// Dark.
+    /// Dark panels.
     Dark,
 }
 
 impl ThemeChoice {
-    /// All of them, in the order of menus.
+    /// All themes, in menu order.
     pub const ALL: [Self; 3] = [Self::System, Self::Light, Self::Dark];
 }
 
-/// The settings.
+/// The settings of one user.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
-    /// Changed hotkeys: the id of a binding and its chords as text. Bindings with default hotkeys are not listed.
-    /// Older files have English names instead of ids; they are still read.
+    /// Hotkeys that differ from the table's: the binding's id and its chords as text. Older files have English names instead of ids.
     pub keys: BTreeMap<String, Vec<String>>,
-    /// Which colours show.
+    /// The colour theme.
     pub theme: ThemeChoice,
     /// The language of the window's words.
     pub language: Language,
-    /// How large the panels are, in percent of what the system asks for.
+    /// The scale of the panels, in percent of the system's scale.
     pub scale_percent: u16,
-    /// Keyframe files that were read or written, the last one first.
+    /// Recently read or written keyframe files, newest first.
     pub recent: Vec<PathBuf>,
-    /// Sizes of panels that were dragged, by the panel's name, in points.
+    /// Sizes of resized panels in points, by the panel's name.
     pub panels: BTreeMap<String, f32>,
 }
 
@@ -73,7 +72,7 @@ impl Default for Settings {
     }
 }
 
-/// The file, as it is written.
+/// The JSON object of a settings file.
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct File {
@@ -97,40 +96,40 @@ const fn whole() -> u16 {
     100
 }
 
-/// What says which file it is, whatever else it holds.
+/// The fields that identify the kind and the version of a file, also if the rest is not valid.
 #[derive(Deserialize)]
 struct Header {
     format: String,
     version: u32,
 }
 
-/// Why a file is not settings that can be read.
+/// Why a settings file cannot be read.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 pub enum SettingsError {
-    /// It is something else.
+    /// `format` names another kind of file.
     Format {
-        /// What it says that it is.
+        /// The value in the file.
         found: String,
     },
-    /// It is of a newer program.
+    /// `version` is newer than this program.
     Version {
-        /// Which version it is.
+        /// The version in the file.
         found: u32,
     },
-    /// It is not JSON, or has unknown fields.
+    /// It is not JSON, or has unknown fields or values.
     Json {
-        /// What is wrong, and the line and column.
+        /// The message, with line and column.
         reason: String,
     },
     /// A number is out of range.
     Range {
-        /// Which.
+        /// The field's name.
         what: Argument,
-        /// What it is.
+        /// The value in the file.
         found: String,
-        /// The least that it may be.
+        /// The smallest allowed value.
         least: u16,
-        /// The most that it may be.
+        /// The largest allowed value.
         most: u16,
     },
 }
@@ -138,7 +137,7 @@ pub enum SettingsError {
 display_by_message!(SettingsError);
 
 impl SettingsError {
-    /// What is wrong, for people.
+    /// The error as a message.
     #[must_use]
     pub fn message(&self) -> Message {
         match self {
@@ -157,10 +156,10 @@ impl From<serde_json::Error> for SettingsError {
 }
 
 impl Settings {
-    /// The settings that a file holds.
+    /// Reads a settings file.
     ///
     /// # Errors
-    /// [`SettingsError`]; nothing is taken from a file that is not understood as a whole.
+    /// [`SettingsError`]; a file with any error is refused as a whole.
     pub fn from_json(bytes: &[u8]) -> Result<Self, SettingsError> {
         let header: Header = serde_json::from_slice(bytes)?;
         if header.format != FORMAT {
@@ -191,10 +190,10 @@ impl Settings {
         })
     }
 
-    /// The file's text.
+    /// The text of the settings file.
     #[must_use]
     pub fn to_json(&self) -> String {
-        // A path that is no text cannot be written; it is forgotten, which costs one entry of a menu.
+        // A path that is not UTF-8 cannot be written. It is dropped, which costs one menu entry.
         let recent = self.recent.iter().filter(|path| path.to_str().is_some()).cloned().collect();
         let file = File {
             format: FORMAT.to_owned(),
@@ -211,14 +210,14 @@ impl Settings {
         text
     }
 
-    /// A keyframe file was read or written: it is the first of the recent ones.
+    /// Records a keyframe file that was read or written as the most recent one.
     pub fn used(&mut self, path: &Path) {
         self.recent.retain(|recent| recent != path);
         self.recent.insert(0, path.to_owned());
         self.recent.truncate(MOST_RECENT_FILES);
     }
 
-    /// The next scale of the menu, larger or smaller, or the last one there is.
+    /// The next larger or smaller scale of the menu; the current one at the end.
     #[must_use]
     pub fn next_scale(&self, is_larger: bool) -> u16 {
         let at = self.scale_percent;
@@ -230,7 +229,7 @@ impl Settings {
         next.unwrap_or(at)
     }
 
-    /// A panel has this size now, in points. Says whether that is news.
+    /// Records a panel's size in points. Returns whether it changed.
     pub fn resized(&mut self, panel: &str, size: f32) -> bool {
         let size = size.clamp(*PANEL_SIZES.start(), *PANEL_SIZES.end()).round();
         self.panels.insert(panel.to_owned(), size) != Some(size)

@@ -1,4 +1,4 @@
-//! The file system: the only place that touches it.
+//! The file system. No other module accesses it.
 
 mod destination;
 mod draft;
@@ -18,14 +18,14 @@ pub use draft::{Committed, Draft, Foreign};
 pub use stamp::{Stamp, Stamping};
 pub use walk::{Entry, EntryKind, entries as list, inside, kind};
 
-/// Why a file was not read or written. The message does not name the file; whoever says it does.
+/// Why a file was not read or written. The message does not name the file; the caller adds the name.
 #[derive(Debug, Error)]
 pub enum StorageError {
-    /// The system refused.
+    /// The system's error.
     System(#[from] io::Error),
-    /// The file's mode has no write bit: its owner wants it kept, even from root.
+    /// The file's mode has no write bit. It is not replaced, even by root.
     ReadOnly,
-    /// The file is larger than what is read.
+    /// The file is larger than the limit.
     TooLarge {
         /// Its size in bytes.
         found: u64,
@@ -37,7 +37,7 @@ pub enum StorageError {
 display_by_message!(StorageError);
 
 impl StorageError {
-    /// Why, as a message.
+    /// The error as a message.
     #[must_use]
     pub fn message(&self) -> Message {
         match self {
@@ -69,7 +69,7 @@ pub fn read(path: &Path, limit: u64) -> Result<Vec<u8>, StorageError> {
     read_stream(file, limit, metadata.len())
 }
 
-/// Reads a stream, such as standard input or a pipe, of at most `limit` bytes. `expected` bytes are made room for.
+/// Reads a stream, such as standard input or a pipe, of at most `limit` bytes. Reserves memory for `expected` bytes.
 ///
 /// # Errors
 /// [`StorageError`]
@@ -82,11 +82,11 @@ pub fn read_stream(stream: impl io::Read, limit: u64, expected: u64) -> Result<V
     Ok(bytes)
 }
 
-/// Writes a whole file so that it holds either all of `bytes` or what it held before: beside it, synced, renamed over it.
-/// A symbolic link stays one; the file it leads to is written. What is no regular file is written into.
+/// Replaces a file atomically: writes a draft next to it, syncs it, and renames it over the file. A symbolic link stays a link; its target
+/// is replaced. A device or pipe is written to directly.
 ///
 /// # Errors
-/// [`StorageError`]; a regular file is as it was then.
+/// [`StorageError`]; a regular file is then unchanged.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<(), StorageError> {
     let mut draft = Draft::new(path)?;
     draft.write_all(bytes)?;
@@ -94,10 +94,10 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), StorageError> {
     Ok(())
 }
 
-/// The same for content that is made while it is written.
+/// Like [`write()`], for content that is formatted while it is written.
 ///
 /// # Errors
-/// [`StorageError`]; a regular file is as it was then.
+/// [`StorageError`]; a regular file is then unchanged.
 pub fn write_with(path: &Path, write: impl FnOnce(&mut dyn io::Write) -> io::Result<()>) -> Result<(), StorageError> {
     let mut draft = Draft::new(path)?;
     write(&mut draft)?;
@@ -105,10 +105,10 @@ pub fn write_with(path: &Path, write: impl FnOnce(&mut dyn io::Write) -> io::Res
     Ok(())
 }
 
-/// The same, and says what the file holds now and what became of the one that stood there.
+/// Like [`write()`]; also returns the stamp of the new content and what became of the replaced file.
 ///
 /// # Errors
-/// [`StorageError`]; a regular file is as it was then.
+/// [`StorageError`]; a regular file is then unchanged.
 pub fn write_stamped(
     path: &Path,
     write: impl FnOnce(&mut dyn io::Write) -> io::Result<()>,
@@ -120,11 +120,11 @@ pub fn write_stamped(
     Ok((stamp.placed_at(path), committed))
 }
 
-/// As [`write()`], but without waiting for the disk: for pictures that can be made again. After a power cut they may be gone; an
-/// interrupted program leaves them whole or not at all.
+/// Like [`write()`], without syncing: for pictures that can be made again. A power cut may lose them; a killed program leaves complete
+/// files or none.
 ///
 /// # Errors
-/// [`StorageError`]; a regular file is as it was then.
+/// [`StorageError`]; a regular file is then unchanged.
 pub fn write_unsynced(path: &Path, bytes: &[u8]) -> Result<(), StorageError> {
     let mut draft = Draft::new(path)?.unsynced();
     draft.write_all(bytes)?;
@@ -132,7 +132,7 @@ pub fn write_unsynced(path: &Path, bytes: &[u8]) -> Result<(), StorageError> {
     Ok(())
 }
 
-/// Copies a file, if it exists, to the first free name of `NAME.bak`, `NAME.bak2` and on, and says which.
+/// Copies a file, if it exists, to the first free name of `NAME.bak`, `NAME.bak2` and on, and returns the new name.
 ///
 /// # Errors
 /// [`StorageError::System`]
@@ -165,7 +165,7 @@ pub fn next_screenshot_path(beside: &Path) -> PathBuf {
         .expect("the numbers do not end")
 }
 
-/// Makes a folder and those above it, where they are missing.
+/// Creates a folder and its parents if they are missing.
 ///
 /// # Errors
 /// [`StorageError::System`]
@@ -173,26 +173,26 @@ pub fn create_folder(path: &Path) -> Result<(), StorageError> {
     Ok(fs::create_dir_all(path)?)
 }
 
-/// The file of the settings, in the system's folder for such; `None` where there is no such folder.
+/// The settings file in the system's configuration folder; `None` if there is no such folder.
 #[must_use]
 pub fn settings_path() -> Option<PathBuf> {
     let folders = etcetera::base_strategy::choose_native_strategy().ok()?;
     Some(etcetera::BaseStrategy::config_dir(&folders).join("inbetween").join("settings.json"))
 }
 
-/// A path that means the same wherever the program is started.
+/// The absolute form of a path.
 #[must_use]
 pub fn absolute(path: &Path) -> PathBuf {
     std::path::absolute(path).unwrap_or_else(|_| path.to_owned())
 }
 
-/// Whether a file or folder stands there.
+/// Whether a file or folder exists.
 #[must_use]
 pub fn exists(path: &Path) -> bool {
     path.exists()
 }
 
-/// Whether two paths name one file, which need not be there yet.
+/// Whether two paths name one file, which may not exist yet.
 #[must_use]
 pub fn is_same_place(one: &Path, other: &Path) -> bool {
     let resolved = |path: &Path| {
@@ -205,13 +205,13 @@ pub fn is_same_place(one: &Path, other: &Path) -> bool {
     one == other || matches!((resolved(one), resolved(other)), (Some(one), Some(other)) if one == other)
 }
 
-/// Whether a folder stands there.
+/// Whether the path is a folder.
 #[must_use]
 pub fn is_folder(path: &Path) -> bool {
     path.is_dir()
 }
 
-/// Removes a file, if it is there.
+/// Removes a file if it exists.
 ///
 /// # Errors
 /// [`StorageError::System`]

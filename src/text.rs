@@ -1,4 +1,4 @@
-//! What reading and writing of texts share: byte order marks, locations, numbers of things and alternatives in sentences.
+//! Helpers for reading and writing texts: byte order marks, locations, counts and alternatives in sentences.
 
 use std::borrow::Cow;
 
@@ -10,25 +10,25 @@ pub fn without_byte_order_mark(bytes: &[u8]) -> &[u8] {
     bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes)
 }
 
-/// The same of a text that is known to be UTF-8.
+/// Like [`without_byte_order_mark`], for UTF-8.
 #[must_use]
 pub fn str_without_byte_order_mark(text: &str) -> &str {
     text.strip_prefix('\u{feff}').unwrap_or(text)
 }
 
-/// The line and the column of a byte, both from 1; the column counts characters, a byte order mark not among them.
+/// The line and the column of a byte, both from 1. The column counts characters; a byte order mark is not counted.
 #[must_use]
 pub fn line_and_column(bytes: &[u8], at: usize) -> (usize, usize) {
     let before = &bytes[..at.min(bytes.len())];
     let line = before.split(|&byte| byte == b'\n').count();
     let line_start = before.iter().rposition(|&byte| byte == b'\n').map_or(0, |newline| newline + 1);
     let in_line = without_byte_order_mark(&before[line_start..]);
-    // Bytes that continue a UTF-8 character take no column of their own.
+    // Continuation bytes of UTF-8 do not count as columns.
     let column = in_line.iter().filter(|&&byte| byte & 0xc0 != 0x80).count() + 1;
     (line, column)
 }
 
-/// A number of things: `1 keyframe`, `2 keyframes`. The plural of `thing` ends in s.
+/// A count with its noun: `1 keyframe`, `2 keyframes`. The plural of `thing` ends in s.
 #[must_use]
 pub fn counted(count: usize, thing: &str) -> String {
     if count == 1 { format!("1 {thing}") } else { format!("{count} {thing}s") }

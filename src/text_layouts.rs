@@ -1,8 +1,8 @@
-//! What students' own programs wrote: keyframes as text, in a dozen layouts, told apart by content; and the way back.
+//! Import and export of keyframes as text in a dozen layouts of students' own programs. The content tells the layout.
 //!
-//! Bytes in, keyframes with a report of what was inferred out; keyframes in, text out. This room knows no files and no windows. A text is
-//! gone through several times and never copied: apart from the keyframes themselves, what reading takes does not grow with it, and counts
-//! in a header are compared with what follows before anything is made of them.
+//! Bytes in, keyframes and a report of inferences out; keyframes in, text out. This module does not know files or windows. A text is read
+//! in several passes and never copied: apart from the keyframes, memory does not grow with the text. Counts in a header are checked against
+//! the text before memory is allocated for them.
 
 mod csv;
 mod error;
@@ -31,41 +31,41 @@ use crate::scene::SceneGraph;
 use crate::text::without_byte_order_mark;
 use crate::words::texts;
 
-/// What decides where a text leaves it open, or is wrong.
+/// Options for texts that are ambiguous or broken.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
-    /// Which of a row's numbers come first; found by which are unit where it is not said.
+    /// The order of a row's numbers; by default inferred from which four have unit length.
     pub order: Option<FieldOrder>,
-    /// Which node each row is; found by the offsets of keyframe 0 where it is not said.
+    /// The node of each row; by default inferred from the offsets of keyframe 0.
     pub joints: Option<JointList>,
-    /// Whether the whole keyframes of a broken text are taken.
+    /// Whether the complete keyframes of a broken text are imported.
     pub salvage: bool,
 }
 
-/// What an import gave.
+/// The result of an import.
 #[derive(Clone, Debug)]
 pub enum Imported {
     /// A keyframe file of this program's own format.
     KeyframeFile(KeyframeFile),
-    /// Keyframes out of a text, and what was inferred.
+    /// Keyframes from a text, and the inferences.
     Text(KeyframeFile, Report),
-    /// A control node's keys: the text of a scene file that has them, and what was inferred.
+    /// Timed keys: the text of a scene file with a control node that has them, and the inferences.
     Scene(String, Report),
 }
 
 /// Why nothing was imported.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum ImportError {
-    /// It looks like this program's own format and is wrong: a sentence for each problem, never empty.
+    /// It looks like this program's own format and has errors; never empty.
     #[error("{}", .0.first().map(ToString::to_string).unwrap_or_default())]
     KeyframeFile(Vec<KeyframeFileError>),
-    /// It is a text that cannot be read.
+    /// A text has an error.
     #[error(transparent)]
     Text(#[from] TextError),
 }
 
 impl ImportError {
-    /// A sentence for each problem.
+    /// A message for each error.
     #[must_use]
     pub fn sentences(&self) -> Vec<String> {
         match self {
@@ -75,11 +75,10 @@ impl ImportError {
     }
 }
 
-/// Reads keyframes for a scene: this program's own format, or any layout of text; the content decides which. A byte order mark is passed
-/// over.
+/// Reads keyframes for a scene: this program's own format, or any layout of text; the content decides which. A byte order mark is skipped.
 ///
 /// # Errors
-/// [`ImportError`]: what is wrong, with its place.
+/// [`ImportError`], with the location of each error.
 pub fn import(bytes: &[u8], scene: &SceneGraph, options: &Options) -> Result<Imported, ImportError> {
     let marked = without_byte_order_mark(bytes);
     let blank = marked.iter().take_while(|byte| byte.is_ascii_whitespace()).count();

@@ -1,6 +1,6 @@
 //! Timed keys: values at any number of seconds, interpolated between the neighbours.
 //!
-//! They drive parts of a scene by themselves, apart from the keyframe list. Time is elapsed seconds on the animation clock.
+//! Timed keys drive parts of a scene independently of the keyframe list. Time is elapsed seconds on the animation clock.
 
 use std::sync::Arc;
 
@@ -10,19 +10,19 @@ use thiserror::Error;
 use crate::interpolation::{lerp, slerp};
 use crate::words::{Message, display_by_message, texts};
 
-/// Why keys cannot be made of these pairs.
+/// Why pairs of time and value do not make a track.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum KeyError {
-    /// There is none.
+    /// The list of pairs is empty.
     NoKeys,
-    /// A time is infinite or no number.
+    /// A time is infinite or NaN.
     TimeNotFinite {
-        /// The time.
+        /// The time in seconds.
         seconds: f64,
     },
-    /// Two keys are at one time.
+    /// Two keys have the same time.
     TwoAtOneTime {
-        /// The time.
+        /// The time in seconds.
         seconds: f64,
     },
 }
@@ -30,7 +30,7 @@ pub enum KeyError {
 display_by_message!(KeyError);
 
 impl KeyError {
-    /// What is wrong, as a message.
+    /// The error as a message.
     #[must_use]
     pub fn message(&self) -> Message {
         match self {
@@ -41,22 +41,20 @@ impl KeyError {
     }
 }
 
-/// A value that has a usual way between two of it.
+/// A value with a default interpolation.
 pub trait Interpolate: Copy {
-    /// The value at the fraction `alpha`, 0 to 1, of the way.
+    /// The value at the fraction `alpha` from `from` (0) to `to` (1).
     #[must_use]
     fn interpolate(from: Self, to: Self, alpha: f64) -> Self;
 }
 
 impl Interpolate for f64 {
-    /// Linear.
     fn interpolate(from: Self, to: Self, alpha: f64) -> Self {
         from * (1.0 - alpha) + to * alpha
     }
 }
 
 impl Interpolate for f32 {
-    /// Linear.
     #[expect(clippy::cast_possible_truncation, reason = "the result is of the precision of its ends")]
     fn interpolate(from: Self, to: Self, alpha: f64) -> Self {
         f64::interpolate(from.into(), to.into(), alpha) as Self
@@ -64,7 +62,6 @@ impl Interpolate for f32 {
 }
 
 impl Interpolate for Vec3 {
-    /// Linear.
     #[expect(clippy::cast_possible_truncation, reason = "a fraction needs no more than f32")]
     fn interpolate(from: Self, to: Self, alpha: f64) -> Self {
         lerp(from, to, alpha as f32)
@@ -88,7 +85,7 @@ pub struct Track<V> {
 }
 
 impl<V: Interpolate> Track<V> {
-    /// Keys from (seconds, value) pairs in any order, with the value's usual interpolation.
+    /// Keys from (seconds, value) pairs in any order, with the default interpolation of the type.
     ///
     /// # Errors
     /// [`KeyError`] for no pairs, a time that is not finite, or two at one time.
@@ -98,7 +95,7 @@ impl<V: Interpolate> Track<V> {
 }
 
 impl<V: Copy> Track<V> {
-    /// Keys from (seconds, value) pairs in any order; `interpolate` gets two neighbours and the fraction of the way, 0 to 1.
+    /// Keys from (seconds, value) pairs in any order; `interpolate` gets two neighbours and the fraction between them, 0 to 1.
     ///
     /// # Errors
     /// [`KeyError`] for no pairs, a time that is not finite, or two at one time.
@@ -150,13 +147,13 @@ impl<V: Copy> Track<V> {
         &self.seconds
     }
 
-    /// The value of the key at just this time, if there is one.
+    /// The value of the key at exactly this time in seconds, if there is one.
     #[must_use]
     pub fn key_at(&self, seconds: f64) -> Option<V> {
         self.seconds.iter().position(|&key| key == seconds).map(|index| self.values[index])
     }
 
-    /// These keys and one more; one at the same time gives way to it.
+    /// These keys and one more. It replaces a key at the same time.
     ///
     /// # Errors
     /// [`KeyError::TimeNotFinite`]
@@ -165,17 +162,17 @@ impl<V: Copy> Track<V> {
         Self::with_interpolation(others.chain([(seconds, value)]), self.interpolate)
     }
 
-    /// The keys but those at these times; `None` where none is left.
+    /// The keys except those at these times; `None` if none is left.
     #[must_use]
     pub fn without(&self, times: &[f64]) -> Option<Self> {
         let left = self.keys().filter(|(key, _)| !times.contains(key));
         Self::with_interpolation(left, self.interpolate).ok()
     }
 
-    /// The keys, those at `times` moved to where `moved` says; a key that one of them comes to stand on gives way to it.
+    /// The keys, with those at `times` moved to the times that `moved` returns. A moved key replaces a key that was there.
     ///
     /// # Errors
-    /// [`KeyError::TimeNotFinite`]; [`KeyError::TwoAtOneTime`] where two come to stand on one time.
+    /// [`KeyError::TimeNotFinite`]; [`KeyError::TwoAtOneTime`] if two keys are moved to one time.
     pub fn moved(&self, times: &[f64], moved: impl Fn(f64) -> f64) -> Result<Self, KeyError> {
         let (moving, staying): (Vec<_>, Vec<_>) = self.keys().partition(|(key, _)| times.contains(key));
         let moving: Vec<(f64, V)> = moving.into_iter().map(|(key, value)| (moved(key), value)).collect();
@@ -197,7 +194,7 @@ impl<V: PartialEq> PartialEq for Track<V> {
     }
 }
 
-/// The rotation that Euler angles in degrees mean: `q = qz(yaw) · qy(pitch) · qx(roll)`, each about an axis of the parent.
+/// The rotation of Euler angles in degrees: `q = qz(yaw) · qy(pitch) · qx(roll)`, each about an axis of the parent.
 #[must_use]
 pub fn rotation_from_euler_degrees([yaw, pitch, roll]: [f32; 3]) -> Quat {
     Quat::from_rotation_z(yaw.to_radians())

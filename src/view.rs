@@ -1,8 +1,7 @@
-//! What is seen: frames of a scene in a pose, with ghosts, and of what an editor displays.
+//! Makes frames: of a scene in a pose, with ghosts, and of the state of an editor.
 //!
-//! Films and pictures ask for [`frame_of_scene`] and [`add_ghosts`], which know no editor; the window and scripts ask for
-//! [`frame_of_editor`], which adds the motion path, the arcball and the comparison. Only `editor`, `motion_path` and `comparison` in here
-//! may name the editor.
+//! Exports use [`frame_of_scene`] and [`add_ghosts`], which do not depend on the editor. The window and scripts use [`frame_of_editor`],
+//! which adds the motion path, the arcball and the comparison. Only the files `editor`, `motion_path` and `comparison` may name the editor.
 
 mod comparison;
 mod editor;

@@ -49,7 +49,7 @@ proptest! {
             Err(error) => prop_assert!(!error.to_string().is_empty()),
             Ok(samples) => {
                 prop_assert!(!samples.rows.is_empty());
-                prop_assert!(samples.rows.iter().all(|row| row.node < NODES && row.key_time.is_finite() && row.key_time >= 0.0));
+                prop_assert!(samples.rows.iter().all(|row| row.node.get() < NODES && row.key_time.is_finite() && row.key_time >= 0.0));
                 let keyframes = vec![Keyframe::new(scene.rest_pose().clone()); 5];
                 let diagnosis = diagnose(&Sequence::new(&keyframes).unwrap(), &samples);
                 let residuals: Vec<f64> = diagnosis.candidates.iter().map(|candidate| candidate.residual).collect();

@@ -1,4 +1,4 @@
-//! From transforms to matrices, and from those below their parents to those in the world.
+//! Transforms to matrices, and `world_from_node` by composition with the parents' matrices.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{dispatch, f32x4, f32x16, u8x64};
@@ -7,10 +7,10 @@ use glam::{Affine3A, Mat3A, Vec3A};
 use super::{Lanes, Level, Transforms};
 use crate::pose::{LANES, RbtBlock};
 
-/// Four numbers of a matrix, which the processor takes at once.
+/// Four numbers of a matrix: one SIMD register.
 type Quad = [f32; 4];
 
-/// An affine matrix in one line of the cache.
+/// An affine matrix that fills one cache line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C, align(64))]
 pub struct AlignedAffine {
@@ -19,11 +19,11 @@ pub struct AlignedAffine {
 }
 
 impl AlignedAffine {
-    /// Changes nothing.
+    /// The identity.
     pub const IDENTITY: Self =
         Self { columns: [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0; 4]] };
 
-    /// The matrix as others take it.
+    /// The matrix as glam's type.
     #[must_use]
     #[inline]
     pub fn get(&self) -> Affine3A {
@@ -45,18 +45,18 @@ impl From<Affine3A> for AlignedAffine {
 #[derive(Clone, Copy, Debug, Default)]
 #[repr(C, align(64))]
 pub struct MatrixBlock {
-    /// The three rows, each of all sixteen: one element of each column, the translation's last.
+    /// The three rows of each of the sixteen matrices: x, y and z axis, then the translation.
     rows: [[Quad; LANES]; 3],
 }
 
-/// The matrices of transforms. Both slices are of one length, or the rest stays as it is.
+/// The matrices of transforms. Slices should have one length; elements beyond the shorter are left unchanged.
 pub fn matrices(level: Level, transforms: &[RbtBlock], into: &mut [MatrixBlock]) {
     dispatch!(level, simd => matrices_with(simd, transforms, into));
 }
 
-/// Puts nodes that follow each other, the first at `place`, below their parents: `world_from_parent · parent_from_node`, the second
-/// from the transform `first` of the matrices on. A parent that is in no place is the world. Finite matrices become what glam's
-/// product is, but for the sign of zeros.
+/// Sets `world_from_node` of consecutive nodes from `first_node` on to `world_from_parent · parent_from_node`. `matrices` holds
+/// `parent_from_node`, from matrix `first_matrix` on; `parents` holds indices into `world_from_node`. A parent index out of range means the
+/// world. For finite matrices the result equals glam's product, except for the sign of zeros.
 pub fn compose(
     level: Level,
     matrices: &[MatrixBlock],
@@ -84,7 +84,7 @@ fn matrices_with<S: Simd>(simd: S, transforms: &[RbtBlock], into: &mut [MatrixBl
     }
 }
 
-/// Stores four numbers of each lane beside each other.
+/// Stores the four numbers of each lane next to each other.
 #[inline(always)]
 fn store_quads<S: Simd>([a, b, c, d]: [Lanes<S>; 4], into: &mut [Quad; LANES]) {
     let (ac_low, ac_high) = a.interleave(c);
@@ -107,7 +107,7 @@ fn compose_with<S: Simd>(
     world_from_node: &mut [AlignedAffine],
     first_node: usize,
 ) {
-    // Of four numbers that are there four times: the first four times, then the second, the third and the last.
+    // Shuffles four copies of (a, b, c, d) into aaaa bbbb cccc dddd.
     let each_four_times = u8x64::from_fn(simd, |byte| (byte / 16 * 4 + byte % 4) as u8);
     let of_translation = f32x16::from_fn(simd, |element| if element < 12 { 0.0 } else { 1.0 });
     for (offset, &parent) in parents.iter().enumerate() {

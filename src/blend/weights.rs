@@ -1,22 +1,22 @@
-//! The two weights of `slerp` as polynomials, fitted anew for each fraction.
+//! The two weights of `slerp` as polynomials, fitted for each fraction.
 
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
-/// Places at which the polynomials take the weights' own values, beside 0.
+/// Number of points at which the polynomials interpolate the weights, besides 0.
 const NODES: usize = 9;
 
 /// `slerp`'s weights of its two ends for one fraction, as polynomials in `1 − |cos θ|`, lowest power first; θ, the angle between the
-/// quaternions, is at most a quarter turn, since the nearer sign is taken.
+/// quaternions, is at most a quarter turn, because the nearer sign is used.
 ///
-/// They are exact where the quaternions are equal: there the weights are `1 − α` and `α`.
+/// They are exact for equal quaternions: the weights are then `1 − α` and `α`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Weights {
     /// The fraction itself.
     pub alpha: f32,
-    /// Of `sin((1 − α)θ)/sin θ`.
+    /// Coefficients for `sin((1 − α)θ)/sin θ`.
     pub from: [f32; NODES + 1],
-    /// Of `sin(αθ)/sin θ`.
+    /// Coefficients for `sin(αθ)/sin θ`.
     pub to: [f32; NODES + 1],
 }
 
@@ -27,7 +27,7 @@ impl Weights {
     pub fn at(alpha: f32) -> Self {
         let fit = &*FIT;
         let fraction = f64::from(alpha);
-        // What is left of each weight after its value at 0 is taken off and a power is divided out.
+        // Each weight minus its value at 0, divided by the variable.
         let (mut from, mut to) = ([0.0; NODES], [0.0; NODES]);
         for (index, node) in fit.nodes.iter().enumerate() {
             let (sine, cosine) = (fraction * node.theta).sin_cos();
@@ -48,18 +48,18 @@ impl Weights {
     }
 }
 
-/// A place where a polynomial takes a weight's value.
+/// An interpolation node of the polynomials.
 #[derive(Clone, Copy, Default)]
 struct Node {
     /// `1 − cos θ`.
     versine: f64,
-    /// In radians.
+    /// θ in radians.
     theta: f64,
     /// `sin θ`.
     sine: f64,
 }
 
-/// What does not depend on the fraction.
+/// The data that does not depend on the fraction.
 struct Fit {
     nodes: [Node; NODES],
     /// The inverse of Vandermonde's matrix: a row for each power.
@@ -76,7 +76,7 @@ static FIT: LazyLock<Fit> = LazyLock::new(|| {
     }
     let mut coefficient_from_value = [[0.0; NODES]; NODES];
     for (index, node) in nodes.iter().enumerate() {
-        // The product of all (x − x_j)/(x_i − x_j) but the node's own.
+        // The product of (x − x_j)/(x_i − x_j) over all other nodes j.
         let mut product = [0.0; NODES];
         product[0] = 1.0;
         for (_, other) in nodes.iter().enumerate().filter(|(other, _)| *other != index) {

@@ -1,8 +1,8 @@
-//! What a program that plays by given rules shows at a key time, in double precision, and how far a sample is from it.
+//! The output of a program with given rules at a key time, in double precision, and its distance from a sample.
 //!
-//! Where right programs may differ, or rounding decides, the value nearest to the sample counts: at half a turn either way round; at a
-//! whole key time the end of one interval or the start of the next (a mistake can make them differ); at the end also the last
-//! keyframe itself. Beyond the end a program shows its end.
+//! If correct programs may differ, or rounding decides, the value nearest to the sample is used: at half a turn either direction; at a
+//! whole key time the end of one interval or the start of the next (a mistake can make them differ); at the end also the last keyframe
+//! itself. After the end a program shows its last pose.
 
 use glam::{DQuat, DVec3};
 use thiserror::Error;
@@ -11,15 +11,16 @@ use super::DISTANCE_OF_NO_NUMBER;
 use super::model::{Blend, Rules, WhenEqual};
 use super::samples::Row;
 use crate::keyframe::Keyframe;
+use crate::pose::RbtIndex;
 
-/// Where a rotation is so near to half a turn (its w), single precision decides the way round.
+/// If the absolute w of a rotation is below this, it is half a turn and rounding decides the direction.
 const HALF_TURN: f64 = 1e-6;
-/// A rotation whose sine of half the angle is below this does not turn.
+/// A rotation is the identity if the sine of half its angle is below this.
 const NO_TURN: f64 = 1e-7;
-/// Key times this near to a whole one may stand for it: they are printed with six decimals.
+/// Key times within this of a whole number are equal to it: they are printed with six decimals.
 pub(super) const WHOLE: f64 = 1e-6;
 
-/// No row is farther off than this, so that residuals are finite whatever the samples say.
+/// Upper bound of a squared distance, so that residuals are finite.
 const LARGEST_SQUARE: f64 = 1e60;
 
 /// The fewest keyframes that can be played.
@@ -29,7 +30,7 @@ const FEWEST: usize = 4;
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
 #[error("{found} keyframes cannot be played: the first and the last only steer, so at least 4 are needed")]
 pub struct TooFewKeyframes {
-    /// How many there are.
+    /// The number of keyframes.
     pub found: usize,
 }
 
@@ -72,15 +73,15 @@ impl Sequence {
         (self.keyframes.len() - 3) as f64
     }
 
-    /// One node at a place of the list, kept within it.
-    fn at(&self, index: isize, node: usize, rules: &Rules) -> Transform {
+    /// One node of a keyframe. The index is clamped to the list.
+    fn at(&self, index: isize, node: RbtIndex, rules: &Rules) -> Transform {
         let last = self.keyframes.len() as isize - 1;
-        let Transform { translation, rotation } = self.keyframes[index.clamp(0, last) as usize][node];
+        let Transform { translation, rotation } = self.keyframes[index.clamp(0, last) as usize][node.get()];
         Transform { translation, rotation: quaternion(reordered(rotation, rules.read)) }
     }
 }
 
-/// Components in the order w, x, y, z, each place taken from where `order` says.
+/// Reorders components: entry i is component `order[i]` of w, x, y, z.
 fn reordered(rotation: DQuat, order: [usize; 4]) -> [f64; 4] {
     let [x, y, z, w] = rotation.to_array();
     order.map(|component| [w, x, y, z][component])
@@ -90,7 +91,7 @@ fn quaternion([w, x, y, z]: [f64; 4]) -> DQuat {
     DQuat::from_xyzw(x, y, z, w)
 }
 
-/// Which way round at half a turn: in the blend of two keyframes or the first control point, and in the second.
+/// The direction at half a turn: in the blend of two keyframes or the first control point, and in the second control point.
 #[derive(Clone, Copy, Debug, Default)]
 struct Ways {
     first: bool,
@@ -104,7 +105,7 @@ const WAYS: [Ways; 4] = [
     Ways { first: true, second: true },
 ];
 
-/// The square of the distance of a row from what the rules show there. A program that does not show its end stays at the key time
+/// The squared distance of a row from the prediction of the rules. A program that does not show its end stays at the key time
 /// `last_before_end`.
 pub(super) fn distance_squared(sequence: &Sequence, last_before_end: f64, row: &Row, rules: &Rules) -> f64 {
     let mut key_time = row.key_time;
@@ -112,7 +113,7 @@ pub(super) fn distance_squared(sequence: &Sequence, last_before_end: f64, row: &
         key_time = last_before_end;
     }
     let first = rules.first_keyframe as f64;
-    // Both ends of the list play where one of them does.
+    // A program that plays one end of the list plays the other end too.
     let last = (sequence.keyframes.len() - if rules.first_keyframe == 1 { 2 } else { 1 }) as f64;
     let position = (key_time * rules.pace + first).clamp(first, last);
     let mut nearest = f64::INFINITY;
@@ -125,7 +126,7 @@ pub(super) fn distance_squared(sequence: &Sequence, last_before_end: f64, row: &
     let mut starts = [Some(start), None];
     if (position - position.round()).abs() < WHOLE {
         let whole = position.round();
-        // The keyframe after the end has none after it to steer a spline; a blend that starts there needs only it.
+        // A spline that starts at the end has no keyframe after it; a linear blend needs none.
         let follows = !(is_end && rules.is_spline);
         starts = [(whole > first).then_some(whole - 1.0), follows.then_some(whole)];
     }
@@ -149,7 +150,7 @@ fn ways_worth_trying(corners: &[Transform; 4], rules: &Rules) -> impl Iterator<I
     WAYS.into_iter().filter(move |ways| (first || !ways.first) && (second || !ways.second))
 }
 
-/// What is shown at the fraction `alpha` from the second to the third of four keyframes; two values where rounding decides.
+/// The prediction at the fraction `alpha` from the second to the third of four keyframes; two values if rounding decides.
 fn shown(corners: &[Transform; 4], alpha: f64, rules: &Rules, ways: Ways) -> impl Iterator<Item = Transform> {
     let at = |when_equal| {
         let rules = Rules { when_equal, ..*rules };
@@ -213,7 +214,7 @@ fn blend(from: DQuat, to: DQuat, alpha: f64, rules: &Rules, way: bool) -> DQuat 
     }
 }
 
-/// Of a rotation and its negative the one with w ≥ 0; at half a turn as `way` says.
+/// The one of a rotation and its negative with w ≥ 0; at half a turn, `way` decides.
 fn short_way(turn: DQuat, way: bool) -> DQuat {
     let is_long = if turn.w.abs() < HALF_TURN { way } else { turn.w < 0.0 };
     if is_long { -turn } else { turn }
@@ -237,7 +238,7 @@ fn power(turn: DQuat, exponent: f64, rules: &Rules) -> DQuat {
     DQuat::from_xyzw(vector.x, vector.y, vector.z, new_cosine)
 }
 
-/// The square of the distance of what a row holds from what is shown.
+/// The squared distance of a row from a prediction.
 fn distance_of(row: &Row, shown: &Transform, rules: &Rules) -> f64 {
     let printed = reordered(shown.rotation, rules.printed);
     let off = |sign: f64| {

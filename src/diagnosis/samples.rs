@@ -1,10 +1,11 @@
-//! Samples as CSV: what a student's own program showed.
+//! Samples of a student program's playback, as CSV.
 
 use glam::DVec3;
 use thiserror::Error;
 
 use super::model::INTEGER_TICK_PACE;
 use super::play::WHOLE;
+use crate::pose::RbtIndex;
 use crate::text::str_without_byte_order_mark;
 
 /// The largest file of samples that is read: 64 MiB.
@@ -18,22 +19,22 @@ const MS: &str = "ms";
 pub struct Row {
     /// The key time at which it should have been shown, at least 0.
     pub key_time: f64,
-    /// The node's place in poses.
-    pub node: usize,
-    /// Its translation in its parent's space, in scene units; perhaps no number.
+    /// The node's index in poses.
+    pub node: RbtIndex,
+    /// Its translation in its parent's space, in scene units; may be NaN.
     pub translation: DVec3,
-    /// The components of its rotation as printed: w, x, y, z; perhaps no numbers, perhaps not of unit length.
+    /// The components of its rotation as printed: w, x, y, z; may be NaN or not of unit length.
     pub rotation_wxyz: [f64; 4],
 }
 
 /// Samples in the order of the file; at least one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Samples {
-    /// The rows.
+    /// The rows in file order.
     pub rows: Vec<Row>,
     /// Whether they carry milliseconds.
     pub has_ms: bool,
-    /// Whether anything in them is no finite number.
+    /// Whether any number in them is not finite.
     pub has_no_number: bool,
 }
 
@@ -51,19 +52,19 @@ impl Samples {
     }
 }
 
-/// Why text is no samples: a sentence with its place.
+/// Why a text is not valid samples, with the location.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum SamplesError {
-    /// The bytes are no text.
+    /// The bytes are not UTF-8.
     #[error("not UTF-8 at byte {byte}")]
     NotUtf8 {
-        /// How many bytes are text.
+        /// The number of valid bytes.
         byte: usize,
     },
     /// There is no header.
     #[error("the file is empty: expected the header {}", COLUMNS.join(","))]
     Empty,
-    /// There is a header and nothing else.
+    /// There are no rows after the header.
     #[error("there are no rows after the header")]
     NoRows,
     /// The header lacks a column.
@@ -71,15 +72,15 @@ pub enum SamplesError {
     MissingColumn {
         /// The line, from 1.
         line: usize,
-        /// Which column.
+        /// The column's name.
         column: &'static str,
     },
-    /// The header has a column that means nothing, or twice the same.
+    /// The header has an unknown column, or one column twice.
     #[error("line {line}: column {column:?} of the header stands twice or is unknown: expected {}, and perhaps {MS}", COLUMNS.join(","))]
     ExtraColumn {
         /// The line, from 1.
         line: usize,
-        /// What stands there.
+        /// The text in the file.
         column: String,
     },
     /// A row is longer or shorter than the header.
@@ -87,29 +88,29 @@ pub enum SamplesError {
     Fields {
         /// The line, from 1.
         line: usize,
-        /// How many there are.
+        /// The number of fields in the row.
         found: usize,
-        /// How many there should be.
+        /// The number of fields in the header.
         expected: usize,
     },
-    /// A field is none of what a program prints for a number.
+    /// A field is not a number.
     #[error("line {line}, column {column}: {found:?} is not a number")]
     Number {
         /// The line, from 1.
         line: usize,
         /// The column's name.
         column: &'static str,
-        /// What stands there.
+        /// The text in the file.
         found: String,
     },
-    /// A key time or a time is negative or no finite number.
+    /// A key time or a time is negative or not finite.
     #[error("line {line}, column {column}: {found:?} is not a finite number of at least 0")]
     Time {
         /// The line, from 1.
         line: usize,
         /// The column's name.
         column: &'static str,
-        /// What stands there.
+        /// The text in the file.
         found: String,
     },
     /// The scene has no such node.
@@ -117,9 +118,9 @@ pub enum SamplesError {
     Node {
         /// The line, from 1.
         line: usize,
-        /// What stands there.
+        /// The text in the file.
         found: String,
-        /// The last node's place.
+        /// The index of the last node.
         last: usize,
     },
 }
@@ -132,18 +133,18 @@ pub fn samples_from_csv(bytes: &[u8], nodes: usize, ms_between_keyframes: u32) -
     Ok(SampleRows::from_csv(bytes, nodes)?.samples(ms_between_keyframes))
 }
 
-/// The rows of a file of samples, read but not yet compared with a pace: the same rows may be samples of several keyframe files.
+/// The rows of a file of samples, read but not yet scaled to a keyframe file: the same rows may be samples of several keyframe files.
 #[derive(Clone, Debug)]
 pub struct SampleRows {
     rows: Vec<Row>,
-    /// The column `ms`; empty where there is none.
+    /// The column `ms`; empty without it.
     times_ms: Vec<f64>,
     has_ms: bool,
 }
 
 impl SampleRows {
-    /// Reads samples for a scene of `nodes` RBT nodes. Columns may come in any order; `nan`, `-nan(ind)`, `1.#QNAN` and their like are
-    /// read as NaN. A byte order mark, either line ending and blank lines are passed over.
+    /// Reads samples for a scene of `nodes` RBT nodes. Columns may come in any order; `nan`, `-nan(ind)`, `1.#QNAN` and their like are read
+    /// as NaN. A byte order mark, either line ending and blank lines are skipped.
     ///
     /// # Errors
     /// [`SamplesError`], the first.
@@ -167,8 +168,8 @@ impl SampleRows {
         Ok(Self { rows, times_ms, has_ms: header.ms.is_some() })
     }
 
-    /// The samples of keyframes that are `ms_between_keyframes` milliseconds apart. With it, key times that a clock of 16 whole
-    /// milliseconds has counted can be told from those that the column `ms` means; the latter are used.
+    /// The samples of keyframes that are `ms_between_keyframes` milliseconds apart. It shows whether key times were counted by a clock of
+    /// 16 whole milliseconds a tick; they are then corrected by the column `ms`.
     #[must_use]
     pub fn samples(&self, ms_between_keyframes: u32) -> Samples {
         let mut rows = self.rows.clone();
@@ -179,7 +180,7 @@ impl SampleRows {
     }
 }
 
-/// Where the key times lag behind the milliseconds by what 16 whole milliseconds lag behind 1000/60, puts the right ones in their place.
+/// If the key times are slower than the milliseconds by the factor 16/(1000/60), corrects them.
 fn correct_key_times(rows: &mut [Row], times_ms: &[f64], ms_between_keyframes: f64) {
     let products: f64 = rows.iter().zip(times_ms).map(|(row, ms)| row.key_time * ms).sum();
     let squares: f64 = times_ms.iter().map(|ms| ms * ms).sum();
@@ -191,7 +192,7 @@ fn correct_key_times(rows: &mut [Row], times_ms: &[f64], ms_between_keyframes: f
     }
 }
 
-/// Where each column stands.
+/// The index of each column.
 struct Header {
     columns: [usize; COLUMNS.len()],
     ms: Option<usize>,
@@ -244,11 +245,11 @@ impl Header {
         })?;
         let ms = self.ms.map(|index| time(index, MS)).transpose()?;
         let key_time = time(self.columns[0], COLUMNS[0])?;
-        Ok((Row { key_time, node, translation: DVec3::new(x, y, z), rotation_wxyz }, ms))
+        Ok((Row { key_time, node: RbtIndex::new(node), translation: DVec3::new(x, y, z), rotation_wxyz }, ms))
     }
 }
 
-/// A number as C++ programs print it, by whichever library; what is no number is NaN.
+/// A number as C++ programs print it, for any C++ library. All forms of NaN and infinity become NaN.
 fn number(field: &str) -> Option<f64> {
     if let Ok(number) = field.parse() {
         return Some(number);
@@ -302,7 +303,7 @@ mod tests {
         let text = "\u{feff}MS,key_time,rbt_ind,tx,ty,tz,rw,rx,ry,rz\r\n\r\n500,0.25,3,1,2,3,nan,0,0,0\r\n";
         let samples = samples_from_csv(text.as_bytes(), 22, 2000).expect("it is good");
         assert!(samples.has_ms && samples.has_no_number);
-        assert_eq!((samples.rows[0].key_time, samples.rows[0].node), (0.25, 3));
+        assert_eq!((samples.rows[0].key_time, samples.rows[0].node.get()), (0.25, 3));
         assert_eq!(samples.rows[0].translation, DVec3::new(1.0, 2.0, 3.0));
     }
 }

@@ -14,7 +14,7 @@ use crate::words::{Message, display_by_message, texts};
 /// Why there is no film or picture.
 #[derive(Debug, Error)]
 pub enum ExportError {
-    /// The format cannot hold what is asked for.
+    /// The format does not support the request.
     Format(#[from] FormatProblem),
     /// The span ends before it begins.
     Backwards {
@@ -23,7 +23,7 @@ pub enum ExportError {
         /// Key time of the end.
         to: f64,
     },
-    /// More pictures than a film can count.
+    /// More pictures than a film can have.
     TooManyFrames,
     /// More pixels than a contact sheet may have.
     SheetTooLarge {
@@ -36,38 +36,38 @@ pub enum ExportError {
     },
     /// The scene has no such camera.
     NoCamera {
-        /// What was asked for.
+        /// The requested value.
         name: String,
         /// The paths of the scene's eyes.
         eyes: Vec<String>,
     },
-    /// The keyframes cannot be played, or not there.
+    /// The keyframes cannot be played, or not at the requested time.
     Unplayable {
-        /// The keyframe file, or the scene.
+        /// The name of the keyframe file, or of the scene.
         source_name: String,
-        /// Why.
+        /// The cause.
         #[source]
         cause: SampleError,
     },
     /// The list has no such keyframe.
     NoKeyframe {
-        /// The keyframe file, or the scene.
+        /// The name of the keyframe file, or of the scene.
         source_name: String,
-        /// What was asked for.
+        /// The requested value.
         index: i64,
         /// The last keyframe of the list, if there is one.
         last: Option<usize>,
     },
-    /// There is nothing to make a film of.
+    /// Nothing in the scene moves.
     NothingMoves {
-        /// The scene.
+        /// The scene's name.
         source_name: String,
     },
     /// ffmpeg is missing, or did not do its work.
     Ffmpeg {
         /// The film's file.
         path: PathBuf,
-        /// Why.
+        /// The cause.
         #[source]
         cause: FfmpegError,
     },
@@ -77,9 +77,9 @@ pub enum ExportError {
     Picture(#[from] EncodingError),
     /// A file cannot be written.
     Unwritten {
-        /// Which file.
+        /// The file's path.
         path: PathBuf,
-        /// Why.
+        /// The cause.
         #[source]
         cause: StorageError,
     },
@@ -96,20 +96,20 @@ pub enum ExportError {
     },
     /// A film cannot be encoded.
     Film {
-        /// Which file.
+        /// The file's path.
         path: PathBuf,
-        /// Why.
+        /// The cause.
         #[source]
         cause: FilmError,
     },
-    /// The watcher ended it.
+    /// The watcher cancelled it.
     Cancelled,
 }
 
 display_by_message!(ExportError);
 
 impl ExportError {
-    /// Why, as a message.
+    /// The error as a message.
     #[must_use]
     pub fn message(&self) -> Message {
         match self {
@@ -146,21 +146,21 @@ impl From<png::EncodingError> for ExportError {
     }
 }
 
-/// Whose fault an error is: what a command line makes its exit status of.
+/// The class of an error. The command line maps it to an exit status.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ErrorKind {
-    /// Options that do not go together.
+    /// Options that contradict each other.
     Usage,
-    /// What was given to work on is bad, or a file cannot be written.
+    /// Bad input, or a file that cannot be written.
     Input,
-    /// The GPU adapter.
+    /// A fault of the GPU adapter.
     Gpu,
-    /// The watcher.
+    /// Cancelled by the watcher.
     Cancelled,
 }
 
 impl ExportError {
-    /// Whose fault it is.
+    /// The class of the error.
     #[must_use]
     pub const fn kind(&self) -> ErrorKind {
         match self {

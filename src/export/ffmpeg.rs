@@ -16,16 +16,16 @@ pub enum FfmpegError {
     Missing,
     /// It does not start.
     Start(#[source] io::Error),
-    /// It ended before its time; it has said why on standard error.
+    /// It exited with an error, which it printed on standard error.
     Ended(ExitStatus),
-    /// The system does not tell how it ended.
+    /// Waiting for it failed.
     Wait(#[source] io::Error),
 }
 
 display_by_message!(FfmpegError);
 
 impl FfmpegError {
-    /// Why, as a message.
+    /// The error as a message.
     #[must_use]
     pub fn message(&self) -> Message {
         match self {
@@ -41,10 +41,10 @@ impl FfmpegError {
     }
 }
 
-/// Whether there is an ffmpeg.
+/// Checks that ffmpeg is installed.
 ///
 /// # Errors
-/// [`FfmpegError::Missing`] with what to do.
+/// [`FfmpegError::Missing`] if it is not.
 pub fn find_ffmpeg() -> Result<(), FfmpegError> {
     let found = Command::new("ffmpeg")
         .arg("-version")
@@ -63,7 +63,7 @@ pub struct Ffmpeg {
 }
 
 impl Ffmpeg {
-    /// Starts it; it writes to `output`.
+    /// Starts ffmpeg, which writes to `output`.
     ///
     /// # Errors
     /// [`FfmpegError::Start`]
@@ -81,15 +81,15 @@ impl Ffmpeg {
         Ok(Self { child, input })
     }
 
-    /// Ends it at once.
+    /// Kills ffmpeg.
     pub fn stop(&mut self) {
         self.input = None;
-        // It may have ended by itself.
+        // It may have exited already.
         let _ = self.child.kill();
         let _ = self.child.wait();
     }
 
-    /// Waits for it to end by itself; it says on standard error what goes wrong.
+    /// Waits for ffmpeg to exit. Its errors are on standard error.
     ///
     /// # Errors
     /// [`FfmpegError::Ended`], [`FfmpegError::Wait`]

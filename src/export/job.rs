@@ -1,4 +1,4 @@
-//! An export from its options to its file: what the window does on a thread of its own.
+//! An export from its options to its file, for a thread of the window.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -9,19 +9,18 @@ use crate::film::{ExportBackground, ExportEnd, ExportOptions};
 use crate::render::Background;
 use crate::scene::SceneGraph;
 
-/// All that an export needs: what it was when it was asked for, whatever becomes of the document meanwhile.
+/// All data of an export: a snapshot of the document at the time of the request.
 #[derive(Clone, Debug)]
 pub struct Job {
     scene: Arc<SceneGraph>,
     animation: Option<Animation>,
-    /// What errors name.
+    /// The name of the source in errors.
     file: PathBuf,
     options: ExportOptions,
 }
 
 impl Job {
-    /// An export of an animation in a scene; without one it is what the command line shows without a file, the rest pose. `file` is
-    /// the keyframe file, which errors name.
+    /// An export of an animation in a scene; without an animation, of the rest pose. Errors name `file`, the keyframe file.
     #[must_use]
     pub const fn new(
         scene: Arc<SceneGraph>,
@@ -32,13 +31,13 @@ impl Job {
         Self { scene, animation, file, options }
     }
 
-    /// Where it goes.
+    /// The output path.
     #[must_use]
     pub fn path(&self) -> &Path {
         &self.options.path
     }
 
-    /// Draws and writes it all, on a GPU adapter of its own.
+    /// Draws and writes everything, on its own GPU adapter.
     #[must_use]
     pub fn run(&self, watch: &mut Watch<'_>) -> ExportEnd {
         let mut frames = 0;
@@ -49,7 +48,7 @@ impl Job {
         }
     }
 
-    /// Counts the frames that are in a folder in `in_folder`, and returns how many there are in all.
+    /// Counts the frames written into a folder in `in_folder`, and returns the total.
     fn write(&self, watch: &mut Watch<'_>, in_folder: &mut usize) -> Result<usize, ExportError> {
         let ExportOptions { path, format, size, fps, range, ghosts, camera, samples, background } = &self.options;
         let size = Size { width: size[0], height: size[1] };
@@ -69,7 +68,7 @@ impl Job {
             output: path,
             removes_stale: false,
         };
-        // What cannot be played is found out before anything is drawn.
+        // Errors in the animation are found before anything is drawn.
         let planned = request.plan()?;
         let mut painter = Painter::headless(size, *samples)?;
         painter.set_background(match background {

@@ -1,4 +1,4 @@
-//! Which moments are rendered: of an animation, of a scene that moves by itself, or of a still one that the camera goes around.
+//! Which moments are rendered: of an animation, of a scene that moves by itself, or of a still scene with a turntable camera.
 
 use std::path::Path;
 
@@ -10,21 +10,21 @@ use crate::film::{Grid, Plan};
 use crate::keyframe::{KeyframeIndex, KeyframeList, PlayRange, SampleError};
 use crate::scene::SceneGraph;
 
-/// How long the turntable takes where nothing else moves, in milliseconds.
+/// Duration of a turn of the turntable if nothing else moves, in milliseconds.
 const TURN_MS: u32 = 4000;
 
-/// Where moments come from.
+/// The source of moments.
 #[derive(Clone, Copy)]
 pub struct Source<'a> {
-    /// The scene.
+    /// The scene that poses are of.
     pub scene: &'a SceneGraph,
-    /// The keyframes, where a file is named.
+    /// The animation, if there is a keyframe file.
     pub animation: Option<&'a Animation>,
-    /// The file.
+    /// The keyframe file, for errors.
     pub file: Option<&'a Path>,
 }
 
-/// Which pose a moment shows.
+/// The pose of a moment.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum MomentPose {
     /// The scene's rest pose.
@@ -35,32 +35,32 @@ pub enum MomentPose {
     KeyTime(f64),
 }
 
-/// Which part of an animation pictures are of.
+/// A part of an animation.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Span {
-    /// The key time at which it begins; the playing range's start where it is not said.
+    /// The key time at which it begins; default: the playing range's start.
     pub from: Option<f64>,
-    /// The key time at which it ends; the playing range's end where it is not said.
+    /// The key time at which it ends; default: the playing range's end.
     pub to: Option<f64>,
-    /// How far the keys at their own times are at its beginning, in seconds.
+    /// The time of the timed keys at its beginning, in seconds.
     pub seconds: f64,
 }
 
-/// One picture.
+/// The pose and the times of one picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Moment {
     /// Its pose.
     pub shown: MomentPose,
-    /// Seconds into the keys at their own times.
+    /// Seconds into the timed keys.
     pub seconds: f64,
-    /// When it appears in a film, in milliseconds.
+    /// Its start time in a film, in milliseconds.
     pub start_ms: f64,
-    /// How far around the turntable has gone, 0 to 1.
+    /// The turn of the turntable, 0 to 1.
     pub turn: f64,
 }
 
 impl Moment {
-    /// What tells it from the others of a contact sheet: key time and seconds, seconds alone, or how far around the camera is.
+    /// The caption in a contact sheet: key time and seconds, seconds alone, or the camera's angle.
     #[must_use]
     pub fn caption(&self) -> Vec<String> {
         let seconds = format!("{:.2} s", self.seconds);
@@ -75,13 +75,13 @@ impl Moment {
 
 /// The pictures of a film or a contact sheet.
 pub struct Moments {
-    /// In their order.
+    /// The moments in order.
     pub all: Vec<Moment>,
     end_ms: f64,
 }
 
 impl Source<'_> {
-    /// What errors name: the file, or the scene where there is no file.
+    /// The name for errors: the file, or the scene if there is no file.
     pub(super) fn name(&self) -> String {
         match self.file {
             Some(file) => file.display().to_string(),
@@ -98,10 +98,10 @@ impl Source<'_> {
         ExportError::NoKeyframe { source_name: self.name(), index, last }
     }
 
-    /// The pose at a key time or of a keyframe; at the start of the playing range where neither is named.
+    /// The pose at a key time or of a keyframe; by default at the start of the playing range.
     ///
     /// # Errors
-    /// [`ExportError`]: it is not there.
+    /// [`ExportError`]: there is no such key time or keyframe.
     pub fn shown(&self, at: Option<f64>, keyframe: Option<i64>) -> Result<MomentPose, ExportError> {
         let Some(animation) = self.animation else { return Ok(MomentPose::Rest) };
         if let Some(index) = keyframe {
@@ -118,7 +118,7 @@ impl Source<'_> {
         PlayRange::new(&animation.keyframes).map_err(|cause| self.unplayable(cause))
     }
 
-    /// The key times between which pictures are wanted.
+    /// The key times at which the span begins and ends.
     #[expect(clippy::cast_precision_loss, reason = "no list has 2^52 keyframes")]
     fn key_times(&self, span: Span, animation: &Animation) -> Result<[f64; 2], ExportError> {
         let range = self.range(animation)?;
@@ -134,16 +134,16 @@ impl Source<'_> {
 }
 
 impl Moments {
-    /// One picture.
+    /// A single picture.
     #[must_use]
     pub fn of_picture(shown: MomentPose, seconds: f64) -> Self {
         Self { all: vec![Moment { shown, seconds, start_ms: 0.0, turn: 0.0 }], end_ms: 0.0 }
     }
 
-    /// The pictures of a film: picture k is k · 1000/fps ms after the start while that is short of the end, and the end.
+    /// The pictures of a film: picture k is k · 1000/fps ms after the start while that is before the end; the last picture is the end.
     ///
     /// # Errors
-    /// [`ExportError`]: a range that is not there, or nothing that moves.
+    /// [`ExportError`]: a range outside of the playing range, or nothing that moves.
     pub fn of_film(span: Span, source: Source<'_>, viewpoint: Viewpoint, fps: u32) -> Result<Self, ExportError> {
         let seconds_at = |ms: f64| span.seconds + ms / 1000.0;
         let still = |start_ms| Moment { shown: MomentPose::Rest, seconds: seconds_at(start_ms), start_ms, turn: 0.0 };
@@ -161,7 +161,7 @@ impl Moments {
                 };
                 let mut all: Vec<Moment> =
                     starts(end - start, fps).map(|start_ms| moment(key_time(start_ms), start_ms)).collect();
-                // The ends as they were named, to the bit.
+                // The ends exactly as requested.
                 let last = all.len() - 1;
                 (all[last].shown, all[0].shown) = (MomentPose::KeyTime(to), MomentPose::KeyTime(from));
                 all
@@ -169,7 +169,7 @@ impl Moments {
         } else if let Some(last_second) = source.scene.last_second().filter(|&second| second > span.seconds) {
             starts((last_second - span.seconds) * 1000.0, fps).map(still).collect()
         } else if viewpoint == Viewpoint::Turntable {
-            // The end would be the start again.
+            // The last picture would equal the first.
             starts(f64::from(TURN_MS), fps).take((TURN_MS * fps / 1000) as usize).map(still).collect()
         } else {
             return Err(ExportError::NothingMoves { source_name: source.name() });
@@ -185,7 +185,7 @@ impl Moments {
     /// The pictures of a contact sheet, evenly spread, both ends included.
     ///
     /// # Errors
-    /// [`ExportError`]: a range that is not there, or nothing that moves.
+    /// [`ExportError`]: a range outside of the playing range, or nothing that moves.
     pub fn of_sheet(span: Span, source: Source<'_>, grid: Grid) -> Result<Self, ExportError> {
         let count = grid.columns * grid.rows;
         let fractions = (0..count).map(|index| f64::from(index) / f64::from((count - 1).max(1)));
@@ -211,13 +211,13 @@ impl Moments {
         Ok(Self { all, end_ms: 0.0 })
     }
 
-    /// When a picture disappears, in milliseconds.
+    /// The end time of a picture, in milliseconds.
     #[must_use]
     pub fn end_ms(&self, index: usize) -> f64 {
         self.all.get(index + 1).map_or(self.end_ms, |next| next.start_ms)
     }
 
-    /// What a film of these is.
+    /// The properties of a film of these moments.
     ///
     /// # Errors
     /// [`ExportError::TooManyFrames`]
@@ -227,10 +227,10 @@ impl Moments {
     }
 }
 
-/// 0, 1000/fps, … ms while short of the end, and the end.
+/// 0, 1000/fps, … ms while before the end, and the end.
 fn starts(end_ms: f64, fps: u32) -> impl Iterator<Item = f64> {
     let start_ms = move |frame: u32| f64::from(frame) * 1000.0 / f64::from(fps);
-    // A start that rounding alone keeps short of the end is the end.
+    // A start that is before the end only by rounding is the end.
     (0..).map(start_ms).take_while(move |&start_ms| start_ms < end_ms - 1e-6).chain(std::iter::once(end_ms))
 }
 

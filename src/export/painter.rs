@@ -1,4 +1,4 @@
-//! Frames to pictures, with no window.
+//! Draws frames into pictures, without a window.
 
 use glam::Vec2;
 
@@ -33,18 +33,18 @@ pub struct Painter {
 }
 
 impl Painter {
-    /// A painter of pictures of a size on the best adapter that needs no display; with as many samples a pixel as suit it, unless told.
+    /// A painter of pictures of a size on the best adapter that needs no display; `samples` per pixel, by default as many as suit it.
     ///
     /// # Errors
-    /// [`GpuError`]: there is no adapter, or it cannot draw pictures so large.
+    /// [`GpuError`]: there is no adapter, or it cannot draw pictures of this size.
     pub fn headless(size: Size, samples: Option<u32>) -> Result<Self, GpuError> {
         Self::on(Gpu::headless()?, size, samples)
     }
 
-    /// A painter of pictures of a size on an adapter; with as many samples a pixel as suit it, unless told.
+    /// A painter of pictures of a size on an adapter; `samples` per pixel, by default as many as suit it.
     ///
     /// # Errors
-    /// [`GpuError::Size`] where the adapter cannot draw pictures so large.
+    /// [`GpuError::Size`] if the adapter cannot draw pictures of this size.
     pub fn on(gpu: Gpu, size: Size, samples: Option<u32>) -> Result<Self, GpuError> {
         let offscreen = Offscreen::new(&gpu, size.width, size.height)?;
         let samples = samples.unwrap_or_else(|| default_samples(gpu.is_software));
@@ -67,8 +67,8 @@ impl Painter {
         self.offscreen.render(&self.gpu, &mut self.renderer, frame)
     }
 
-    /// Begins to draw the next frame of a run, where there is one, and gives the picture of the one before, where there was one: while
-    /// that comes back the next is drawn already.
+    /// Starts to draw the next frame of a run, if there is one, and returns the picture of the previous one, if there was one. The next
+    /// frame is drawn while the previous picture is read back.
     ///
     /// # Errors
     /// [`GpuError`]
@@ -103,7 +103,7 @@ impl Painter {
         Ok(encoder.into_bytes())
     }
 
-    /// What is behind everything from now on.
+    /// Sets the background of the following frames.
     pub fn set_background(&mut self, background: Background) {
         self.renderer.set_background(background);
     }
@@ -114,13 +114,13 @@ impl Painter {
         self.size
     }
 
-    /// The GPU adapter, for naming it and for pictures of other kinds.
+    /// The GPU adapter.
     #[must_use]
     pub const fn gpu(&self) -> &Gpu {
         &self.gpu
     }
 
-    /// Samples a pixel.
+    /// Samples per pixel.
     #[must_use]
     pub const fn samples(&self) -> u32 {
         self.samples

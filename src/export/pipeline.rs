@@ -1,4 +1,4 @@
-//! Two threads: one draws, the other takes what is drawn, in its order.
+//! Two threads: one draws, the other consumes the pictures in order.
 
 use std::sync::mpsc;
 use std::thread;
@@ -6,7 +6,7 @@ use std::thread;
 use super::{ExportError, Moments, Painter, Size, Stage};
 use crate::render::Drawn;
 
-/// Pictures that wait at most: enough for one thread not to stop for slow pictures of the other, and no more memory than that is worth.
+/// The capacity of the queue: enough that a slow picture on one thread does not stop the other, at acceptable memory.
 fn waiting(size: Size) -> usize {
     const WORTH_BYTES: usize = 16 << 20;
     const FEWEST: usize = 4;
@@ -15,18 +15,18 @@ fn waiting(size: Size) -> usize {
     (WORTH_BYTES / bytes.max(1)).clamp(FEWEST, MOST)
 }
 
-/// Is told how many frames are drawn and of how many, before each and after the last; says whether to go on.
+/// Receives the number of drawn frames and the total, before each frame and after the last. Returns whether to continue.
 pub type Watch<'a> = dyn FnMut(usize, usize) -> bool + 'a;
 
-/// What is drawn, with what, and under whose eyes.
+/// The inputs of a run.
 pub struct Drawing<'a> {
-    /// What there is to see.
+    /// The scene with its camera.
     pub stage: &'a Stage<'a>,
-    /// When.
+    /// The moments to draw.
     pub moments: &'a Moments,
-    /// Who draws it.
+    /// The painter that draws them.
     pub painter: &'a mut Painter,
-    /// Who may end it.
+    /// The watcher, which may cancel.
     pub watch: &'a mut Watch<'a>,
 }
 
@@ -54,12 +54,12 @@ impl Drawing<'_> {
             let drawn = moments.all.iter().enumerate().try_for_each(|(index, moment)| -> Result<(), Stop> {
                 goes_on(index)?;
                 match painter.next_drawn(Some(&stage.frame(moment)?))? {
-                    // Where the other side is gone it has an error to tell.
+                    // If the other thread has ended, it has returned an error.
                     Some(picture) => sender.send(picture).map_err(|_| Stop(None)),
                     None => Ok(()),
                 }
             });
-            // What was begun is finished, also where no more is wanted.
+            // Frames that were submitted are read back, also after cancelling.
             let drawn = match painter.next_drawn(None) {
                 Ok(Some(picture)) => drawn.and(sender.send(picture).map_err(|_| Stop(None))),
                 Ok(None) => drawn,
@@ -72,28 +72,28 @@ impl Drawing<'_> {
                 _ => taken,
             }
         })?;
-        // Taking what waited took its time.
+        // Waiting for the consumer took time; the watcher is asked again.
         goes_on(count)
     }
 }
 
-/// How much nicer than the others the thread that takes pictures is: 15 steps leave it a thirtieth of a core that another thread wants.
+/// The niceness of the consuming thread: at 15 it gets a thirtieth of a core that another thread competes for.
 #[cfg(target_os = "linux")]
 const NICER: i32 = 15;
 
-/// Lets the threads of a software driver go first from now on: they wait for each other within a picture, so that one of them that
-/// has to wait for a core holds up all. This thread has the time they leave over, and while it is behind they wait for it.
+/// Lowers the priority of this thread below the threads of a software driver. Those wait for each other within a picture, so one that waits
+/// for a core delays all. This thread uses the remaining time; if it falls behind, the queue makes the drawing wait.
 #[cfg(target_os = "linux")]
 fn give_way() {
-    // With process 0 Linux means the calling thread (setpriority(2)). Where it refuses, pictures only come later.
+    // With process 0 Linux means the calling thread (setpriority(2)). An error only makes pictures slower.
     let _ = rustix::process::nice(NICER);
 }
 
-/// Only on Linux can a thread go behind the others of its program without unsafe code.
+/// Only Linux can lower the priority of one thread without unsafe code.
 #[cfg(not(target_os = "linux"))]
 const fn give_way() {}
 
-/// Why drawing stopped: an error of its own, or one that the other side tells.
+/// Why drawing stopped: an own error, or an error of the consuming thread.
 struct Stop(Option<ExportError>);
 
 impl<E: Into<ExportError>> From<E> for Stop {

@@ -1,4 +1,4 @@
-//! A request for a picture or film, from what is asked for to its file: what the Export dialog and `inbetween render` both come to.
+//! A request for a picture or film, shared by the Export dialog and `inbetween render`.
 
 use std::path::Path;
 
@@ -9,33 +9,33 @@ use crate::film::{Cell, Encoder, Format, FormatProblem, Grid, StartStill, contac
 use crate::frame::Frame;
 use crate::storage;
 
-/// What is made.
+/// The kind of output.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Subject {
-    /// One picture, of a key time or of a keyframe of the list; of the playing range's start where neither is named.
+    /// One picture at a key time or of a keyframe of the list; by default at the playing range's start.
     Picture {
         /// The key time.
         at: Option<f64>,
         /// The keyframe's index.
         keyframe: Option<i64>,
     },
-    /// Pictures side by side, as one.
+    /// A contact sheet.
     Sheet(Grid),
-    /// A film, or a folder of numbered pictures where the format is of single ones.
+    /// A film, or a folder of numbered pictures if the format is for single pictures.
     Film {
-        /// Frames a second.
+        /// Frames per second.
         fps: u32,
     },
 }
 
-/// What is asked for.
+/// All inputs of an export.
 #[derive(Clone, Copy)]
 pub struct RenderRequest<'a> {
     /// The scene and its animation.
     pub source: Source<'a>,
-    /// What is made of it.
+    /// The kind of output.
     pub subject: Subject,
-    /// Which part of the animation, for films and contact sheets. Its seconds count for pictures too.
+    /// The part of the animation, for films and contact sheets. Its seconds apply to single pictures too.
     pub span: Span,
     /// An eye of the scene by its path, or `turntable`; `None`: the scene's first eye.
     pub camera: Option<&'a str>,
@@ -51,14 +51,14 @@ pub struct RenderRequest<'a> {
     pub removes_stale: bool,
 }
 
-/// A request whose moments are known: all that can be wrong with the animation was found.
+/// A request whose moments are computed: the animation has no more errors.
 pub struct PlannedRender<'a> {
     request: RenderRequest<'a>,
     viewpoint: Viewpoint,
     moments: Moments,
 }
 
-/// Finds out, before any file is read, whether a format can hold what is asked for, and whether its encoder is there.
+/// Checks, before any file is read, that a format supports a request and that its encoder is installed.
 ///
 /// # Errors
 /// [`ExportError::Format`], [`ExportError::Ffmpeg`]
@@ -95,10 +95,10 @@ pub fn check_sheet(grid: Grid, size: Size) -> Result<(), ExportError> {
 }
 
 impl<'a> RenderRequest<'a> {
-    /// Finds the moments.
+    /// Computes the moments.
     ///
     /// # Errors
-    /// [`ExportError`]: an eye, a key time or a keyframe that is not there, or nothing that moves.
+    /// [`ExportError`]: an eye, a key time or a keyframe that does not exist, or nothing that moves.
     pub fn plan(self) -> Result<PlannedRender<'a>, ExportError> {
         let viewpoint = Viewpoint::named(self.camera, self.source.scene)?;
         let moments = match self.subject {
@@ -119,7 +119,7 @@ impl PlannedRender<'_> {
         self.moments.all.len()
     }
 
-    /// The first frame, for pictures `painter` is as large as.
+    /// The first frame, at the size of the painter's pictures.
     ///
     /// # Errors
     /// [`ExportError`]
@@ -127,8 +127,8 @@ impl PlannedRender<'_> {
         self.stage(painter).frame(&self.moments.all[0])
     }
 
-    /// Draws and writes it all. `watch` is told of each frame of a film or contact sheet, and may end the work; `written` is told of each
-    /// single picture, a film's frames in a folder included.
+    /// Draws and writes everything. `watch` is called for each frame of a film or contact sheet and may cancel; `written` is called for
+    /// each single picture, including the frames of a folder.
     ///
     /// # Errors
     /// [`ExportError`]

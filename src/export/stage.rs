@@ -1,4 +1,4 @@
-//! What a camera sees at a moment.
+//! The frame that a camera sees at a moment.
 
 use glam::{Mat3, Quat, Vec2, Vec3};
 
@@ -11,20 +11,20 @@ use crate::rbt::Rbt;
 use crate::scene::SceneGraph;
 use crate::view::{Neighbours, add_ghosts, frame_of_scene};
 
-/// How far the turntable's camera looks down, in degrees.
+/// The downward angle of the turntable's camera, in degrees.
 const TURNTABLE_DOWN: f32 = 12.0;
 
-/// Where it is seen from.
+/// The position of the camera.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Viewpoint {
     /// One of the scene's eyes.
     Eye(RbtIndex),
-    /// A camera that goes around the world's centre.
+    /// A camera that circles the world's origin.
     Turntable,
 }
 
 impl Viewpoint {
-    /// The view of that name; the scene's first eye where none is named.
+    /// The viewpoint with a name; by default the scene's first eye.
     ///
     /// # Errors
     /// [`ExportError::NoCamera`]
@@ -52,7 +52,7 @@ pub struct Stage<'a> {
 }
 
 impl<'a> Stage<'a> {
-    /// A stage for pictures of a size, with the ghosts of so many keyframes before and after.
+    /// A stage for pictures of a size, with `ghosts` keyframes before and after as ghosts.
     #[must_use]
     pub fn new(source: Source<'a>, viewpoint: Viewpoint, ghosts: u8, size_px: Vec2) -> Self {
         let mut stage = Self { source, viewpoint, ghosts, size_px, distance: 1.0 };
@@ -65,7 +65,7 @@ impl<'a> Stage<'a> {
     /// The picture at a moment.
     ///
     /// # Errors
-    /// [`ExportError`]: the moment is not there.
+    /// [`ExportError`]: the moment does not exist.
     pub fn frame(&self, moment: &Moment) -> Result<Frame, ExportError> {
         let pose = self.pose(moment.shown)?;
         let camera = self.camera(&pose, moment);
@@ -111,7 +111,7 @@ impl<'a> Stage<'a> {
         Rbt::new(rotation * Vec3::new(0.0, 0.0, self.distance), rotation)
     }
 
-    /// The distance from which every shape but planes is in view, however the camera stands.
+    /// The distance from which every shape except planes is in view from all sides.
     fn fitting_distance(&self) -> f32 {
         let scene = self.source.scene;
         let pose = self.source.shown(None, None).and_then(|shown| self.pose(shown));
@@ -138,7 +138,7 @@ impl<'a> Stage<'a> {
     /// The list's keyframes before and after the moment.
     fn add_ghosts(&self, frame: &mut Frame, moment: &Moment) {
         let Some(animation) = self.source.animation else { return };
-        // Where the moment is in the list, whose first keyframe is not played.
+        // The moment's position in the list, whose first keyframe is not played.
         let here = match moment.shown {
             MomentPose::Rest => return,
             #[expect(clippy::cast_precision_loss, reason = "no list has 2^52 keyframes")]

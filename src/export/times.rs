@@ -7,7 +7,7 @@ use crate::keyframe::{Timing, to_f64, whole};
 /// One frame's time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FrameTime {
-    /// Played keyframes, from 0.
+    /// The key time, from 0.
     pub key_time: f64,
     /// Milliseconds from the start.
     pub ms: f64,
@@ -22,9 +22,9 @@ impl FrameTime {
     }
 }
 
-/// The frames of a whole playing range: frame k at k · 1000/fps ms while that is short of the end, and the end.
+/// The frames of a whole playing range: frame k at k · 1000/fps ms while that is before the end, and the end.
 ///
-/// What is short of the end is decided exactly; each time is rounded once.
+/// The comparison with the end is exact; each time is rounded once.
 #[expect(clippy::range_plus_one, reason = "a range with its end included does not know its length")]
 #[must_use]
 pub fn frame_times(

@@ -10,7 +10,7 @@ use crate::film::{Film, FilmError, FilmFormat, Plan, StartStill};
 use crate::render::Image;
 use crate::storage::{self, Draft, Foreign, StorageError};
 
-/// Is told of each picture that is written, and its bytes.
+/// Receives the path and the bytes of each written picture.
 pub type Written<'a> = dyn FnMut(&Path, &[u8]) + Send + 'a;
 
 /// The name of a numbered picture.
@@ -44,10 +44,10 @@ pub fn clear_folder(folder: &Path, ending: &str, count: usize, removes: bool) ->
     stale.iter().try_for_each(|entry| storage::remove(&entry.path).map_err(|cause| unwritten(&entry.path, cause)))
 }
 
-/// Writes frame-00000 and on, with an ending, into a folder, which is made where it is missing, and tells `written` of each.
+/// Writes `frame-00000` and so on with an ending into a folder, which is created if it is missing. Calls `written` for each.
 ///
 /// # Errors
-/// [`ExportError`]; frames that are written stay, each of them whole.
+/// [`ExportError`]; the frames written so far stay; each is complete.
 pub fn write_folder(
     folder: &Path,
     ending: &str,
@@ -67,20 +67,20 @@ pub fn write_folder(
     })
 }
 
-/// Writes a film beside its place and puts it there when it is whole.
+/// Writes a film into a draft and replaces the destination when it is complete.
 ///
 /// # Errors
-/// [`ExportError`]; what stood there before is as it was.
+/// [`ExportError`]; the destination is then unchanged.
 pub fn write_film(path: &Path, format: FilmFormat, plan: Plan, drawing: &mut Drawing<'_>) -> Result<(), ExportError> {
     let mut draft = Draft::new(path).map_err(|cause| unwritten(path, cause))?;
     encode(path, format, plan, drawing, &mut draft)?;
     draft.commit().map_err(|cause| unwritten(path, cause))
 }
 
-/// As [`write_film`], through the user's ffmpeg.
+/// Like [`write_film`], through the user's ffmpeg.
 ///
 /// # Errors
-/// [`ExportError`]; what stood there before is as it was.
+/// [`ExportError`]; the destination is then unchanged.
 pub fn write_through_ffmpeg(
     path: &Path,
     format: FilmFormat,
@@ -91,7 +91,7 @@ pub fn write_through_ffmpeg(
     let foreign = Foreign::new(path).map_err(|cause| unwritten(path, cause))?;
     let mut ffmpeg = Ffmpeg::start(foreign.path()).map_err(failed)?;
     let encoded = encode(path, format, plan, drawing, &mut ffmpeg);
-    // Where ffmpeg has ended early, what it says matters more than that it takes no more pictures.
+    // If ffmpeg exited early, its error is more useful than the broken pipe.
     if let Err(error @ (ExportError::Cancelled | ExportError::Gpu(_))) = encoded {
         ffmpeg.stop();
         return Err(error);
@@ -120,7 +120,7 @@ fn encode(
     film.finish().map_err(failed)
 }
 
-/// A few frames, evenly spread over the film, and the last one; none where none are wanted.
+/// A few frames, evenly spread over the film, and the last one; none if `count` is 0.
 fn samples(drawing: &mut Drawing<'_>, count: usize) -> Result<Vec<Image>, ExportError> {
     if count == 0 {
         return Ok(Vec::new());

@@ -1,4 +1,4 @@
-//! What a format is: a row of the table of formats, and what its encoders do.
+//! A row of the table of formats, and the interface of encoders.
 
 use std::fmt;
 use std::io::Write;
@@ -10,58 +10,58 @@ use super::{FilmError, films, formats};
 use crate::picture::{Image, Rows};
 use crate::words::{Message, Phrase, all_of, display_by_message, one_of, texts};
 
-/// A format: a row of [`FORMATS`](super::FORMATS). Two are equal where their names are.
+/// A format: a row of [`FORMATS`](super::FORMATS). Two formats are equal if their names are.
 pub struct Format {
-    /// What people call it, as in "GIF".
+    /// The name for people, such as "GIF".
     pub name: &'static str,
     /// The ending of its files' names, in lower case and without the dot.
     pub ending: &'static str,
     /// Whether it keeps opacity.
     pub has_opacity: bool,
-    /// Frames a second where none are named.
+    /// The default frames per second.
     pub usual_frames_per_second: u32,
-    /// The most frames a second.
+    /// The highest frame rate, in frames per second.
     pub most_frames_per_second: u32,
-    /// The format's own limits: why there is no file of a width and height in pixels and, of what moves, so many frames a second.
+    /// The format's own limits. Takes width and height in pixels and, for a film, frames per second; returns why there is no such file.
     pub limit: fn([u32; 2], Option<u32>) -> Option<Phrase>,
-    /// What writes it.
+    /// The encoder.
     pub encoder: Encoder,
 }
 
-/// What writes a format.
+/// The encoder of a format.
 pub enum Encoder {
-    /// One picture a file, encoded here. What moves becomes a folder of numbered files.
+    /// One picture per file, encoded here. A film becomes a folder of numbered files.
     Still(StartStill),
     /// A film, encoded here.
     Film(FilmFormat),
-    /// A film that the user's ffmpeg encodes out of this one.
+    /// A film that the user's ffmpeg encodes from a film in this format.
     Ffmpeg(FilmFormat),
 }
 
-/// Makes an encoder; one for pictures of that width and height has its memory at once.
+/// Makes an encoder for pictures of this width and height in pixels. The memory is allocated at once.
 pub type StartStill = fn(Option<[u32; 2]>) -> Box<dyn StillEncoder>;
 
-/// Encodes pictures, one after the other, in memory that it keeps.
+/// Encodes pictures one after the other and reuses its memory.
 pub trait StillEncoder: Send {
     /// Encodes a picture. The same picture always gives the same bytes.
     ///
     /// # Errors
-    /// [`EncodingError`] where the format does not take it.
+    /// [`EncodingError`] if the format does not support the picture.
     fn encode(&mut self, rows: &Rows<'_>) -> Result<(), EncodingError>;
 
-    /// The picture that was encoded last.
+    /// The bytes of the last encoded picture.
     fn bytes(&self) -> &[u8];
 
-    /// As [`StillEncoder::bytes`], at the end.
+    /// Like [`StillEncoder::bytes`], but gives up the memory.
     fn into_bytes(self: Box<Self>) -> Vec<u8>;
 }
 
-/// How a film is begun.
+/// How to begin a film.
 #[derive(Clone, Copy)]
 pub struct FilmFormat {
-    /// Frames, spread over the film, that the encoder must see before the first one: it chooses its colours by them.
+    /// Frames, spread over the film, that the encoder must see before the first one: it chooses its palette by them.
     pub sample_frames: usize,
-    /// Begins a film, having seen those frames.
+    /// Begins a film with those frames as samples.
     pub start: StartFilm,
 }
 
@@ -84,7 +84,7 @@ pub trait FilmEncoder: Send {
     fn finish(self: Box<Self>) -> Result<(), FilmError>;
 }
 
-/// What is known of a film before its first picture.
+/// The properties of a film that are known before its first picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plan {
     /// Width in pixels.
@@ -93,7 +93,7 @@ pub struct Plan {
     pub height: u32,
     /// Pictures in all.
     pub frames: u32,
-    /// Pictures a second.
+    /// Pictures per second.
     pub frames_per_second: u32,
     /// Whether every pixel is opaque.
     pub is_opaque: bool,
@@ -119,7 +119,7 @@ impl<'a> Film<'a> {
         Ok(Self { plan, encoder: (format.start)(plan, samples, output)? })
     }
 
-    /// Adds a picture that is shown from `start_ms` to `end_ms` of the film. Y4M shows all for the same time.
+    /// Adds a picture that is shown from `start_ms` to `end_ms` of the film. Y4M ignores the times: all pictures last equally long.
     ///
     /// # Errors
     /// [`FilmError`]
@@ -131,7 +131,7 @@ impl<'a> Film<'a> {
         self.encoder.push(image, start_ms, end_ms)
     }
 
-    /// Ends the film. A film that is dropped instead is not whole.
+    /// Ends the film. A film that is dropped instead is incomplete.
     ///
     /// # Errors
     /// [`FilmError`]
@@ -150,21 +150,21 @@ impl From<png::EncodingError> for EncodingError {
     }
 }
 
-/// Why a format cannot hold what is asked for. In a few words, to stand after a colon.
+/// Why a format does not support a request. The message is a phrase that follows a colon.
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
 pub enum FormatProblem {
-    /// It keeps no opacity.
+    /// The format has no opacity.
     NoOpacity,
-    /// It is of films, and one picture is asked for.
+    /// It is for films, and a single picture was requested.
     NoPicture,
-    /// A limit of its own.
+    /// A limit of the format, such as the longest side.
     Limit(Phrase),
 }
 
 display_by_message!(EncodingError);
 
 impl EncodingError {
-    /// Why, as a message.
+    /// The error as a message.
     #[must_use]
     pub fn message(&self) -> Message {
         texts::export_picture_not_encoded(self.0.to_string())
@@ -174,7 +174,7 @@ impl EncodingError {
 display_by_message!(FormatProblem);
 
 impl FormatProblem {
-    /// Why, as a message.
+    /// The error as a message.
     #[must_use]
     pub fn message(&self) -> Message {
         match self {
@@ -186,14 +186,14 @@ impl FormatProblem {
 }
 
 impl Format {
-    /// Whether it is of single pictures: a film is a folder of them.
+    /// Whether it is for single pictures, so that a film is a folder.
     #[must_use]
     pub const fn is_still(&self) -> bool {
         matches!(self.encoder, Encoder::Still(_))
     }
 
-    /// A path, ending as this format's films do, which is not at all where they are folders: the ending of another format's films is
-    /// replaced, anything else is kept.
+    /// The path with the ending of this format's films, or with none if they are folders. The ending of another film format is replaced;
+    /// any other text is kept.
     #[must_use]
     pub fn film_path(&self, path: &Path) -> PathBuf {
         let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
@@ -208,8 +208,8 @@ impl Format {
         name.into()
     }
 
-    /// Why it cannot hold pictures of a width and height in pixels, so many a second where it is a film, transparent or not; `None` where
-    /// it can.
+    /// Why the format does not support a request: width and height in pixels, frames per second for a film, opaque or not. `None` if it
+    /// does.
     #[must_use]
     pub fn problem(&self, size: [u32; 2], fps: Option<u32>, is_seen_through: bool) -> Option<FormatProblem> {
         if is_seen_through && !self.has_opacity {

@@ -1,4 +1,4 @@
-//! The table of formats: a file and a row each.
+//! The table of formats: one file and one row each.
 
 mod apng;
 mod gif;
@@ -18,16 +18,16 @@ pub use palette::Palette;
 pub use png::PNG;
 pub use y4m::Y4M;
 
-/// All formats, in the order in which they are proposed: films, then those of single pictures.
+/// All formats, in the order of the Export dialog: films, then single pictures.
 pub static FORMATS: [&Format; 6] = [&GIF, &APNG, &MP4, &Y4M, &PNG, &webp::WEBP];
 
-/// The most frames a second of formats with no limit of their own.
+/// The highest frame rate of formats without a limit of their own.
 pub const MOST_FRAMES_PER_SECOND: u32 = 1000;
 
-/// Endings of pictures and films that other programs write, which are refused rather than taken for a PNG's name.
+/// Endings of pictures and films that other programs write, which are refused instead of being taken as part of a name.
 pub const NOT_WRITTEN: [&str; 9] = ["jpg", "jpeg", "webm", "avi", "mov", "mkv", "bmp", "tif", "tiff"];
 
-/// The format whose files end so, in lower case and without the dot.
+/// The format with this ending, in lower case and without the dot.
 #[must_use]
 pub fn format_of_ending(ending: &str) -> Option<&'static Format> {
     FORMATS.into_iter().find(|format| format.ending == ending)
@@ -75,7 +75,7 @@ pub fn translucent() -> Vec<&'static str> {
     stills().chain(films()).filter(|format| format.has_opacity).map(|format| format.name).collect()
 }
 
-/// Names as a sentence lists them: `and` stands before the last.
+/// A list of names in a sentence, with `and` before the last.
 #[must_use]
 pub fn listed(names: &[&str], and: &str) -> String {
     match names {
@@ -85,7 +85,7 @@ pub fn listed(names: &[&str], and: &str) -> String {
     }
 }
 
-/// For formats with no limits of their own.
+/// The limits of formats that have none.
 const fn no_limit(_: [u32; 2], _: Option<u32>) -> Option<Phrase> {
     None
 }

@@ -1,4 +1,4 @@
-//! The letters of captions: five pixels by seven, so that they are the same bytes everywhere.
+//! The letters of captions: five pixels by seven, so that captions have the same bytes on all systems.
 
 use crate::picture::Image;
 
@@ -7,7 +7,7 @@ pub const HEIGHT: u32 = 7;
 /// Width of a letter in pixels, at scale 1.
 const WIDTH: u32 = 5;
 
-/// What captions are made of: rows from the top, the leftmost pixel in the highest of five bits. Anything else is a blank.
+/// The glyphs: rows from the top, the leftmost pixel in the highest of five bits. Other characters are blank.
 #[rustfmt::skip]
 const LETTERS: [(char, [u8; 7]); 17] = [
     ('0', [0b0_1110, 0b1_0001, 0b1_0011, 0b1_0101, 0b1_1001, 0b1_0001, 0b0_1110]),
@@ -36,7 +36,7 @@ pub fn text_width(text: &str, scale: u32) -> u32 {
     (letters.saturating_mul(WIDTH + 1)).saturating_sub(1).saturating_mul(scale)
 }
 
-/// Writes a text with its top left corner there; what lies outside the picture is left out.
+/// Draws a text with its top left corner at a pixel. Pixels outside the picture are clipped.
 pub fn write_text(image: &mut Image, [left, top]: [u32; 2], text: &str, scale: u32, colour: [u8; 4]) {
     for (index, letter) in (0_u32..).zip(text.chars()) {
         let Some((_, rows)) = LETTERS.iter().find(|(known, _)| *known == letter) else { continue };
@@ -72,7 +72,7 @@ mod tests {
         let lit = |x: u32| (0..9).any(|y| image.pixel(x, y).is_some_and(|pixel| pixel[3] > 0));
         assert_eq!((0..40).filter(|x| lit(*x)).min(), Some(1));
         assert_eq!((0..40).filter(|x| lit(*x)).max(), Some(text_width("k8", 1)));
-        // Beyond the edges nothing happens.
+        // Pixels outside are clipped.
         write_text(&mut image, [38, 8], "888", 2, [255; 4]);
     }
 }

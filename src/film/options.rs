@@ -1,11 +1,11 @@
-//! What a film of the keyframes is to be: the options of an export, as plain data.
+//! The options of an export, as plain data.
 
 use std::path::{Path, PathBuf};
 
 use super::{Format, GIF};
 use crate::words::Message;
 
-/// What is behind everything.
+/// The background.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum ExportBackground {
     /// The sky's gradient.
@@ -17,34 +17,34 @@ pub enum ExportBackground {
     Transparent,
 }
 
-/// An export.
+/// The options of an export.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ExportOptions {
     /// The file, or the folder of frames.
     pub path: PathBuf,
-    /// What is written.
+    /// The format of the file, or of the frames in the folder.
     pub format: &'static Format,
     /// Width and height in pixels.
     pub size: [u32; 2],
-    /// Frames a second, 1 to 1000.
+    /// Frames per second, 1 to 1000.
     pub fps: u32,
-    /// The key times at which it begins and ends; `None`: all that plays.
+    /// The key times at which it begins and ends; `None`: the whole playing range.
     pub range: Option<[f64; 2]>,
-    /// How many neighbouring keyframes on each side are shown as ghosts.
+    /// The number of neighbouring keyframes on each side that are shown as ghosts.
     pub ghosts: u8,
     /// An eye of the scene by its path, or `turntable`; `None`: the scene's first eye.
     pub camera: Option<String>,
-    /// Samples a pixel, 1 or 4; `None`: as many as suit the GPU adapter.
+    /// Samples a pixel, 1 or 4; `None`: the adapter's default.
     pub samples: Option<u32>,
-    /// What is behind everything.
+    /// The background.
     pub background: ExportBackground,
 }
 
 impl ExportOptions {
-    /// The longest side of a picture, in pixels; what the GPU adapter takes may be less.
+    /// The longest side of a picture, in pixels; the GPU adapter's limit may be lower.
     pub const LONGEST_SIDE: u32 = 65_536;
 
-    /// What the command line does with nothing said, to a GIF beside the keyframe file.
+    /// The defaults of the command line, written to a GIF next to the keyframe file.
     #[must_use]
     pub fn beside(keyframe_file: &Path) -> Self {
         let format = &GIF;
@@ -62,13 +62,13 @@ impl ExportOptions {
     }
 }
 
-/// How an export ended.
+/// The result of an export.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ExportEnd {
-    /// It was written, with so many frames.
+    /// It was written, with this number of frames.
     Written(usize),
-    /// It was cancelled. Of a folder, so many frames were written already, each of them whole; of a file, nothing.
+    /// It was cancelled. In a folder, this number of complete frames was written; a file was not written.
     Cancelled(usize),
-    /// It failed, for this reason.
+    /// It failed, with this message.
     Failed(Message),
 }

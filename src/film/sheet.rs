@@ -4,11 +4,11 @@ use super::letters::{HEIGHT, text_width, write_text};
 use crate::colour::Colour;
 use crate::picture::Image;
 
-/// Pixels between pictures and around them.
+/// The gap between and around pictures, in pixels.
 const GAP: u32 = 4;
-/// What is between them.
+/// The colour of the gaps.
 const GAP_COLOUR: [u8; 4] = opaque(Colour::BACKDROP);
-/// Captions.
+/// The colour of captions.
 const TEXT_COLOUR: [u8; 4] = opaque(Colour::TEXT);
 
 const fn opaque(colour: Colour) -> [u8; 4] {
@@ -16,28 +16,28 @@ const fn opaque(colour: Colour) -> [u8; 4] {
     [red, green, blue, 0xff]
 }
 
-/// From this width of a picture on, in pixels, letters are twice as large.
+/// From this picture width on, in pixels, letters are twice as large.
 const WIDE: u32 = 240;
 
 /// Columns and rows of a contact sheet, at least one each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Grid {
-    /// Pictures in a row.
+    /// Number of columns.
     pub columns: u32,
-    /// Rows.
+    /// Number of rows.
     pub rows: u32,
 }
 
 /// A picture of a contact sheet.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Cell {
-    /// The picture.
+    /// The picture, of the same size as all others.
     pub picture: Image,
-    /// What stands under it: parts, of which as many are written as there is room for.
+    /// The caption in parts. Parts that do not fit are left out.
     pub caption: Vec<String>,
 }
 
-/// Pictures of one size in their order, row by row from the top left, each over its caption; places left over are empty.
+/// Arranges pictures of one size row by row from the top left, each above its caption. Remaining cells are empty.
 #[must_use]
 pub fn contact_sheet(grid: Grid, cells: &[Cell]) -> Image {
     let (width, height) = cells.first().map_or((0, 0), |cell| (cell.picture.width, cell.picture.height));

@@ -6,7 +6,7 @@ use super::formats::Palette;
 use super::*;
 use crate::picture::Image;
 
-/// A gradient with a block so many pixels from the left, of full opacity or none around the block.
+/// A gradient with a block at a distance in pixels from the left. Around the block it is opaque or transparent.
 fn picture(left: u32, is_opaque: bool) -> Image {
     let (width, height) = (31_u32, 18_u32);
     let mut rgba = Vec::new();

@@ -14,7 +14,7 @@ struct Features {
     points: Vec<f32>,
 }
 
-/// How much the features of two planes of luminances differ, each pixel 0 to 1.
+/// The difference of the features (edges and points) of two luminance planes, 0 to 1 for each pixel.
 pub fn differences(first: &Plane, second: &Plane) -> Vec<f32> {
     let (first, second) = (features(first), features(second));
     let pair = |a: &[f32], b: &[f32], pixel: usize| (a[pixel] - b[pixel]).abs();

@@ -1,11 +1,11 @@
-//! Separable filters over a plane of numbers; what lies outside repeats the border.
+//! Separable filters over a plane of numbers; outside of the plane the border is repeated.
 
 /// One number for each pixel, rows from the top.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plane {
-    /// Numbers in a row.
+    /// The width in pixels.
     pub width: usize,
-    /// The numbers.
+    /// The values, row by row.
     pub values: Vec<f32>,
 }
 

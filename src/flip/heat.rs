@@ -1,4 +1,4 @@
-//! Errors as colours: nine steps of the map "magma", black to pale yellow, whose lightness rises evenly.
+//! Errors as colours: nine steps of the colour map "magma", from black to pale yellow with linear lightness.
 
 use crate::picture::Image;
 

@@ -1,4 +1,4 @@
-//! LDR-FLIP itself: the error of each pixel.
+//! LDR-FLIP: the error of each pixel.
 
 use std::f32::consts::PI;
 use std::thread;
@@ -16,13 +16,13 @@ const COLOUR_EXPONENT: f32 = 0.7;
 const SMALL_DISTANCES: f32 = 0.4;
 const MOST_OF_ERRORS: f32 = 0.95;
 
-/// A picture on its way through: three planes in YCxCz, then each pixel in CIELAB.
+/// Intermediate data of a picture: the luminance plane, and the filtered pixels in CIELAB.
 struct Seen {
     luminance: Plane,
     lab: Vec<[f32; 3]>,
 }
 
-/// The FLIP error of each pixel, 0 to 1, of two pictures of one size over a grey backdrop of so much linear light.
+/// The FLIP error of each pixel, 0 to 1, of two pictures of one size, composited over a grey backdrop (linear light, 0 to 1).
 pub fn errors([width, _]: [usize; 2], first: &[u8], second: &[u8], backdrop: f32) -> Vec<f32> {
     let (first, second) = thread::scope(|scope| {
         let other = scope.spawn(|| see(width, second, backdrop));
@@ -42,7 +42,7 @@ pub fn errors([width, _]: [usize; 2], first: &[u8], second: &[u8], backdrop: f32
         .collect()
 }
 
-/// A distance as an error from 0 to 1: most of the range is for small ones.
+/// Maps a distance to an error from 0 to 1. Most of the range is for small distances.
 fn spread(distance: f32, largest: f32) -> f32 {
     let bend = SMALL_DISTANCES * largest;
     if distance < bend {
@@ -75,9 +75,9 @@ fn see(width: usize, rgba: &[u8], backdrop: f32) -> Seen {
     Seen { luminance, lab }
 }
 
-/// A plane as the eye's contrast sensitivity leaves it: a sum of Gaussians a·√(π/b)·exp(−π²r²/b), r in degrees, of weight 1.
+/// Filters a plane by the eye's contrast sensitivity: a sum of Gaussians a·√(π/b)·exp(−π²r²/b), r in degrees, of weight 1.
 fn blur(plane: &Plane, gaussians: &[(f32, f32)]) -> Vec<f32> {
-    // Three standard deviations of the widest Gaussian of all channels.
+    // The radius is three standard deviations of the widest Gaussian of all channels.
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small positive number")]
     let radius = (3.0 * (0.04 / (2.0 * PI * PI)).sqrt() * PIXELS_PER_DEGREE).ceil() as u16;
     let parts: Vec<(f32, Vec<f32>)> = gaussians

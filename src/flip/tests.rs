@@ -1,4 +1,4 @@
-//! What a measure of seen differences must do, and its values against NVIDIA's own program.
+//! Properties of the score, and values compared with NVIDIA's own program.
 
 use super::*;
 

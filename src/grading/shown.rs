@@ -9,7 +9,7 @@ use crate::animation_diff::distances;
 use crate::diagnosis::{Row, Samples};
 use crate::interpolation::Interpolation;
 use crate::keyframe::PlayRange;
-use crate::pose::{Pose, RbtIndex};
+use crate::pose::Pose;
 use crate::rbt::Rbt;
 
 /// The frames of an animated picture.
@@ -59,7 +59,7 @@ pub fn thinned(samples: &Samples, interpolation: Interpolation, rubric: &Rubric)
             let right = right_at(*key_time)?;
             let off = |row: &&Row| {
                 let shown = rbt(row);
-                let (translation, degrees) = distances(shown, right.get(RbtIndex::new(row.node)));
+                let (translation, degrees) = distances(shown, right.get(row.node));
                 // A rotation that is not of unit length scales what it turns.
                 let length = f64::from((shown.rotation.length() - 1.0).abs());
                 let off = (translation + length) / tolerances.translation.max(1e-9)
@@ -74,7 +74,7 @@ pub fn thinned(samples: &Samples, interpolation: Interpolation, rubric: &Rubric)
         let right = right_at(*key_time)?;
         let mut pose = right.clone();
         for row in rows {
-            pose.set(RbtIndex::new(row.node), rbt(row));
+            pose.set(row.node, rbt(row));
         }
         Some(ShownPose { key_time: *key_time, pose, right })
     };

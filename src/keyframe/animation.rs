@@ -3,12 +3,12 @@
 use super::KeyframeList;
 use crate::interpolation::Interpolation;
 
-/// Keyframes with what it takes to play them.
+/// Keyframes with the settings that play them.
 #[derive(Clone, Debug)]
 pub struct Animation {
     /// The keyframes.
     pub keyframes: KeyframeList,
-    /// How to interpolate between them.
+    /// The interpolation between keyframes.
     pub interpolation: Interpolation,
     /// Milliseconds from one to the next.
     pub ms_between_keyframes: u32,

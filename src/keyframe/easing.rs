@@ -1,42 +1,42 @@
-//! Easing: how an interval's fraction runs, from the keyframe where it begins to the one where it ends.
+//! Easing: maps the fraction of an interval between two keyframes from elapsed to shown.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// The shape of an easing curve, after Robert Penner's easing functions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Curve {
-    /// A quarter of a sine wave.
+    /// `1 − cos(x π/2)`.
     Sine,
-    /// The square.
+    /// `x²`.
     Quad,
-    /// The cube.
+    /// `x³`.
     Cubic,
-    /// A cube that overshoots by a tenth.
+    /// A cubic that overshoots by 10 %.
     Back,
-    /// A ball that bounces.
+    /// A bouncing ball.
     Bounce,
-    /// A spring that swings.
+    /// A damped spring.
     Elastic,
 }
 
-/// At which end of the interval an easing curve is slow.
+/// The end of the interval at which an easing curve is slow.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Ends {
-    /// At its beginning.
+    /// Slow at the beginning.
     In,
-    /// At its end.
+    /// Slow at the end.
     Out,
-    /// At both.
+    /// Slow at both ends.
     InOut,
 }
 
-/// How an interval's fraction runs.
+/// The easing of an interval.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Easing {
-    /// Evenly.
+    /// Constant speed.
     #[default]
     Linear,
-    /// Not at all: the interval shows the keyframe where it begins.
+    /// The interval shows the keyframe at which it begins.
     Hold,
     /// Along a curve.
     Curve(Curve, Ends),
@@ -52,7 +52,7 @@ const NAMES: [(Curve, [&str; 3]); 6] = [
 ];
 
 impl Easing {
-    /// Every easing, in the order in which menus have them.
+    /// Every easing, in menu order.
     pub fn all() -> impl Iterator<Item = Self> {
         let curves = NAMES
             .iter()
@@ -73,7 +73,7 @@ impl Easing {
         }
     }
 
-    /// The easing that a name in a file means.
+    /// The easing with this name in files; `None` if there is none.
     #[must_use]
     pub fn from_name(name: &str) -> Option<Self> {
         Self::all().find(|easing| easing.name() == name)
@@ -96,9 +96,9 @@ impl Easing {
 }
 
 impl Curve {
-    /// The curve that is slow at its beginning, for a fraction between 0 and 1.
+    /// The curve that is slow at the beginning, for a fraction between 0 and 1.
     fn rise(self, x: f64) -> f64 {
-        /// So that the overshoot is a tenth.
+        /// Makes the overshoot 10 %.
         const OVERSHOOT: f64 = 1.701_58;
         match self {
             Self::Sine => 1.0 - (x * FRAC_PI_2).cos(),
@@ -111,7 +111,7 @@ impl Curve {
     }
 }
 
-/// The height that a dropped ball has fallen, with three bounces.
+/// The distance that a dropped ball has fallen, with three bounces: 0 at 0, and 1 (the ground) at 1.
 fn bounced(x: f64) -> f64 {
     const HEIGHT: f64 = 7.5625;
     const WIDTH: f64 = 2.75;

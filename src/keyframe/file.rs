@@ -1,7 +1,7 @@
 //! The keyframe file: JSON text to a list and back, to the byte.
 //!
-//! [`strict`] reads any file and says everything that is wrong with one; [`fast`] reads what usually stands in one, on all cores, and
-//! leaves the rest to it.
+//! [`fast`] reads the usual form of a file on all cores and gives up on anything else. [`strict`] then reads the file and reports every
+//! error.
 
 mod cursor;
 mod fast;
@@ -25,22 +25,22 @@ pub use write::{KeyframesJson, KeyframesText, keyframes_to_json};
 pub const LARGEST_FILE_BYTES: u64 = 1 << 30;
 
 const FORMAT: &str = "inbetween.keyframes";
-/// What a file says whose keyframes are poses and nothing else, and what one says that has names, durations or easings.
+/// The versions that are read. Version 2 adds names, durations and easings.
 const VERSIONS: std::ops::RangeInclusive<u64> = 1..=2;
 
-/// What a keyframe file holds. `None` where it does not say.
+/// The content of a keyframe file. `None` for optional fields that are missing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct KeyframeFile {
-    /// The interpolation to put in force.
+    /// The interpolation to play with.
     pub interpolation: Option<Interpolation>,
-    /// The milliseconds between keyframes to put in force.
+    /// The milliseconds between keyframes to play with.
     pub ms_between_keyframes: Option<u32>,
     /// The keyframes, their poses in the scene's order.
     pub keyframes: Vec<Keyframe>,
 }
 
 impl KeyframeFile {
-    /// The list, the interpolation and the milliseconds between keyframes, with defaults where the file does not say.
+    /// The list, the interpolation and the milliseconds between keyframes, with defaults for missing fields.
     #[must_use]
     pub fn into_parts(self) -> (KeyframeList, Interpolation, u32) {
         (
@@ -51,10 +51,10 @@ impl KeyframeFile {
     }
 }
 
-/// Reads a keyframe file for a scene. A byte order mark is passed over.
+/// Reads a keyframe file for a scene. A byte order mark is skipped.
 ///
 /// # Errors
-/// Everything that is wrong, each with its place, in the file's order: never empty.
+/// All errors with their locations, in file order; never empty.
 pub fn keyframes_from_json(bytes: &[u8], scene: &SceneGraph) -> Result<KeyframeFile, Vec<KeyframeFileError>> {
     let bytes = without_byte_order_mark(bytes);
     fast::read(bytes, scene).map_or_else(|| strict::read(bytes, scene), Ok)

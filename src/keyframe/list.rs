@@ -1,4 +1,4 @@
-//! The keyframe list with its current keyframe, and what the hotkeys do to it.
+//! The keyframe list with its current keyframe, and the edits that the hotkeys make.
 
 use std::sync::{Arc, OnceLock};
 
@@ -7,34 +7,34 @@ use super::timing::Timing;
 use crate::interpolation::{ControlPoints, TangentDivisors, rbt_control_points};
 use crate::pose::Pose;
 
-/// The place of a keyframe in a list, from 0.
+/// The index of a keyframe in a list, from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct KeyframeIndex(usize);
 
 impl KeyframeIndex {
-    /// The keyframe in that place.
+    /// The keyframe with this index.
     #[must_use]
     pub const fn new(index: usize) -> Self {
         Self(index)
     }
 
-    /// Its place, from 0.
+    /// The index, from 0.
     #[must_use]
     pub const fn get(self) -> usize {
         self.0
     }
 }
 
-/// A stored pose, and how the interval that begins at it runs. Immutable: changing a keyframe replaces it.
+/// A stored pose with the duration and easing of the interval that begins at it. Immutable: an edit replaces the keyframe.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Keyframe {
-    /// What it records.
+    /// The recorded pose.
     pub pose: Pose,
-    /// What people call it, if anything; never empty.
+    /// The name that a user gave it, if any; never empty.
     pub name: Option<Arc<str>>,
     /// The length of the interval that begins here, in units of the ms between keyframes: above 0, 1 unless said otherwise.
     pub duration: f64,
-    /// How the interval that begins here runs.
+    /// The easing of the interval that begins here.
     pub easing: Easing,
 }
 
@@ -60,7 +60,7 @@ impl Keyframe {
         self.name.is_some() || self.duration != 1.0 || self.easing != Easing::Linear
     }
 
-    /// Whether two keyframes are the same, fast where they share.
+    /// Whether two keyframes are equal; fast if they share storage.
     #[must_use]
     pub fn same_as(&self, other: &Self) -> bool {
         self.duration == other.duration
@@ -73,7 +73,7 @@ impl Keyframe {
 /// The inner Bézier control points of one interval, for every RBT node.
 pub(super) type IntervalControlPoints = ControlPoints<Pose>;
 
-/// What copies of a list share: the keyframes, and for each interval the control points, made when first asked for.
+/// The data that copies of a list share: the keyframes and, for each interval, the control points, computed on first use.
 #[derive(Debug, Default)]
 struct Stored {
     keyframes: Vec<Keyframe>,
@@ -81,7 +81,7 @@ struct Stored {
     timing: OnceLock<Option<Timing>>,
 }
 
-/// Keyframes in order and the current one. Cloning is cheap: copies share until one changes.
+/// Keyframes in order and the current one. Cloning is cheap: copies share storage until one changes.
 ///
 /// A list with keyframes always has a current one; an empty list has none.
 ///
@@ -108,7 +108,7 @@ impl KeyframeList {
         Self { stored: Arc::new(Stored { keyframes, control_points, timing: OnceLock::new() }), current }
     }
 
-    /// A list of these keyframes with a current one, which must be one of them, or none where there are none.
+    /// A list of these keyframes with a current one. It must be `None` if and only if there are no keyframes.
     #[must_use]
     pub fn with_current(keyframes: Vec<Keyframe>, current: Option<usize>) -> Self {
         debug_assert_eq!(current.is_none(), keyframes.is_empty(), "a list has a current keyframe unless it is empty");
@@ -133,31 +133,31 @@ impl KeyframeList {
         &self.stored.keyframes
     }
 
-    /// The keyframe in a place, if there is one.
+    /// The keyframe with this index, if there is one.
     #[must_use]
     pub fn get(&self, index: KeyframeIndex) -> Option<&Keyframe> {
         self.stored.keyframes.get(index.0)
     }
 
-    /// The place of the current keyframe; `None` only where the list is empty.
+    /// The index of the current keyframe; `None` only if the list is empty.
     #[must_use]
     pub const fn current(&self) -> Option<KeyframeIndex> {
         self.current
     }
 
-    /// The current keyframe.
+    /// The current keyframe; `None` in an empty list.
     #[must_use]
     pub fn current_keyframe(&self) -> Option<&Keyframe> {
         self.get(self.current?)
     }
 
-    /// The last place, if there is one.
+    /// The last index; `None` if the list is empty.
     #[must_use]
     pub fn last(&self) -> Option<KeyframeIndex> {
         self.len().checked_sub(1).map(KeyframeIndex)
     }
 
-    /// Makes a keyframe current. Places beyond the list change nothing; says whether there was one.
+    /// Makes a keyframe current. Returns false and changes nothing if there is no such keyframe.
     pub fn set_current(&mut self, index: KeyframeIndex) -> bool {
         let exists = index.0 < self.len();
         if exists {
@@ -168,25 +168,25 @@ impl KeyframeList {
 
     /// Inserts a keyframe right after the current one, or as the only one, and makes it current.
     pub fn insert_after_current(&mut self, keyframe: Keyframe) -> KeyframeIndex {
-        self.insert(self.current.map_or(0, |current| current.0 + 1), keyframe)
+        self.insert(KeyframeIndex(self.current.map_or(0, |current| current.0 + 1)), keyframe)
     }
 
-    /// Inserts a keyframe in a place, at most the list's length, and makes it current.
-    pub fn insert(&mut self, index: usize, keyframe: Keyframe) -> KeyframeIndex {
+    /// Inserts a keyframe before `index`, which is at most the list's length, and makes it current.
+    pub fn insert(&mut self, index: KeyframeIndex, keyframe: Keyframe) -> KeyframeIndex {
         let mut keyframes = self.stored.keyframes.clone();
-        keyframes.insert(index, keyframe);
-        *self = Self::with_current(keyframes, Some(index));
-        KeyframeIndex(index)
+        keyframes.insert(index.0, keyframe);
+        *self = Self::with_current(keyframes, Some(index.0));
+        index
     }
 
-    /// Replaces the keyframe in a place, which must exist. The current one stays current.
+    /// Replaces a keyframe, which must exist. The current keyframe stays current.
     pub fn replace(&mut self, index: KeyframeIndex, keyframe: Keyframe) {
         let mut keyframes = self.stored.keyframes.clone();
         keyframes[index.0] = keyframe;
         *self = Self::with_current(keyframes, self.current.map(KeyframeIndex::get));
     }
 
-    /// Removes the current keyframe and says which it was. The one before becomes current; where the first was removed, the one after it.
+    /// Removes the current keyframe and returns its index. The keyframe before it becomes current, or the new first one.
     pub fn delete_current(&mut self) -> Option<KeyframeIndex> {
         let removed = self.current?;
         let mut keyframes = self.stored.keyframes.clone();
@@ -196,16 +196,17 @@ impl KeyframeList {
         Some(removed)
     }
 
-    /// When each played keyframe is reached; `None` for a list that is too short to play. Made once for each state of the list.
+    /// When each played keyframe is reached; `None` for a list that is too short to play. Computed once for each state of the list.
     #[must_use]
     pub fn timing(&self) -> Option<&Timing> {
         self.stored.timing.get_or_init(|| Timing::of(&self.stored.keyframes)).as_ref()
     }
 
-    /// The control points of the interval from keyframe `start` to the one after it, which both must have a neighbour outside.
+    /// The control points of the interval from keyframe `start` to the one after it, both of which must have another neighbour.
     ///
-    /// Made once for each state of the list.
-    pub(super) fn control_points(&self, start: usize) -> &IntervalControlPoints {
+    /// Computed once for each state of the list.
+    pub(super) fn control_points(&self, start: KeyframeIndex) -> &IntervalControlPoints {
+        let start = start.0;
         self.stored.control_points[start].get_or_init(|| {
             let pose = |index: usize| self.stored.keyframes[index].pose.to_vec();
             let (before, from, to, after) = (pose(start - 1), pose(start), pose(start + 1), pose(start + 2));
@@ -218,7 +219,7 @@ impl KeyframeList {
         })
     }
 
-    /// Whether two lists hold the same keyframes, whatever is current; at no cost where they share.
+    /// Whether two lists hold the same keyframes, regardless of the current one. Constant time if they share storage.
     #[must_use]
     pub fn same_keyframes(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.stored, &other.stored)

@@ -1,4 +1,4 @@
-//! What other ways of blending two keyframes would show: for lessons, never for playing.
+//! Other ways of blending two keyframes, for lessons: the view shows them as ghosts, nothing plays them.
 
 use glam::{Affine3A, Mat3A, Vec3A};
 
@@ -15,15 +15,15 @@ pub enum Blend {
     Played(Interpolation),
     /// Translations by lerp, rotations by normalised lerp: the same path as slerp at an uneven speed.
     Nlerp,
-    /// The two matrices blended number by number: no rotation in between, so that things shrink and shear.
+    /// The two matrices blended element by element: not a rotation in between, so that shapes shrink and shear.
     Matrices,
 }
 
 impl Blend {
-    /// How many ways there are to compare with the interpolation that plays.
+    /// The number of blends that [`Self::others`] returns.
     pub const OTHERS: usize = Interpolation::ALL.len() + 1;
 
-    /// The ways to compare with `playing`: every other interpolation, then the two that are wrong.
+    /// The blends to compare with `playing`: every other interpolation, then nlerp and matrices.
     #[must_use]
     pub fn others(playing: Interpolation) -> [Self; Self::OTHERS] {
         let mut others = [Self::Nlerp; Self::OTHERS];
@@ -46,7 +46,7 @@ impl Blend {
 }
 
 impl PlayRange<'_> {
-    /// `parent_from_node` of one node at a key time, kept within the range, blended so.
+    /// `parent_from_node` of one node at a key time, clamped to the range, by this blend.
     #[must_use]
     pub fn blended_at(&self, key_time: f64, blend: Blend, rbt: RbtIndex) -> Affine3A {
         let (start, alpha) = self.interval_at(key_time);

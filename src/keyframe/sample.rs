@@ -18,14 +18,14 @@ use crate::words::{Message, display_by_message, texts};
 pub enum SampleError {
     /// The list is too short.
     TooFewKeyframes {
-        /// How many there are.
+        /// The number of keyframes.
         keyframes: usize,
     },
-    /// The key time is before the first or after the last played keyframe, or no number.
+    /// The key time is before the first or after the last played keyframe, or NaN.
     OutOfRange {
-        /// The key time asked for.
+        /// The requested key time.
         key_time: f64,
-        /// The last key time that can be shown.
+        /// The last valid key time.
         last_key_time: usize,
     },
 }
@@ -33,7 +33,7 @@ pub enum SampleError {
 display_by_message!(SampleError);
 
 impl SampleError {
-    /// Why, as a message.
+    /// The error as a message.
     #[must_use]
     pub fn message(&self) -> Message {
         match self {
@@ -43,7 +43,7 @@ impl SampleError {
     }
 }
 
-/// A list that is long enough to play: what its samples are taken from.
+/// A list that is long enough to play. Gives poses at key times.
 ///
 /// ```
 /// use glam::Vec3;
@@ -96,7 +96,7 @@ impl<'a> PlayRange<'a> {
         KeyframeIndex::new(self.keyframes.len() - 2)
     }
 
-    /// Whether there is a pose at a key time, without making it.
+    /// Checks that there is a pose at a key time, without computing it.
     ///
     /// # Errors
     /// [`SampleError::OutOfRange`] outside of [0, n − 1].
@@ -115,17 +115,17 @@ impl<'a> PlayRange<'a> {
     /// keyframe itself, to the bit.
     ///
     /// # Errors
-    /// [`SampleError::OutOfRange`] outside of that.
+    /// [`SampleError::OutOfRange`] outside of that range.
     pub fn pose_at(&self, key_time: f64, interpolation: Interpolation) -> Result<Pose, SampleError> {
         let mut pose = Pose::identity(0);
         self.pose_into(key_time, interpolation, &mut pose)?;
         Ok(pose)
     }
 
-    /// As [`PlayRange::pose_at`], in the storage of a pose that is there already, where nobody shares it.
+    /// Like [`PlayRange::pose_at`], but reuses the storage of `into` if nothing shares it.
     ///
     /// # Errors
-    /// [`SampleError::OutOfRange`]; the pose is as it was then.
+    /// [`SampleError::OutOfRange`]; `into` is then unchanged.
     pub fn pose_into(&self, key_time: f64, interpolation: Interpolation, into: &mut Pose) -> Result<(), SampleError> {
         self.check(key_time)?;
         let (start, alpha) = self.interval_at(key_time);
@@ -133,28 +133,28 @@ impl<'a> PlayRange<'a> {
         Ok(())
     }
 
-    /// The keyframe of the list where the interval around a key time begins, and the eased fraction of the interval; kept within the
-    /// range.
-    pub(super) fn interval_at(&self, key_time: f64) -> (usize, f32) {
+    /// The keyframe of the list where the interval around a key time begins, and the eased fraction of the interval. The key time is
+    /// clamped to the range.
+    pub(super) fn interval_at(&self, key_time: f64) -> (KeyframeIndex, f32) {
         #[expect(clippy::cast_precision_loss, reason = "no list has 2^52 keyframes")]
         let key_time = key_time.clamp(0.0, self.last_key_time() as f64);
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it lies in the list")]
         let start = key_time.floor() as usize + 1;
         #[expect(clippy::cast_possible_truncation, reason = "the fraction of a key time needs no more than f32")]
         let alpha = self.keyframes.as_slice()[start].easing.value(key_time.fract()) as f32;
-        (start, alpha)
+        (KeyframeIndex::new(start), alpha)
     }
 
-    /// The two ends of an interval for one node. The last played keyframe begins an interval too, as far as its start goes.
-    pub(super) fn ends(&self, start: usize, rbt: RbtIndex) -> (Rbt, Rbt) {
-        let list = self.keyframes.as_slice();
+    /// The two ends of an interval for one node. `start` may be the last played keyframe.
+    pub(super) fn ends(&self, start: KeyframeIndex, rbt: RbtIndex) -> (Rbt, Rbt) {
+        let (list, start) = (self.keyframes.as_slice(), start.get());
         (list[start].pose.get(rbt), list[start + 1].pose.get(rbt))
     }
 
     /// One node's `parent_from_node` at the fraction `alpha` of the played interval that begins at keyframe `start` of the list,
     /// 1 ≤ start ≤ N − 2.
     #[must_use]
-    pub fn rbt_at(&self, start: usize, alpha: f32, interpolation: Interpolation, rbt: RbtIndex) -> Rbt {
+    pub fn rbt_at(&self, start: KeyframeIndex, alpha: f32, interpolation: Interpolation, rbt: RbtIndex) -> Rbt {
         let (from, to) = self.ends(start, rbt);
         if alpha == 0.0 {
             return from;
@@ -170,14 +170,14 @@ impl<'a> PlayRange<'a> {
     }
 
     /// Makes `into` the pose at the fraction `alpha` of the interval that begins at keyframe `start` of the list.
-    fn blend(&self, start: usize, alpha: f32, interpolation: Interpolation, into: &mut Pose) {
+    fn blend(&self, start: KeyframeIndex, alpha: f32, interpolation: Interpolation, into: &mut Pose) {
         let list = self.keyframes.as_slice();
-        let from = &list[start].pose;
+        let from = &list[start.get()].pose;
         if alpha == 0.0 {
             into.clone_from(from);
             return;
         }
-        let to = &list[start + 1].pose;
+        let to = &list[start.get() + 1].pose;
         if alpha == 1.0 {
             into.clone_from(to);
             return;

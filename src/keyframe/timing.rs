@@ -1,7 +1,7 @@
-//! Playing time: how long the intervals between keyframes are, exactly.
+//! Playing time: the exact durations of the intervals between keyframes.
 //!
-//! Elapsed time is counted in units of the ms between keyframes, from the first played keyframe. `key_time` counts keyframes; where
-//! every interval lasts one unit the two are the same number.
+//! Elapsed time is counted in units of the ms between keyframes, from the first played keyframe. `key_time` counts keyframes. The two are
+//! equal if every interval lasts one unit.
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -13,7 +13,7 @@ use super::list::Keyframe;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Timing {
     intervals: usize,
-    /// The elapsed time at each played keyframe but the first; `None` where every interval lasts one unit.
+    /// The elapsed time at each played keyframe but the first; `None` if every interval lasts one unit.
     ends: Option<Vec<BigRational>>,
 }
 
@@ -55,7 +55,7 @@ impl Timing {
         }
     }
 
-    /// The key time that is reached after an elapsed time, rounded once; kept within the range.
+    /// The key time at an elapsed time, rounded once and clamped to the range.
     #[must_use]
     pub fn key_time_at(&self, elapsed: &BigRational) -> f64 {
         let elapsed = elapsed.clamp(&BigRational::zero(), &self.total()).clone();
@@ -69,7 +69,7 @@ impl Timing {
         to_f64(&(whole(interval) + fraction))
     }
 
-    /// The elapsed time at a key time, exactly; kept within the range. A key time that is no number counts as 0.
+    /// The exact elapsed time at a key time, clamped to the range. NaN counts as 0.
     #[must_use]
     pub fn elapsed_at(&self, key_time: f64) -> BigRational {
         let key_time = BigRational::from_f64(key_time).unwrap_or_else(BigRational::zero);
@@ -90,7 +90,7 @@ pub fn whole(number: usize) -> BigRational {
     BigRational::new(BigInt::from(number), BigInt::one())
 }
 
-/// The nearest double.
+/// The double nearest to a fraction.
 #[must_use]
 pub fn to_f64(exact: &BigRational) -> f64 {
     exact.to_f64().unwrap_or(f64::MAX)

@@ -1,4 +1,4 @@
-//! Pictures out of PNG files.
+//! Decoding of PNG files.
 
 use std::io::Cursor;
 
@@ -14,7 +14,7 @@ const LONGEST_SIDE: u32 = 16_384;
 #[derive(Debug, Error)]
 #[error("no picture can be read: {reason}")]
 pub struct ImageReadError {
-    /// What is wrong with it.
+    /// The decoder's reason.
     reason: String,
 }
 

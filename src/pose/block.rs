@@ -1,4 +1,4 @@
-//! Sixteen rigid body transforms, component by component: what the processor blends at once.
+//! Sixteen rigid body transforms, component by component: the unit of SIMD blending.
 
 use glam::{Quat, Vec3};
 
@@ -7,7 +7,7 @@ use crate::rbt::Rbt;
 /// Transforms in a block.
 pub const LANES: usize = 16;
 
-/// [`LANES`] transforms, each component in a row of its own. A last block that is not full is filled up with the identity.
+/// [`LANES`] transforms, each component in its own row. A partial last block is filled up with the identity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C, align(64))]
 pub struct RbtBlock {
@@ -18,7 +18,7 @@ pub struct RbtBlock {
 }
 
 impl RbtBlock {
-    /// Transforms that change nothing.
+    /// Identity transforms.
     pub const IDENTITY: Self =
         Self { translation: [[0.0; LANES]; 3], rotation: [[0.0; LANES], [0.0; LANES], [0.0; LANES], [1.0; LANES]] };
 

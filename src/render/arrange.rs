@@ -1,7 +1,7 @@
-//! Which items are drawn, and in which order: those that may be seen, the nearest first, so that what they hide is not shaded.
+//! Culling and sorting of items: those that may be visible, nearest first, so that hidden fragments are not shaded.
 //!
-//! Items come in the scene's pre-order, so that those of a subtree follow each other. Runs of them share a bounding box: a run that is
-//! out of sight, or whole in sight, costs one test.
+//! Items come in the scene's pre-order, so those of a subtree are adjacent. Runs of items share a bounding box: a run that is completely
+//! outside or completely inside the view costs one test.
 
 use glam::Vec3;
 
@@ -10,35 +10,35 @@ use crate::render::bounds::{Bounds, Sight, ViewSides};
 use crate::render::detail::Detail;
 use crate::render::mesh::MESHES;
 
-/// Items that share a bounding box.
+/// The number of items that share a bounding box.
 const RUN: usize = 32;
 
-/// How items are drawn. The picture is the same to the byte with and without the cut.
+/// How items are culled and sorted. Culling does not change the bytes of a picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Arrangement {
-    /// All of them, in the frame's order and in full detail: what the others are measured against.
+    /// All items, in the frame's order and in full detail: the reference for the others.
     AsGiven,
-    /// All of them, the nearest first, in the detail that their pixels show.
+    /// All items, nearest first, with level of detail.
     Sorted,
-    /// Those that may be seen, the nearest first.
+    /// Items that may be visible, nearest first, with level of detail.
     #[default]
     SortedAndCut,
 }
 
-/// The items of a frame in the order in which they go to the GPU. Kept from frame to frame.
+/// The items of a frame in the order in which they go to the GPU. Reused from frame to frame.
 #[derive(Debug, Default)]
 pub struct Arranged {
     items: Vec<DrawItem>,
-    /// The items' boxes.
+    /// The items' bounding boxes, in the frame's order.
     pub bounds: Vec<Bounds>,
     runs: Vec<Bounds>,
-    /// Indices in the frame of items that may be seen: for each mesh those without an outline, then those with one.
+    /// For each mesh, indices in the frame of items that may be visible: those without an outline, then those with one.
     pub seen: [[Vec<u32>; 2]; MESHES],
     distance_keys: Vec<u32>,
 }
 
 impl Arranged {
-    /// Takes in a frame; says whether an item is another than in the last one.
+    /// Arranges a frame. Returns whether any item differs from the last frame's.
     pub fn take(&mut self, frame: &Frame, detail: Detail, arrangement: Arrangement) -> bool {
         let has_moved = frame.items != self.items;
         if has_moved {
@@ -72,10 +72,10 @@ impl Arranged {
         has_moved
     }
 
-    /// The nearest first; of equally near ones the frame's order.
+    /// Nearest first; equally near items stay in the frame's order.
     fn sort(&mut self, eye_in_world: Vec3) {
         self.distance_keys.clear();
-        // Squares of distances are not negative, and the bits of such numbers are in their order.
+        // Squared distances are not negative, so their bits sort like the numbers.
         let key = |bounds: &Bounds| bounds.centre_in_world.distance_squared(eye_in_world).to_bits();
         self.distance_keys.extend(self.bounds.iter().map(key));
         for indices in self.seen.as_flattened_mut() {

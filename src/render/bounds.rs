@@ -1,4 +1,4 @@
-//! Where items are against the view: support radii, the view's side planes, and boxes in pixels.
+//! Bounding boxes, the view's side planes, and rectangles in pixels.
 
 use std::f32::consts::FRAC_PI_2;
 
@@ -12,7 +12,7 @@ use crate::render::mesh::Level;
 pub struct Bounds {
     /// The centre, in world space.
     pub centre_in_world: Vec3,
-    /// From the centre to three of its faces, in world space.
+    /// The vectors from the centre to three faces, in world space.
     pub half_edges_in_world: [Vec3; 3],
 }
 
@@ -32,7 +32,7 @@ impl Bounds {
         }
     }
 
-    /// A box along the axes around some boxes, of which there is one at least.
+    /// An axis-aligned box around at least one box.
     pub fn around(boxes: &[Self]) -> Self {
         let (mut least, mut most) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
         for bounds in boxes {
@@ -40,7 +40,7 @@ impl Bounds {
             least = least.min(bounds.centre_in_world - half);
             most = most.max(bounds.centre_in_world + half);
         }
-        // A little more than needed, against rounding.
+        // A small margin against rounding.
         let half = (most - least) * 0.5 * 1.0001 + 1e-5;
         Self {
             centre_in_world: (least + most) * 0.5,
@@ -48,7 +48,7 @@ impl Bounds {
         }
     }
 
-    /// How far the box reaches from its centre along a direction, in that direction's length.
+    /// Half the box's extent along a direction, in lengths of the direction.
     pub fn reach(&self, direction: Vec3) -> f32 {
         self.half_edges_in_world.iter().map(|edge| edge.dot(direction).abs()).sum()
     }
@@ -62,10 +62,10 @@ impl Bounds {
     }
 }
 
-/// The view's sides: what lies on the positive side of all five planes may be seen.
+/// The view's side planes: anything on the positive side of all five planes may be visible.
 #[derive(Clone, Copy, Debug)]
 pub struct ViewSides {
-    /// Where all the planes meet, in world space.
+    /// The point where all planes meet, in world space.
     pub eye_in_world: Vec3,
     normals_in_world: [Vec3; 5],
 }
@@ -74,7 +74,7 @@ impl ViewSides {
     /// The sides of a view, each moved outwards by `wider` radians.
     pub fn of(view: &View, wider: f32) -> Self {
         let up = (view.vertical_fov * 0.5).tan();
-        // What is behind the eye is never seen.
+        // Items behind the eye are never visible.
         let [up, right] = [up, up * view.aspect].map(|slope| (slope.atan() + wider).min(FRAC_PI_2).sin_cos());
         let normals_in_eye = [
             Vec3::new(right.1, 0.0, -right.0),
@@ -89,7 +89,7 @@ impl ViewSides {
         }
     }
 
-    /// Whether a box, moved from where it is along `sweep_in_world`, may be seen on its way.
+    /// Whether a box, moved along `sweep_in_world`, may be visible anywhere on the way.
     pub fn may_see(&self, bounds: &Bounds, sweep_in_world: Vec3) -> bool {
         let from_eye = bounds.centre_in_world - self.eye_in_world;
         self.normals_in_world.iter().all(|&normal| {
@@ -99,19 +99,19 @@ impl ViewSides {
     }
 }
 
-/// How much of a box may be seen.
+/// The visibility of a box.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sight {
-    /// Nothing of it.
+    /// Outside the view.
     None,
-    /// Some of it, or none after all.
+    /// Perhaps partly inside the view.
     Partial,
-    /// All of it.
+    /// Inside the view.
     Whole,
 }
 
 impl ViewSides {
-    /// How much of a box may be seen.
+    /// The visibility of a box.
     pub fn sight(&self, bounds: &Bounds) -> Sight {
         let from_eye = bounds.centre_in_world - self.eye_in_world;
         let mut sight = Sight::Whole;
@@ -128,8 +128,8 @@ impl ViewSides {
     }
 }
 
-/// The rectangle around boxes in a picture of so many pixels, grown by `margin_px`: x, y, width, height; the whole picture where
-/// a box reaches behind the eye, `None` where nothing is in it.
+/// The rectangle (x, y, width, height in pixels) around boxes in a picture, grown by `margin_px`. The whole picture if a box reaches behind
+/// the eye; `None` if no box is in the picture.
 pub fn rectangle_px(
     view: &View,
     boxes: impl Iterator<Item = Bounds>,

@@ -1,4 +1,4 @@
-//! Level of detail: of each kind's meshes, the coarsest whose silhouette shows no visible error.
+//! Level of detail: chooses, for each kind of shape, the coarsest mesh whose silhouette has no visible error.
 
 use glam::Vec3;
 
@@ -48,7 +48,7 @@ impl Detail {
     /// The largest angle in radians, seen from the eye, by which a coarse mesh may reach beyond the true shape.
     pub fn widest_error(self) -> f32 {
         match self.0 {
-            // A little more, against rounding.
+            // A small margin against rounding.
             Seen::ByEye { per_unit, .. } => 1.01 / per_unit,
             Seen::Finest | Seen::BySun { .. } => 0.0,
         }
@@ -63,7 +63,7 @@ impl Detail {
             Seen::Finest => return finest,
             Seen::BySun { per_unit } => (per_unit, scale(), 1.0),
             Seen::ByEye { in_world, per_unit } => {
-                // Its nearest corner counts.
+                // The distance is that of the nearest corner.
                 let scale = scale();
                 let distance = Vec3::from(item.world_from_shape.translation).distance(in_world);
                 (per_unit, scale, (distance - scale * item.half_extents.length()).max(0.0))
@@ -119,7 +119,7 @@ mod tests {
                 let radius_px = 240.0 / 0.5_f32.tan() * 0.2 / away;
                 let is_finest = index == Detail::FINEST.mesh(&item);
                 assert!(is_finest || level.flattening * radius_px * samples_across <= WRONG_SAMPLES, "at {away}");
-                // So far may it reach beyond the ball, as the eye sees it.
+                // The largest distance by which the mesh may extend beyond the ball, seen from the eye.
                 let nearest = away - item.half_extents.length();
                 assert!(is_finest || level.flattening * 0.2 <= detail.widest_error() * nearest, "at {away}");
             }

@@ -9,7 +9,7 @@ use super::quiet::without_driver_chatter;
 use crate::render::{mesh, shaders};
 use crate::words::{Argument, Message, display_by_message, texts};
 
-/// Why nothing can be drawn: each sentence says what is missing and how to get it.
+/// Why drawing is not possible. Each message names the missing part and how to install it.
 #[derive(Debug, Error)]
 pub enum GpuError {
     /// No driver offers an adapter.
@@ -18,12 +18,12 @@ pub enum GpuError {
     NoDevice {
         /// The adapter's name.
         adapter: String,
-        /// What the driver says.
+        /// The driver's message.
         reason: String,
     },
     /// The window system offers no surface to draw on.
     NoSurface {
-        /// What the driver says, or that the adapter cannot draw on it.
+        /// The driver's message, or that the adapter cannot draw on the surface.
         reason: Argument,
     },
     /// The picture has no pixels, or more in a row or column than the adapter can draw.
@@ -35,11 +35,11 @@ pub enum GpuError {
         /// The longest side that the adapter can draw, in pixels.
         limit: u32,
     },
-    /// The picture was drawn but did not come back.
+    /// Reading the picture back failed.
     ReadBack {
         /// The adapter's name.
         adapter: String,
-        /// What the driver says.
+        /// The driver's message.
         reason: String,
     },
 }
@@ -47,7 +47,7 @@ pub enum GpuError {
 display_by_message!(GpuError);
 
 impl GpuError {
-    /// What is missing and how to get it, as a message.
+    /// The error as a message.
     #[must_use]
     pub fn message(&self) -> Message {
         match self {
@@ -60,16 +60,16 @@ impl GpuError {
     }
 }
 
-/// A block so large that freeing one has glibc keep what is freed from then on, up to twice as much.
+/// The size of a block whose freeing makes glibc keep freed memory afterwards, up to twice this size.
 const KEPT_BYTES: usize = 16 << 20;
 
-/// Starts on what a renderer will need and returns: a driver takes long enough to open for that to be done by then.
+/// Starts preparations for a renderer in the background and returns. They are done before the driver has opened.
 fn prepare_ahead() {
-    // A software driver takes and frees megabytes for each picture. Where the allocator hands them back to the system each time,
-    // getting them again costs a fault for every page: a fifth of a film. It goes by the largest block that was freed so far (mallopt(3),
-    // M_MMAP_THRESHOLD), which need not have been written to.
+    // A software driver allocates and frees megabytes for each picture. If the allocator returns them to the system each time, each new
+    // page costs a fault: a fifth of a film's time. glibc decides by the largest block freed so far (mallopt(3), M_MMAP_THRESHOLD); the
+    // block need not have been written to.
     drop(black_box(Vec::<u8>::with_capacity(KEPT_BYTES)));
-    // Where no thread can be had, it is done when it is needed.
+    // Without a thread it is done when it is needed.
     let _ = thread::Builder::new().name("prepare".to_owned()).spawn(|| {
         shaders::parse_usual();
         mesh::geometry();
@@ -89,13 +89,13 @@ pub struct Gpu {
     pub queue: wgpu::Queue,
     /// The adapter's name, driver, backend and kind.
     pub info: wgpu::AdapterInfo,
-    /// Whether the CPU does the drawing, so that every pixel's work counts.
+    /// Whether the CPU draws. The work per pixel is then expensive.
     pub is_software: bool,
 }
 
 impl Gpu {
-    /// The best adapter that needs no display. Vulkan is asked first, since asking every backend costs tens of milliseconds;
-    /// OpenGL is not asked: what it draws without a display differs from driver to driver.
+    /// The best adapter that needs no display. Vulkan is tried first, because trying every backend costs tens of milliseconds. OpenGL is
+    /// not tried: without a display its output differs between drivers.
     ///
     /// # Errors
     ///
@@ -161,8 +161,8 @@ impl Gpu {
         Ok(Self { instance, adapter, device, queue, info, is_software })
     }
 
-    /// A texture for pictures of so many pixels, one sample each, that can be drawn into and copied from, and what else `more` says.
-    /// Each side must be from 1 to [`Gpu::largest_side_px`].
+    /// A texture for pictures of this size with one sample per pixel, as a render target and copy source, plus the usages `more`. Each side
+    /// must be from 1 to [`Gpu::largest_side_px`].
     #[must_use]
     pub fn picture_texture(
         &self,

@@ -1,4 +1,4 @@
-//! Pictures of which node each pixel shows: whole numbers, one sample a pixel, the same places as in pictures of colours.
+//! Identity pictures: for each pixel the node that it shows, as an integer. One sample per pixel, with the geometry of colour pictures.
 
 use std::mem::size_of;
 use std::sync::mpsc;
@@ -19,10 +19,10 @@ use crate::render::uniforms::Globals;
 
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R32Uint;
 
-/// Which node's shape is nearest in each pixel, plus 1, rows from the top; 0 where there is none. Ghosts and overlays do not count.
+/// For each pixel, rows from the top, the index of the nearest shape's node plus 1; 0 for none. Ghosts and overlays are ignored.
 ///
 /// # Errors
-/// [`GpuError::Size`] where a side is 0 or longer than the adapter can draw; [`GpuError::ReadBack`].
+/// [`GpuError::Size`] if a side is 0 or longer than the adapter can draw; [`GpuError::ReadBack`].
 pub fn node_picture(gpu: &Gpu, frame: &Frame, width: u32, height: u32) -> Result<Vec<u32>, GpuError> {
     let limit = gpu.largest_side_px();
     if !(1..=limit).contains(&width) || !(1..=limit).contains(&height) {
@@ -35,7 +35,7 @@ pub fn node_picture(gpu: &Gpu, frame: &Frame, width: u32, height: u32) -> Result
     arranged.take(frame, detail, Arrangement::SortedAndCut);
     packed.pack(frame, &arranged, &Globals::new(frame, None, Viewport::whole(width, height)), detail, None);
     let usage = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::VERTEX;
-    // The globals' binding ends where instances begin, also where there are none.
+    // The globals' binding ends at the start of the instances, also if there are none.
     let buffer =
         |contents: &[u8], usage| device.create_buffer_init(&BufferInitDescriptor { label: None, contents, usage });
     let frame_buffer = buffer(&packed.bytes, usage);
@@ -118,7 +118,7 @@ fn read_back(gpu: &Gpu, mut encoder: wgpu::CommandEncoder, target: &wgpu::Textur
     gpu.queue.submit([encoder.finish()]);
     let (sender, receiver) = mpsc::channel();
     buffer.map_async(wgpu::MapMode::Read, .., move |result| {
-        // Nobody listens where the wait failed.
+        // The receiver is gone if the wait failed.
         let _ = sender.send(result);
     });
     gpu.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|error| failed(error.to_string()))?;
@@ -129,7 +129,7 @@ fn read_back(gpu: &Gpu, mut encoder: wgpu::CommandEncoder, target: &wgpu::Textur
 }
 
 fn pipeline(device: &wgpu::Device) -> wgpu::RenderPipeline {
-    // Whole numbers need no encoding, and there is one sample a pixel.
+    // Integers need no encoding, and there is one sample per pixel.
     let variant = Variant { encodes_srgb: false, is_software: false, is_multisampled: false };
     let module = &shaders::module(device, Source::Identity, variant);
     let corner = wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3];

@@ -14,7 +14,7 @@ use crate::render::mesh::{LEVELS, Level, MESHES};
 use crate::render::uniforms::Globals;
 use crate::scene::MeshKind;
 
-/// One shape, as a vertex buffer steps through them.
+/// One shape: the layout of the instance buffer.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 pub struct Instance {
@@ -28,14 +28,14 @@ pub struct Instance {
 }
 
 impl Instance {
-    /// An item to be drawn as the mesh of a level.
+    /// The instance of an item drawn with the mesh of a level.
     fn new(item: &DrawItem, level: Level, opacity: f32) -> Self {
         let mut world_from_shape = item.world_from_shape;
         // Every mesh is its own mirror image, so a mirrored shape is the same shape unmirrored; culling then needs one winding.
         if world_from_shape.matrix3.determinant() < 0.0 {
             world_from_shape *= Affine3A::from_scale(Vec3::new(-1.0, 1.0, 1.0));
         }
-        // A cone's slope depends on its size: leave that to the affine, which carries the unit cone's normals along.
+        // A cone's slope depends on its size, so the affine scales the unit cone, normals included.
         let (mut half_extents, mut rounding) = level.fitted(item.half_extents, item.rounding);
         if item.mesh == MeshKind::Cone {
             world_from_shape *= Affine3A::from_scale(half_extents);
@@ -65,27 +65,27 @@ pub struct Stroke {
     width_px: f32,
 }
 
-/// Straight pieces of each of the arcball's circles.
+/// Line segments per circle of the arcball.
 const CIRCLE_PIECES: u16 = 72;
 
-/// The bytes of a frame and the ranges in them. Kept from frame to frame, so that memory is reused.
+/// The bytes of a frame and the ranges in them. Memory is reused from frame to frame.
 #[derive(Debug, Default)]
 pub struct Packed {
-    /// What is uploaded.
+    /// The bytes to upload.
     pub bytes: Vec<u8>,
-    /// Instances of each mesh that may be seen, the outlined ones last.
+    /// Instances of each mesh that may be visible, the outlined ones last.
     pub seen: [Range<u32>; MESHES],
-    /// The outlined ones of each mesh.
+    /// Outlined instances of each mesh.
     pub outlined: [Range<u32>; MESHES],
-    /// Instances of each mesh for the sun's map: of all items but planes, or of none where it is not drawn.
+    /// Instances of each mesh for the sun's map: of all items except planes, or of none if the map is not drawn.
     pub casters: [Range<u32>; MESHES],
     /// Ghosts' instances of each mesh.
     pub ghosts: [Range<u32>; MESHES],
-    /// Where strokes begin in the bytes.
+    /// Offset of the strokes in the bytes.
     pub strokes_start: usize,
     /// Strokes that are lines.
     pub lines: Range<u32>,
-    /// Strokes that make the arcball.
+    /// Strokes of the arcball.
     pub arcball: Range<u32>,
     /// Strokes that are dots.
     pub dots: Range<u32>,
@@ -158,19 +158,19 @@ impl Packed {
     }
 }
 
-/// A frame's items at some places.
+/// A frame's items with these indices, with opacity 1.
 fn opaque<'a>(frame: &'a Frame, indices: &'a [u32]) -> impl Iterator<Item = (&'a DrawItem, f32)> {
     indices.iter().map(|&index| (&frame.items[index as usize], 1.0))
 }
 
-/// Instances at the end of some bytes.
+/// Appends instances to a byte buffer.
 struct Instances<'a> {
     bytes: &'a mut Vec<u8>,
     count: u32,
 }
 
 impl Instances<'_> {
-    /// Adds items with their opacities, all to be drawn as one mesh; says which they are.
+    /// Appends items with their opacities, all drawn as one mesh. Returns the range of instances.
     fn push<'a>(&mut self, mesh: usize, items: impl Iterator<Item = (&'a DrawItem, f32)>) -> Range<u32> {
         let start = self.count;
         for (item, opacity) in items {
@@ -194,7 +194,7 @@ fn arcball(mark: &ArcballMark, view: &View, mut push: impl FnMut(Stroke)) {
         for piece in 0..CIRCLE_PIECES {
             let (from_in_world, to_in_world) = (at(piece), at(piece + 1));
             let outwards = (from_in_world + to_in_world) * 0.5 - mark.centre_in_world;
-            // 1 towards the eye, 0 away from it, easing over the rim where the ball is seen edge on.
+            // 1 towards the eye, 0 away from it, with a smooth transition at the rim.
             let facing = (0.5 - 2.5 * outwards.dot(from_eye) / (mark.radius * distance)).clamp(0.0, 1.0);
             let (opacity, width_px) = if is_outline { (0.75, 1.6) } else { (0.14 + 0.5 * facing, 1.2) };
             push(Stroke { from_in_world, to_in_world, colour: colour.extend(opacity).to_array(), width_px });

@@ -25,7 +25,7 @@ const LONGEST_THROW: f32 = 80.0;
 const CENTRE_TEXELS: u32 = 16;
 /// Steps for each doubling of a texel's side.
 const STEPS_PER_DOUBLING: f32 = 6.0;
-/// The side of the smallest map of all its texels, in scene units.
+/// The smallest side of the box, in scene units.
 const SMALLEST_SIDE: f32 = 2.0;
 
 /// The part of the world that the shadow map covers.
@@ -44,14 +44,14 @@ pub fn towards_sun_in_world() -> Vec3 {
     look::TOWARDS_SUN_IN_WORLD.normalize()
 }
 
-/// Texels along the longest side that the map of a picture so many pixels high may have.
+/// The largest number of texels along the map's longest side, for a picture's height in pixels.
 pub fn most_texels(height_px: u32) -> u32 {
     ((height_px as f32 * TEXELS_PER_ROW) as u32).next_multiple_of(TEXEL_STEP).clamp(4 * TEXEL_STEP, MOST_TEXELS)
 }
 
 impl SunBox {
-    /// The box around all that casts a shadow into the frame's view, the items' own boxes being `bounds`, for a map of at most so many
-    /// texels along each side; `None` where nothing does.
+    /// The box around all shapes that cast a shadow into the frame's view; `bounds` are the boxes of the items. The map has at most
+    /// `most_texels` along each side. `None` if nothing casts a shadow.
     pub fn fit(frame: &Frame, bounds: &[Bounds], most_texels: u32) -> Option<Self> {
         let sides = ViewSides::of(&frame.view, 0.0);
         let z = towards_sun_in_world();

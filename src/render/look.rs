@@ -1,4 +1,4 @@
-//! How pictures look: the sun, the strokes, and the named colours in linear light.
+//! Constants of the look of pictures: the sun, strokes, and named colours in linear light.
 
 use std::sync::LazyLock;
 
@@ -6,7 +6,7 @@ use glam::Vec3;
 
 use crate::colour::Colour;
 
-/// Named colours in linear light, each worked out once.
+/// Named colours in linear light, each computed once.
 #[derive(Debug)]
 pub struct Palette {
     /// The sky where it meets the ground.
@@ -17,7 +17,7 @@ pub struct Palette {
     pub accent: Vec3,
     /// The arcball.
     pub arcball: Vec3,
-    /// What surrounds the scene in a window until the panels cover it.
+    /// The colour around the scene in a window until the panels are drawn.
     pub surround: Vec3,
 }
 

@@ -1,7 +1,7 @@
 //! The unit meshes, in levels of detail, each vertex a core point and a normal.
 //!
-//! A vertex lies at `core * (half_extents − rounding) + normal * rounding` in shape space, so that a bevel keeps its radius and
-//! a capsule its caps whatever the size. Triangles run anticlockwise seen from outside.
+//! A vertex lies at `core * (half_extents − rounding) + normal * rounding` in shape space, so that bevels keep their radius and capsules
+//! their caps at any size. Triangles run anticlockwise seen from outside.
 
 mod capsule;
 mod cone;
@@ -24,42 +24,42 @@ pub use levels::{LEVELS, LEVELS_OF_KIND, Level, MESHES, PLANE};
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 pub struct Vertex {
-    /// Where it is in the unit cube, −1 to 1, before rounding.
+    /// The position in the unit cube, −1 to 1, before rounding.
     pub core: [f32; 3],
-    /// Unit normal, and the direction in which rounding moves it.
+    /// Unit normal; rounding moves the corner along it.
     pub normal: [f32; 3],
 }
 
 /// Corners and triangles, three indices each.
 #[derive(Clone, Debug, Default)]
 pub struct Mesh {
-    /// Its corners.
+    /// The vertices.
     pub vertices: Vec<Vertex>,
-    /// Its triangles' corners.
+    /// Three vertex indices per triangle.
     pub indices: Vec<u16>,
 }
 
-/// Where a mesh lies in [`Geometry`].
+/// The range of a mesh in [`Geometry`].
 #[derive(Clone, Debug, Default)]
 pub struct MeshRange {
-    /// Its triangles' corners among all indices.
+    /// The range of its indices.
     pub indices: Range<u32>,
-    /// The vertex that its index 0 means.
+    /// The vertex of its index 0.
     pub first_vertex: i32,
 }
 
 /// All meshes, one after the other.
 #[derive(Debug, Default)]
 pub struct Geometry {
-    /// Corners.
+    /// The vertices of all meshes.
     pub vertices: Vec<Vertex>,
-    /// Triangles' corners, three indices each, each counted from its mesh's first vertex.
+    /// Three vertex indices per triangle, relative to the mesh's first vertex.
     pub indices: Vec<u16>,
-    /// Where each of [`LEVELS`] lies.
+    /// The range of each of [`LEVELS`].
     pub ranges: [MeshRange; MESHES],
 }
 
-/// All meshes, made once in a process for all renderers.
+/// All meshes, computed once per process.
 pub fn geometry() -> &'static Geometry {
     static GEOMETRY: LazyLock<Geometry> = LazyLock::new(|| {
         let mut geometry = Geometry::default();

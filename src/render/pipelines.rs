@@ -1,4 +1,4 @@
-//! Pipelines, each made when it is first needed: making one costs a plain picture milliseconds.
+//! Pipelines, each created on first use: creating one takes milliseconds.
 
 use std::mem::size_of;
 use std::sync::OnceLock;
@@ -9,34 +9,34 @@ use crate::render::instances::{Instance, Stroke};
 use crate::render::mesh::Vertex;
 use crate::render::shaders::{self, SOURCES, Source, Variant};
 
-/// Depth of pictures, and of the sun's map where it is small.
+/// Depth format of pictures, and of small shadow maps.
 pub const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 /// Depth of a large shadow map: 16 bits, to save memory. One step is at most 0.004 units unless a single shape is longer than the
 /// shadow distance. Harmless, because back faces are compared.
 const LARGE_MAP_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth16Unorm;
-/// The outline's mask.
+/// Format of the outline's mask.
 pub const MASK_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
 /// All pipelines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// Opaque shapes but planes.
+    /// Opaque shapes except planes.
     Shape,
     /// Planes, with their grid.
     Plane,
     /// The sky behind everything.
     Sky,
-    /// The sun's map, where it is small. It has the picture's own kind of depth, for which a software driver need not compile anew.
+    /// A small shadow map. It has the picture's depth format, so that a software driver need not compile again.
     Shadow,
-    /// The sun's map, where it is large.
+    /// A large shadow map.
     LargeShadow,
-    /// Ghosts' depth, so that only what is nearest of them is blended.
+    /// Ghosts' depth, so that only the nearest ghost fragment is blended.
     GhostDepth,
     /// Ghosts' colour.
     Ghost,
     /// Lines in front of everything.
     Line,
-    /// Lines behind something, faint.
+    /// Hidden parts of lines, faint.
     LineHidden,
     /// Lines over everything.
     LineOnTop,
@@ -44,7 +44,7 @@ pub enum Kind {
     Dot,
     /// Outlined shapes, hidden or not.
     MaskAll,
-    /// Outlined shapes where nothing hides them.
+    /// Visible parts of outlined shapes.
     MaskVisible,
     /// The outline around the mask.
     Outline,
@@ -59,13 +59,13 @@ enum Input {
     Nothing,
 }
 
-/// What tells a pipeline from the others.
+/// The differences between pipelines.
 struct Recipe {
     source: Source,
     vertex: &'static str,
     fragment: Option<&'static str>,
     input: Input,
-    /// How depth is compared, and whether it is written; `None` where there is no depth.
+    /// The depth comparison, and whether depth is written; `None` without depth.
     depth: Option<(CompareFunction, bool)>,
     blend: bool,
 }
@@ -75,7 +75,7 @@ impl Kind {
         matches!(self, Self::Shadow | Self::LargeShadow)
     }
 
-    /// What depth is kept in where it draws.
+    /// The depth format of the target.
     pub const fn depth_format(self) -> wgpu::TextureFormat {
         match self {
             Self::LargeShadow => LARGE_MAP_FORMAT,
@@ -126,9 +126,11 @@ impl Kind {
             Self::LineHidden => stroke("hidden_line_vertex", "line_fragment", Less),
             Self::LineOnTop => stroke("line_vertex", "line_fragment", Always),
             Self::Dot => stroke("dot_vertex", "dot_fragment", Always),
-            Self::MaskAll => shape(Source::Silhouette, "place_vertex", Some("mask_fragment"), (Always, false), false),
+            Self::MaskAll => {
+                shape(Source::Silhouette, "position_vertex", Some("mask_fragment"), (Always, false), false)
+            }
             Self::MaskVisible => {
-                shape(Source::Silhouette, "place_vertex", Some("mask_fragment"), (GreaterEqual, false), false)
+                shape(Source::Silhouette, "position_vertex", Some("mask_fragment"), (GreaterEqual, false), false)
             }
             Self::Outline => screen(Source::Outline, "outline_vertex", "outline_fragment", None, true),
         }
@@ -152,7 +154,7 @@ pub struct Pipelines {
 }
 
 impl Pipelines {
-    /// None made yet.
+    /// A set with no pipelines created.
     pub fn new(device: &wgpu::Device, target_format: wgpu::TextureFormat, samples: u32, is_software: bool) -> Self {
         let layout = |label, entries: &[wgpu::BindGroupLayoutEntry]| {
             device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(label), entries })
@@ -193,7 +195,7 @@ impl Pipelines {
         }
     }
 
-    /// One pipeline, made now if it was not yet. Two threads may ask for two pipelines at the same time.
+    /// Returns a pipeline, and creates it on first use. Two threads may create two pipelines at the same time.
     pub fn get(&self, device: &wgpu::Device, kind: Kind) -> &wgpu::RenderPipeline {
         self.made[kind as usize].get_or_init(|| {
             let recipe = kind.recipe();
@@ -235,7 +237,7 @@ impl Pipelines {
             },
         };
         let targets = [Some(target)];
-        // Depth alone, in the picture's own pass, must still name the pass's colour target.
+        // A depth-only pipeline in the picture's pass must still name the pass's colour target.
         let fragment = if kind == Kind::GhostDepth { Some("nothing_fragment") } else { recipe.fragment };
         let corner_attributes = wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3];
         let instance_attributes = wgpu::vertex_attr_array![

@@ -1,16 +1,16 @@
-//! Keeping graphics drivers off standard error, where users and graders read sentences.
+//! Suppresses output of graphics drivers on standard error.
 //!
-//! Vulkan layers print what they miss of a desktop (`XDG_RUNTIME_DIR is invalid or not set`) although nothing is wrong with a
-//! picture. What matters comes back as an error. With `RUST_LOG` set, standard error is left alone.
+//! Vulkan layers print warnings about the desktop (`XDG_RUNTIME_DIR is invalid or not set`) although pictures are correct. Real problems
+//! are returned as errors. With `RUST_LOG` set, standard error is not redirected.
 
 #[cfg(unix)]
 use std::sync::{Mutex, PoisonError};
 
-/// Standard error is the process's: two threads that redirect and restore it in turn could leave it redirected.
+/// Standard error belongs to the process: without the lock, two threads could leave it redirected.
 #[cfg(unix)]
 static REDIRECTING: Mutex<()> = Mutex::new(());
 
-/// Does something that loads drivers, with standard error redirected meanwhile.
+/// Runs a function that loads drivers, with standard error redirected.
 #[cfg(unix)]
 pub fn without_driver_chatter<T>(ask: impl FnOnce() -> T) -> T {
     use rustix::fs::{Mode, OFlags, open};
@@ -31,7 +31,7 @@ pub fn without_driver_chatter<T>(ask: impl FnOnce() -> T) -> T {
     ask()
 }
 
-/// Restores standard error when it is dropped: also where a driver panics.
+/// Restores standard error on drop, also if a driver panics.
 #[cfg(unix)]
 struct Restore(rustix::fd::OwnedFd);
 
@@ -42,7 +42,7 @@ impl Drop for Restore {
     }
 }
 
-/// Does something that loads drivers.
+/// Runs a function that loads drivers.
 #[cfg(not(unix))]
 pub fn without_driver_chatter<T>(ask: impl FnOnce() -> T) -> T {
     ask()

@@ -1,4 +1,4 @@
-//! The way of pictures back to the CPU.
+//! Read-back of pictures to the CPU.
 
 use std::collections::VecDeque;
 use std::sync::mpsc;
@@ -6,15 +6,14 @@ use std::sync::mpsc;
 use crate::picture::Rows;
 use crate::render::gpu::{Gpu, GpuError};
 
-/// Brings textures of one size and 4 bytes a pixel back. It keeps a buffer for each picture that is on its way or being read, and
-/// allocates nothing more.
+/// Reads back textures of one size with 4 bytes per pixel. It allocates only a buffer for each picture in flight.
 #[derive(Debug)]
 pub struct ReadBack {
     width: u32,
     height: u32,
     row_bytes: u32,
     under_way: VecDeque<Submitted>,
-    /// Buffers come back from pictures that were read, on whatever thread.
+    /// Receives the buffers of pictures that were read, from any thread.
     give_back: mpsc::Sender<wgpu::Buffer>,
     free: mpsc::Receiver<wgpu::Buffer>,
 }
@@ -27,13 +26,13 @@ struct Submitted {
     mapped: mpsc::Receiver<Result<(), wgpu::BufferAsyncError>>,
 }
 
-/// A picture that is drawn, where the GPU put it.
+/// A finished picture in a mapped buffer.
 #[derive(Debug)]
 pub struct Drawn {
     width: u32,
     height: u32,
     row_bytes: u32,
-    /// Until it is dropped.
+    /// Mapped until it is dropped.
     bytes: Option<wgpu::BufferView>,
     buffer: wgpu::Buffer,
     give_back: mpsc::Sender<wgpu::Buffer>,
@@ -52,17 +51,17 @@ impl Drop for Drawn {
     fn drop(&mut self) {
         self.bytes = None;
         self.buffer.unmap();
-        // Nobody waits for it where the target is gone.
+        // The receiver is gone if the target was dropped.
         let _ = self.give_back.send(self.buffer.clone());
     }
 }
 
 impl ReadBack {
-    /// For textures of so many pixels.
+    /// For textures of this size in pixels.
     ///
     /// # Errors
     ///
-    /// [`GpuError::Size`] where a side is 0 or longer than the adapter can draw.
+    /// [`GpuError::Size`] if a side is 0 or longer than the adapter can draw.
     pub fn new(gpu: &Gpu, width: u32, height: u32) -> Result<Self, GpuError> {
         let limit = gpu.largest_side_px();
         let row_bytes = (4 * u64::from(width)).next_multiple_of(u64::from(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT));
@@ -75,8 +74,7 @@ impl ReadBack {
         Ok(Self { width, height, row_bytes: row_bytes as u32, under_way: VecDeque::new(), give_back, free })
     }
 
-    /// Submits what draws on a texture, the encoder's commands last, and has the texture brought back then; [`ReadBack::read`] waits
-    /// for it.
+    /// Submits commands that draw on a texture, the encoder's last, and a copy of the texture. [`ReadBack::read`] waits for it.
     pub fn submit(
         &mut self,
         gpu: &Gpu,
@@ -96,7 +94,7 @@ impl ReadBack {
         let index = gpu.queue.submit(before);
         let (sender, mapped) = mpsc::channel();
         buffer.map_async(wgpu::MapMode::Read, .., move |result| {
-            // Nobody listens where the picture was dropped.
+            // The receiver is gone if the picture was dropped.
             let _ = sender.send(result);
         });
         self.under_way.push_back(Submitted { index, buffer, mapped });
@@ -110,14 +108,14 @@ impl ReadBack {
             mapped_at_creation: false,
         });
         if gpu.is_software {
-            // A buffer that is mapped before anything was written to it is filled with zeros, which has the system hand out its pages now,
-            // while the driver may be busy with what was submitted before, and not while the picture is waited for.
+            // A new buffer is filled with zeros when it is mapped. That makes the system provide its pages now, while the driver is busy
+            // with earlier work, and not while a picture is waited for.
             let (sender, mapped) = mpsc::channel();
             buffer.map_async(wgpu::MapMode::Read, .., move |result| {
                 let _ = sender.send(result);
             });
             let _ = gpu.device.poll(wgpu::PollType::Poll);
-            // Where that failed, it is said when the picture is read.
+            // An error is reported when the picture is read.
             if !matches!(mapped.try_recv(), Ok(Err(_))) {
                 buffer.unmap();
             }
@@ -125,7 +123,7 @@ impl ReadBack {
         buffer
     }
 
-    /// Pictures that were submitted and not read.
+    /// The number of pictures that were submitted and not read.
     #[must_use]
     pub fn under_way(&self) -> usize {
         self.under_way.len()
@@ -136,11 +134,11 @@ impl ReadBack {
         self.under_way.clear();
     }
 
-    /// Waits for the picture that was submitted first of those that were not read, and for nothing that was submitted after it.
+    /// Waits for the oldest picture that was not read, and for nothing that was submitted after it.
     ///
     /// # Errors
     ///
-    /// [`GpuError::ReadBack`] where nothing was submitted or the device is lost.
+    /// [`GpuError::ReadBack`] if nothing was submitted or the device is lost.
     pub fn read(&mut self, gpu: &Gpu) -> Result<Drawn, GpuError> {
         let failed = |reason: String| GpuError::ReadBack { adapter: gpu.info.name.clone(), reason };
         let Submitted { index, buffer, mapped } =

@@ -22,7 +22,7 @@ use crate::render::pipelines::{Kind, Pipelines};
 use crate::render::targets::{SunMap, SunMaps, Targets};
 use crate::render::uniforms::Globals;
 
-/// Samples a pixel where nothing else is asked for: 4 on a GPU, 1 where the CPU draws and each costs a whole picture.
+/// The default number of samples per pixel: 4 on a GPU, 1 if the CPU draws, because each sample costs as much as a picture.
 #[must_use]
 pub fn default_samples(is_software: bool) -> u32 {
     if is_software { 1 } else { 4 }
@@ -36,18 +36,18 @@ pub enum Background {
     Sky,
     /// One linear-light colour, 0 to 1.
     Colour(Vec3),
-    /// Nothing: opacity 0.
+    /// Transparent: opacity 0.
     Transparent,
 }
 
-/// Which part of a target a picture fills, in pixels from the target's top left corner.
+/// The part of a target that a picture fills, in pixels from the target's top left corner.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Viewport {
     /// The whole target's width and height.
     pub target_px: [u32; 2],
-    /// The picture's left border.
+    /// The x coordinate of the left border.
     pub x: u32,
-    /// The picture's upper border.
+    /// The y coordinate of the upper border.
     pub y: u32,
     /// The picture's width.
     pub width: u32,
@@ -55,7 +55,7 @@ pub struct Viewport {
     pub height: u32,
 }
 
-/// What a picture is drawn into.
+/// The target of a picture.
 #[derive(Clone, Copy, Debug)]
 pub struct Target<'a> {
     /// A view of `viewport.target_px` pixels in the renderer's format; all of it is cleared.
@@ -71,7 +71,7 @@ impl Viewport {
         Self { target_px: [width, height], x: 0, y: 0, width, height }
     }
 
-    /// The part of this viewport that is inside its target; `None` where none is.
+    /// The part of this viewport that is inside its target; `None` if it is outside.
     fn inside(self) -> Option<Self> {
         let width = self.width.min(self.target_px[0].saturating_sub(self.x));
         let height = self.height.min(self.target_px[1].saturating_sub(self.y));
@@ -106,12 +106,12 @@ pub struct Renderer {
     arrangement: Arrangement,
     arranged: Arranged,
     packed: Packed,
-    /// What the GPU's buffer holds.
+    /// The content of the GPU's buffer.
     uploaded: Packed,
     /// The box that the sun's map was drawn for.
     sun_map_box: Option<SunBox>,
     sun_map_draws: u64,
-    /// Whether nothing was drawn yet by a driver that compiles at a pipeline's first draw, on a thread of its own.
+    /// Whether nothing was drawn yet by a driver that compiles at a pipeline's first draw, on its own thread.
     is_cold: bool,
 }
 
@@ -176,7 +176,7 @@ impl Renderer {
         gpu.queue.submit([encoder.finish()]);
     }
 
-    /// As [`Renderer::render`], into an encoder that the caller goes on with and submits before encoding another frame.
+    /// Like [`Renderer::render`], but appends to an encoder. The caller must submit it before encoding another frame.
     pub fn encode(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, frame: &Frame, target: Target<'_>) {
         let Some(viewport) = target.viewport.inside() else { return };
         let target = Target { viewport, ..target };
@@ -205,7 +205,7 @@ impl Renderer {
                 self.draw_sun_map(&gpu.device, encoder);
             }
         }
-        // Without a box the map keeps its content, which belongs to other shapes by now.
+        // Without a box the map keeps its content, which belongs to other shapes.
         self.sun_map_box = sun;
         self.draw_picture(gpu, encoder, frame, target);
         let outlined = frame.items.iter().filter(|item| item.outlined).map(Bounds::of);
@@ -233,14 +233,14 @@ impl Renderer {
         mem::swap(&mut self.packed, &mut self.uploaded);
     }
 
-    /// Sends the sun's map at once, so that the driver compiles what all pipelines share while those of the picture are being made.
+    /// Submits the shadow map at once, so that the driver compiles the code shared by all pipelines while those of the picture are created.
     fn draw_first_sun_map(&self, gpu: &Gpu) {
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         self.draw_sun_map(&gpu.device, &mut encoder);
         let commands = encoder.finish();
         thread::scope(|scope| {
-            // On a thread of their own, which a system starts on an idle processor: what is sent now wakes the driver's thread, which may
-            // take this one's. Where no thread can be had, they are made when they are needed.
+            // On a new thread, which the system starts on an idle core: the submission wakes the driver's thread, which may run on this
+            // one's core. Without a thread they are created when they are needed.
             let make = || {
                 for kind in self.kinds_behind_lines() {
                     self.pipelines.get(&gpu.device, kind);
@@ -362,7 +362,7 @@ impl Renderer {
     }
 }
 
-/// Ranges in which bytes differ from `before`, or lie past its end, rounded to whole pieces.
+/// Ranges in which bytes differ from `before`, or lie past its end, rounded to whole blocks.
 fn changed<'a>(before: &'a [u8], after: &'a [u8]) -> impl Iterator<Item = Range<usize>> + 'a {
     const PIECE: usize = 4096;
     let pieces = (0..after.len()).step_by(PIECE).map(|start| start..(start + PIECE).min(after.len()));

@@ -1,4 +1,4 @@
-//! The shaders as parsed modules, parsed once in a process for all renderers.
+//! The shaders as parsed modules, parsed once per process.
 
 use std::borrow::Cow;
 use std::sync::OnceLock;
@@ -6,10 +6,10 @@ use std::sync::OnceLock;
 use wgpu::naga::Module;
 use wgpu::naga::front::wgsl;
 
-/// What is drawn by one module.
+/// The source modules, by what they draw.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Source {
-    /// Shapes but planes, and ghosts.
+    /// Shapes except planes, and ghosts.
     Shape,
     /// Planes.
     Plane,
@@ -25,24 +25,24 @@ pub enum Source {
     Identity,
 }
 
-/// How many there are.
+/// The number of sources.
 pub const SOURCES: usize = Source::Identity as usize + 1;
 const VARIANTS: usize = 8;
 
-/// What a module is made for.
+/// The variants of a module.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Variant {
-    /// The target keeps numbers as they are, so that shaders encode them as sRGB.
+    /// The target does not encode colours, so shaders encode them as sRGB.
     pub encodes_srgb: bool,
-    /// The CPU draws: shadows are looked up in fewer places.
+    /// The CPU draws: shadows take fewer lookups.
     pub is_software: bool,
-    /// Targets have several samples a pixel.
+    /// Targets have several samples per pixel.
     pub is_multisampled: bool,
 }
 
 static PARSED: [[OnceLock<Module>; VARIANTS]; SOURCES] = [const { [const { OnceLock::new() }; VARIANTS] }; SOURCES];
 
-/// Parses what a plain picture needs where the CPU draws it.
+/// Parses the modules that a plain picture on the CPU needs.
 pub fn parse_usual() {
     let variant = Variant { encodes_srgb: false, is_software: true, is_multisampled: false };
     for source in [Source::Silhouette, Source::Shape, Source::Plane, Source::Sky] {
@@ -50,7 +50,7 @@ pub fn parse_usual() {
     }
 }
 
-/// A module of the device's, of a source.
+/// Creates the shader module of a source.
 pub fn module(device: &wgpu::Device, source: Source, variant: Variant) -> wgpu::ShaderModule {
     let source = wgpu::ShaderSource::Naga(Cow::Borrowed(parsed(source, variant)));
     device.create_shader_module(wgpu::ShaderModuleDescriptor { label: None, source })
@@ -81,7 +81,7 @@ fn text(source: Source, variant: Variant) -> String {
         (Source::Identity, _) => joined!("corner.wgsl", "identity.wgsl"),
     };
     let mut text = format!("const ENCODE_SRGB = {};\n{text}", variant.encodes_srgb);
-    // `textureLoad` reads alike from both: its last argument is then the sample.
+    // `textureLoad` has the same form for both; the last argument is then the sample.
     if source == Source::Outline && variant.is_multisampled {
         text = text.replace("texture_2d<f32>", "texture_multisampled_2d<f32>");
     }
@@ -94,7 +94,7 @@ mod tests {
 
     use super::*;
 
-    /// Also those that only a GPU would be given.
+    /// Also the variants that only a GPU uses.
     #[test]
     fn every_variant_of_every_source_is_valid() {
         use Source::{Identity, Outline, Plane, Shape, Silhouette, Sky, Stroke};

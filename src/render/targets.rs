@@ -8,9 +8,9 @@ pub struct Targets {
     /// Width and height in pixels.
     pub size_px: [u32; 2],
     sample_count: u32,
-    /// Depth.
+    /// The depth buffer.
     pub depth: wgpu::TextureView,
-    /// The samples, where there is more than one a pixel.
+    /// The samples, if there are several per pixel.
     pub samples: Option<wgpu::TextureView>,
     /// The outline's mask, once there was an outline.
     pub mask: Option<Mask>,
@@ -19,14 +19,14 @@ pub struct Targets {
 /// The outline's mask.
 #[derive(Debug)]
 pub struct Mask {
-    /// As many samples a pixel as the picture has.
+    /// The mask with as many samples per pixel as the picture.
     pub view: wgpu::TextureView,
-    /// The mask as the outline reads it.
+    /// The mask as the outline shader reads it.
     pub bind_group: wgpu::BindGroup,
 }
 
 impl Targets {
-    /// Textures for a target of so many pixels.
+    /// Textures for a target of this size in pixels.
     pub fn new(device: &wgpu::Device, format: wgpu::TextureFormat, samples: u32, size_px: [u32; 2]) -> Self {
         let attachment = wgpu::TextureUsages::RENDER_ATTACHMENT;
         Self {
@@ -38,7 +38,7 @@ impl Targets {
         }
     }
 
-    /// The outline's mask, made now if it was not yet.
+    /// The outline's mask, created on first use.
     pub fn mask(&mut self, device: &wgpu::Device, pipelines: &Pipelines) -> &Mask {
         let (size_px, sample_count) = (self.size_px, self.sample_count);
         self.mask.get_or_insert_with(|| {
@@ -55,18 +55,18 @@ impl Targets {
     }
 }
 
-/// The sun's maps of some sizes, the one in use last: boxes change while shapes move, and the same sizes come again.
+/// Shadow maps of several sizes, the current one last: boxes change while shapes move, and the same sizes recur.
 #[derive(Debug, Default)]
 pub struct SunMaps(Vec<SunMap>);
 
-/// A map that may have so many texels along its longest side is a large one.
+/// A map is large if it may have this many texels along its longest side.
 const LARGE_TEXELS: u32 = 768;
-/// Maps that are kept.
+/// The number of maps that are kept.
 const KEPT_MAPS: usize = 4;
 
 impl SunMaps {
-    /// Makes the map of a size the current one, for pictures whose maps have at most `most_texels` along the longest side. Its content, if
-    /// any, belongs to another box. Without a size any map will do: shaders bind one even if nothing casts a shadow.
+    /// Makes the map of a size current, for pictures whose maps have at most `most_texels` along the longest side. Its content belongs to
+    /// another box. Without a size any map is current: shaders bind one even if nothing casts a shadow.
     pub fn take(
         &mut self,
         device: &wgpu::Device,
@@ -90,22 +90,22 @@ impl SunMaps {
         self.0.push(map);
     }
 
-    /// The map in use; `None` where none was taken yet.
+    /// The current map; `None` before the first.
     pub fn in_use(&self) -> Option<&SunMap> {
         self.0.last()
     }
 }
 
-/// A map of the sun's.
+/// A shadow map.
 #[derive(Debug)]
 pub struct SunMap {
     /// Width and height in texels.
     pub size_texels: [u32; 2],
     /// The pipeline that draws it.
     pub kind: Kind,
-    /// What it is drawn into.
+    /// The view that it is drawn into.
     pub view: wgpu::TextureView,
-    /// It and how shapes look things up in it.
+    /// The bind group of the map and its sampler, for shapes.
     pub bind_group: wgpu::BindGroup,
 }
 

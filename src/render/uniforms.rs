@@ -8,7 +8,7 @@ use crate::render::light::{SunBox, towards_sun_in_world};
 use crate::render::look;
 use crate::render::renderer::Viewport;
 
-/// The ground's height where there is none, in scene units.
+/// The ground's height in a scene without ground, in scene units.
 const NO_GROUND: f32 = -1e6;
 
 /// `Globals` in WGSL.
@@ -47,7 +47,7 @@ impl Globals {
         let first = Vec3::new(-right, up, -1.0);
         let ray = |in_eye: Vec3, w: f32| view.world_from_eye.transform_vector3(in_eye).extend(w);
         let eye_in_world = Vec3::from(view.world_from_eye.translation);
-        // With no shadows everything is nearer the sun than anything in the map.
+        // Without shadows everything is nearer the sun than the map's content.
         let no_shadow = Mat4::from_cols(Vec4::ZERO, Vec4::ZERO, Vec4::ZERO, Vec4::new(0.0, 0.0, -1.0, 1.0));
         Self {
             clip_from_world: view.clip_from_eye * Mat4::from(view.eye_from_world),
@@ -64,7 +64,7 @@ impl Globals {
     }
 }
 
-/// Height of the highest level plane; far below everything where there is none.
+/// Height of the highest level plane; far below everything without planes.
 fn ground_height(frame: &Frame) -> f32 {
     let is_level = |item: &&DrawItem| {
         let up = item.world_from_shape.matrix3.y_axis.normalize_or_zero();

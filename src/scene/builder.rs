@@ -28,10 +28,10 @@ impl SceneBuilder {
         Self::default()
     }
 
-    /// Adds an RBT node under the innermost open one and opens it, so that what follows is below it until [`Self::close`].
+    /// Adds an RBT node under the innermost open one and opens it, so that the nodes added next are below it until [`Self::close`].
     ///
     /// # Errors
-    /// When the name is empty, contains `/`, or stands twice under one parent.
+    /// When the name is empty, contains `/`, or is used twice under one parent.
     pub fn open_rbt(&mut self, name: &str, rest_parent_from_node: Rbt) -> Result<NodeId, SceneError> {
         let rbt = RbtIndex::new(self.rbt_nodes.len());
         let id = self.push(name, NodeKind::Rbt(rbt))?;
@@ -41,11 +41,11 @@ impl SceneBuilder {
         Ok(id)
     }
 
-    /// Adds a control node under the innermost open node and opens it, so that what follows is below it until [`Self::close`].
-    /// `is_in_paths`: whether the paths of those name it.
+    /// Adds a control node under the innermost open node and opens it, so that the nodes added next are below it until [`Self::close`].
+    /// `is_in_paths`: whether the paths of the nodes below contain its name.
     ///
     /// # Errors
-    /// When the name is empty, contains `/`, or stands twice under one parent.
+    /// When the name is empty, contains `/`, or is used twice under one parent.
     pub fn open_control(&mut self, name: &str, tracks: Tracks, is_in_paths: bool) -> Result<NodeId, SceneError> {
         let id = self.push(name, NodeKind::Control(tracks))?;
         self.nodes[id.get()].is_in_paths = is_in_paths;
@@ -56,7 +56,7 @@ impl SceneBuilder {
     /// Adds a shape under the innermost open node.
     ///
     /// # Errors
-    /// When the name is empty, contains `/`, or stands twice under one parent.
+    /// When the name is empty, contains `/`, or is used twice under one parent.
     pub fn shape(&mut self, name: &str, placed: PlacedShape) -> Result<NodeId, SceneError> {
         self.push(name, NodeKind::Shape(placed))
     }
@@ -99,10 +99,10 @@ impl SceneBuilder {
 
     /// The finished scene.
     ///
-    /// `eye_paths` are the RBT nodes that can be looked from; `vertical_fov_degrees` is above 0 and below 180.
+    /// `eye_paths` are the paths of the RBT nodes that are eyes; `vertical_fov_degrees` is above 0 and below 180.
     ///
     /// # Errors
-    /// When there is no RBT node, no eye, an eye that is no RBT node, or a field of view out of range.
+    /// If there is no RBT node, no eye, an eye that is not an RBT node, or a field of view out of range.
     pub fn finish(self, name: &str, eye_paths: &[String], vertical_fov_degrees: f32) -> Result<SceneGraph, SceneError> {
         let rbt_of = |path: &String| match self.nodes[self.by_path.get(path)?.get()].kind {
             NodeKind::Rbt(rbt) => Some(rbt),
@@ -121,7 +121,7 @@ impl SceneBuilder {
         Ok(self.finish_with(name, eyes, vertical_fov_degrees))
     }
 
-    /// The same with what is known to be right.
+    /// Like [`Self::finish`], for values that are known to be valid.
     pub(super) fn finish_with(mut self, name: &str, eyes: Vec<RbtIndex>, vertical_fov_degrees: f32) -> SceneGraph {
         while !self.open.is_empty() {
             self.close();

@@ -3,7 +3,7 @@
 use super::file::scene_from_json;
 use super::graph::SceneGraph;
 
-/// The scene that opens where none is named.
+/// The name of the default scene.
 pub const DEFAULT_SCENE: &str = "two-robots";
 
 const BUILT_IN: [(&str, &str); 3] = [

@@ -1,7 +1,7 @@
-//! The channels of timed keys: one table of all that differs between translation, rotation, scale and colour.
+//! The channels of timed keys: one table of everything that differs between translation, rotation, scale and colour.
 //!
-//! A track holds four numbers at each key, whatever its channel. A row of the table says what they mean: the value that they stand for,
-//! how to interpolate, which values are allowed, and how files and scripts write them.
+//! A track holds four numbers at each key, whatever its channel. A row of the table gives their meaning: the value they encode, the
+//! interpolation, the allowed values, and the text in files and scripts.
 
 use std::fmt;
 
@@ -37,7 +37,7 @@ pub enum KeyValue {
     Rotation(Quat),
     /// Along each axis, above 0.
     Scale(Vec3),
-    /// One that `#rrggbb` can say.
+    /// A colour that `#rrggbb` can express.
     Colour(Colour),
 }
 
@@ -50,7 +50,7 @@ pub(super) enum Holder {
     Shape,
 }
 
-/// All that differs between channels.
+/// A row of the table of channels.
 struct Row {
     channel: Channel,
     name: &'static str,
@@ -61,13 +61,13 @@ struct Row {
     holder: Holder,
     /// How a script writes a value.
     expected: &'static str,
-    /// The value of a track at a fraction of the way between two keys.
+    /// Interpolates the four numbers of two keys at a fraction, 0 to 1.
     interpolate: fn(Vec4, Vec4, f64) -> Vec4,
-    /// The numbers where there are no keys.
+    /// The numbers of a node without keys.
     rest: fn(&NodeKind) -> Vec4,
     /// The value of four numbers of a track.
     value: fn(Vec4) -> KeyValue,
-    /// The numbers of a track for a value that is allowed, with no -0.0: equal values give equal bytes.
+    /// The numbers of a track for an allowed value. Normalises -0.0 to 0.0 so that equal values give equal bytes.
     checked: fn(NodeChecks<'_>, KeyValue) -> Result<Option<Vec4>, SceneError>,
     /// The value of a script's word, and of the numbers between its commas.
     parse: fn(&str, &[f32]) -> Option<KeyValue>,
@@ -165,13 +165,13 @@ fn linear(from: Vec4, to: Vec4, alpha: f64) -> Vec4 {
     Vec3::interpolate(from.truncate(), to.truncate(), alpha).extend(0.0)
 }
 
-/// A scale as a scene file writes it: one number where all axes are alike.
+/// A scale as a scene file writes it: one number if all axes are equal.
 pub(super) fn scale_json(scale: Vec3) -> String {
     if scale == Vec3::splat(scale.x) { number(scale.x) } else { numbers(&scale.to_array()) }
 }
 
 impl Channel {
-    /// All of them, in the order of files and of the timeline.
+    /// All channels, in the order of files and of the timeline.
     pub const ALL: [Self; 4] = [Self::Translation, Self::Rotation, Self::Scale, Self::Colour];
 
     fn row(self) -> &'static Row {
@@ -214,7 +214,7 @@ impl Channel {
         self.row().field
     }
 
-    /// The channels of a kind of nodes. They stand together in [`Self::ALL`].
+    /// The channels of a kind of nodes. They are adjacent in [`Self::ALL`].
     pub(super) fn of(holder: Holder) -> &'static [Self] {
         static ALL: [Channel; Channel::ALL.len()] = Channel::ALL;
         let is_of = |channel: &Self| channel.holder() == holder;
@@ -233,12 +233,12 @@ impl Channel {
         self.row().interpolate
     }
 
-    /// The numbers of a node that has no keys of it.
+    /// The four numbers of a node without keys in this channel.
     pub(super) fn rest(self, kind: &NodeKind) -> Vec4 {
         (self.row().rest)(kind)
     }
 
-    /// The value that four numbers of a track stand for.
+    /// The value that four numbers of a track encode.
     pub(super) fn value(self, numbers: Vec4) -> KeyValue {
         (self.row().value)(numbers)
     }
@@ -267,7 +267,7 @@ impl KeyValue {
         }
     }
 
-    /// The four numbers of a track that stand for it.
+    /// The four numbers of a track that encode it.
     ///
     /// # Errors
     /// [`SceneError::Value`]: the value is out of its range.

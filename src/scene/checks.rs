@@ -1,4 +1,4 @@
-//! What values a scene may hold, with the node's path for the messages about those that it may not.
+//! Checks of the values in a scene. Errors name the node's path.
 
 use glam::{Quat, Vec3};
 
@@ -8,20 +8,20 @@ use crate::words::{Argument, Phrase, texts};
 
 const LARGEST_COORDINATE: f32 = 1e6;
 
-/// A node's path.
+/// Checks the values of one node.
 #[derive(Clone, Copy)]
 pub struct NodeChecks<'a> {
-    /// The path.
+    /// The node's path, for error messages.
     pub path: &'a str,
 }
 
 impl NodeChecks<'_> {
-    /// A value that is out of its range.
+    /// The error for a value out of its range.
     pub fn error(self, field: &'static str, found: impl Into<Argument>, expected: Phrase) -> SceneError {
         SceneError::Value { path: self.path.to_owned(), field, found: found.into(), expected }
     }
 
-    /// A position that can be drawn.
+    /// Coordinates in scene units, each at most 1e6 in absolute value.
     pub fn coordinates(self, field: &'static str, value: Vec3) -> Result<Vec3, SceneError> {
         if value.abs().max_element() <= LARGEST_COORDINATE {
             Ok(value)
@@ -30,7 +30,7 @@ impl NodeChecks<'_> {
         }
     }
 
-    /// A unit quaternion.
+    /// A unit quaternion, normalised if it is slightly off unit length.
     pub fn rotation(self, rotation: Quat) -> Result<Quat, SceneError> {
         match Mending::of_length(rotation.length().into()) {
             Mending::Keep => Ok(rotation),
@@ -42,7 +42,7 @@ impl NodeChecks<'_> {
         }
     }
 
-    /// A scale that leaves something to be seen.
+    /// A scale: each component above 0 and at most 1e6.
     pub fn scale(self, scale: Vec3) -> Result<Vec3, SceneError> {
         if scale.min_element() > 0.0 && scale.max_element() <= LARGEST_COORDINATE {
             Ok(scale)
@@ -51,7 +51,7 @@ impl NodeChecks<'_> {
         }
     }
 
-    /// A length of a shape.
+    /// A length of a shape in scene units: above 0 and at most 1e6.
     pub fn length(self, field: &'static str, value: f32) -> Result<f32, SceneError> {
         if value > 0.0 && value <= LARGEST_COORDINATE {
             Ok(value)

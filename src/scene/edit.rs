@@ -1,11 +1,11 @@
-//! Scenes with one control node more, or one less. Poses mean the same in them: the RBT nodes and their order stay.
+//! Scenes with a control node added, removed or renamed. Poses stay valid: the RBT nodes and their order do not change.
 
 use super::builder::SceneBuilder;
 use super::file::SceneError;
 use super::graph::{Node, NodeId, NodeKind, SceneGraph};
 use super::tracks::Tracks;
 
-/// What becomes of one node.
+/// The change of one node.
 enum Change<'a> {
     PutAbove { name: &'a str },
     Remove,
@@ -13,8 +13,8 @@ enum Change<'a> {
 }
 
 impl SceneGraph {
-    /// The scene with a new control node above a node, and the new node's path. It has no keys, so that nothing moves; the paths of the
-    /// nodes below do not name it, so that keyframe files go on to fit.
+    /// The scene with a new control node above a node, and the new node's path. It has no keys, so nothing moves. The paths of the nodes
+    /// below do not contain its name, so keyframe files remain valid.
     #[must_use]
     pub fn with_control_above(&self, id: NodeId) -> (Self, String) {
         let node = self.node(id);
@@ -29,10 +29,10 @@ impl SceneGraph {
         (scene.expect("the name is new, and all others stay as they are"), path)
     }
 
-    /// The scene without a control node: what stood below it stands in its place.
+    /// The scene without a control node. Its children move up to its parent, in its position.
     ///
     /// # Errors
-    /// [`SceneError`] where the node is no control node, or two nodes would have one path.
+    /// [`SceneError`] if the node is not a control node, or two nodes would have one path.
     pub fn without_control(&self, id: NodeId) -> Result<Self, SceneError> {
         self.check_control(id)?;
         self.changed(id, &Change::Remove)
@@ -41,7 +41,7 @@ impl SceneGraph {
     /// The scene with another name for a control node.
     ///
     /// # Errors
-    /// [`SceneError`] where the node is no control node, the name cannot be one, or two nodes would have one path.
+    /// [`SceneError`] if the node is not a control node, the name is not valid, or two nodes would have one path.
     pub fn with_control_renamed(&self, id: NodeId, name: &str) -> Result<Self, SceneError> {
         self.check_control(id)?;
         self.changed(id, &Change::Rename { name })
@@ -55,10 +55,10 @@ impl SceneGraph {
         }
     }
 
-    /// All nodes built again, with one changed. The eyes stay the same nodes.
+    /// Rebuilds all nodes with one changed. The eyes stay the same nodes.
     fn changed(&self, changed: NodeId, change: &Change<'_>) -> Result<Self, SceneError> {
         let mut builder = SceneBuilder::new();
-        // For each open node, the first place that is not below it.
+        // For each open node, the index of the first node that is not below it.
         let mut ends: Vec<usize> = Vec::new();
         for (id, node) in self.nodes_with_ids() {
             while ends.last().is_some_and(|&end| end <= id.get()) {
@@ -83,7 +83,7 @@ impl SceneGraph {
         Ok(builder.finish_with(self.name(), self.eyes().to_vec(), self.vertical_fov_degrees()))
     }
 
-    /// Adds a node. Says whether it was opened.
+    /// Adds a node and returns whether it was opened.
     fn add_to(&self, builder: &mut SceneBuilder, name: &str, node: &Node) -> Result<bool, SceneError> {
         match &node.kind {
             NodeKind::Rbt(rbt) => builder.open_rbt(name, self.rest_pose().get(*rbt))?,

@@ -17,83 +17,83 @@ use crate::timed::{KeyError, rotation_from_euler_degrees};
 use crate::words::{Argument, Message, Phrase, display_by_message, quoted, texts};
 
 pub(super) const FORMAT: &str = "inbetween.scene";
-/// What a file says, and what one says that has a control node which paths do not name.
+/// The versions that are read. Version 2 has control nodes whose names are not part of paths.
 const VERSIONS: std::ops::RangeInclusive<u32> = 1..=2;
 
-/// Why a text is not a scene.
+/// Why a text is not a valid scene.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum SceneError {
     /// The text is not JSON of the right shape; the message ends with line and column.
     Json {
-        /// What is wrong, with line and column.
+        /// The message, with line and column.
         message: String,
     },
     /// `format` names something else.
     Format {
-        /// What the file says.
+        /// The value in the file.
         found: String,
     },
     /// `version` is not one that this program reads.
     Version {
-        /// What the file says.
+        /// The value in the file.
         found: u32,
     },
     /// A node's name is empty or contains `/`.
     NodeName {
-        /// The name.
+        /// The name in the file.
         name: String,
         /// The path of the node above it.
         parent: String,
     },
     /// Two nodes have one path.
     DuplicatePath {
-        /// The path.
+        /// The node's path.
         path: String,
     },
     /// A value is out of its range.
     Value {
         /// The node's path.
         path: String,
-        /// Which field.
+        /// The field's name in the file.
         field: &'static str,
-        /// What the file says.
+        /// The value in the file.
         found: Argument,
-        /// What is allowed.
+        /// The allowed values, as a phrase.
         expected: Phrase,
     },
-    /// A field stands where it has no meaning.
+    /// A field is not allowed in this node.
     Misplaced {
         /// The node's path.
         path: String,
-        /// Which field.
+        /// The field's name in the file.
         field: &'static str,
-        /// Why it cannot stand there.
+        /// Why it is not allowed.
         reason: Phrase,
     },
-    /// What is asked of a control node is asked of another.
+    /// An operation on control nodes was asked of a node of another kind.
     NotControl {
         /// The node's path.
         path: String,
     },
-    /// Keys at their own times cannot be made of what stands there.
+    /// The keys of a channel do not make a track.
     Keys {
         /// The node's path.
         path: String,
-        /// Which field.
+        /// The field's name in the file.
         field: &'static str,
-        /// What is wrong with the keys.
+        /// The error in the keys.
         error: KeyError,
     },
     /// An eye is not an RBT node of the scene.
     Eye {
-        /// The path.
+        /// The node's path.
         path: String,
     },
-    /// There is nothing to look from.
+    /// The scene names no eye.
     NoEyes,
-    /// The field of view cannot be drawn.
+    /// The field of view is out of range.
     FieldOfView {
-        /// What the file says, in degrees.
+        /// The value in the file, in degrees.
         degrees: f32,
     },
 }
@@ -101,7 +101,7 @@ pub enum SceneError {
 display_by_message!(SceneError);
 
 impl SceneError {
-    /// What is wrong, as a message.
+    /// The error as a message.
     #[must_use]
     pub fn message(&self) -> Message {
         match self {
@@ -217,7 +217,7 @@ pub fn scene_from_json(text: &str) -> Result<SceneGraph, SceneError> {
     builder.finish(&text.name, &text.eyes, text.vertical_fov_degrees)
 }
 
-/// `parent_path`: what the paths of the nodes under the same one begin with.
+/// `parent_path`: the common prefix of the paths of all siblings.
 fn add(builder: &mut SceneBuilder, node: &NodeText, parent_path: &str, version: u32) -> Result<(), SceneError> {
     let path = if parent_path.is_empty() { node.name.clone() } else { format!("{parent_path}/{}", node.name) };
     let checks = NodeChecks { path: &path };
@@ -270,7 +270,7 @@ fn add(builder: &mut SceneBuilder, node: &NodeText, parent_path: &str, version: 
     Ok(())
 }
 
-/// Gives a channel the keys of a list, if the file has one; what is wrong with a key is said with its time.
+/// Sets the keys of a channel from a list, if the file has one. Errors name the key's time.
 fn set<T: Copy>(
     tracks: &mut Tracks,
     channel: Channel,

@@ -1,4 +1,4 @@
-//! The scene graph: an arena of nodes in pre-order, so that parents stand before their children and a subtree is a range.
+//! The scene graph: an arena of nodes in pre-order, so that parents come before their children and a subtree is a range.
 
 use std::collections::HashMap;
 use std::ops::Range;
@@ -13,12 +13,12 @@ use crate::blend::AlignedAffine;
 use crate::pose::{Pose, RbtIndex};
 use crate::rbt::Rbt;
 
-/// A node of a scene, by its place in the pre-order walk; issued by the [`SceneGraph`] it belongs to.
+/// The index of a node in the pre-order walk of a scene; issued by the [`SceneGraph`] it belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct NodeId(u32);
 
 impl NodeId {
-    /// Its place in the arena, from 0.
+    /// The index in the arena, from 0.
     #[must_use]
     pub const fn get(self) -> usize {
         self.0 as usize
@@ -29,37 +29,37 @@ impl NodeId {
     }
 }
 
-/// What a node is.
+/// The kind of a node, with its data.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NodeKind {
     /// A rigid body transform that poses record.
     Rbt(RbtIndex),
     /// Geometry; it has no children.
     Shape(PlacedShape),
-    /// An affine that its own keys animate in elapsed seconds; poses do not record it.
+    /// An affine that is animated by its timed keys in elapsed seconds. Poses do not record it.
     Control(Tracks),
 }
 
-/// One node.
+/// A node with its data.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Node {
     /// Its own name.
     pub name: String,
-    /// The names from the root down to it, joined by `/`, but those of control nodes above it that do not count; unique in the scene.
+    /// The names from the root down to it, joined by `/`, without those of control nodes that are not part of paths; unique in the scene.
     pub path: String,
-    /// Whether the paths of the nodes below it name it. Only a control node's may not.
+    /// Whether the paths of the nodes below contain its name. False only for control nodes.
     pub is_in_paths: bool,
     /// The node above it; `None` right under the root.
     pub parent: Option<NodeId>,
-    /// What it is.
+    /// Its kind, with its data.
     pub kind: NodeKind,
-    /// How many nodes stand above it: 0 right under the root.
+    /// The number of ancestors: 0 for a node right under the root.
     pub depth: usize,
     pub(super) subtree_end: NodeId,
 }
 
 impl Node {
-    /// Its transform to the node above it: a shape's place, a control node's keys, an RBT node's as `parent_from_rbt` has it.
+    /// `parent_from_node`: from a shape's placement, a control node's keys, or, for an RBT node, from `parent_from_rbt`.
     fn parent_from_node(&self, seconds: f64, parent_from_rbt: impl Fn(RbtIndex) -> Affine3A) -> Affine3A {
         match &self.kind {
             NodeKind::Rbt(rbt) => parent_from_rbt(*rbt),
@@ -68,7 +68,7 @@ impl Node {
         }
     }
 
-    /// The time of its last key, in seconds, if it has keys at their own times.
+    /// The time of its last timed key in seconds; `None` without keys.
     fn last_second(&self) -> Option<f64> {
         match &self.kind {
             NodeKind::Rbt(_) => None,
@@ -78,7 +78,7 @@ impl Node {
     }
 }
 
-/// Nodes, shapes and the rest pose. A change makes another scene, which shares all that stayed as it was.
+/// Nodes, shapes and the rest pose. Immutable: a change makes a new scene that shares all unchanged parts.
 ///
 /// ```
 /// use inbetween::scene::{DEFAULT_SCENE, built_in_scene};
@@ -95,7 +95,7 @@ pub struct SceneGraph {
     last_second: Option<f64>,
 }
 
-/// What a scene knows beside its nodes: the same as long as only their keys change.
+/// The data of a scene besides its nodes. It is shared by scenes that differ only in timed keys.
 #[derive(Debug, PartialEq)]
 pub(super) struct Index {
     pub(super) name: String,
@@ -108,7 +108,7 @@ pub(super) struct Index {
 }
 
 impl PartialEq for SceneGraph {
-    /// Fast where the two share.
+    /// Fast if the two share storage.
     fn eq(&self, other: &Self) -> bool {
         let same = |(a, b): (&Arc<Node>, &Arc<Node>)| Arc::ptr_eq(a, b) || a == b;
         (Arc::ptr_eq(&self.index, &other.index) || self.index == other.index)
@@ -135,13 +135,13 @@ impl SceneGraph {
         self.nodes.iter().enumerate().map(|(index, node)| (NodeId::from_index(index), &**node))
     }
 
-    /// Whether poses and keyframe files mean the same nodes by the same paths in both scenes.
+    /// Whether poses and keyframe files are interchangeable between the two scenes: the same RBT nodes with the same paths.
     #[must_use]
     pub fn has_rbts_of(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.index, &other.index) || self.rbt_paths().eq(other.rbt_paths())
     }
 
-    /// This scene with another node of the same name and the same place in the tree in place of one: the same but for its keys.
+    /// This scene with one node replaced. The new node has the same name, kind and parent; only its keys differ.
     pub(super) fn with_kind(&self, id: NodeId, kind: NodeKind) -> Self {
         let mut nodes = self.nodes.clone();
         nodes[id.get()] = Arc::new(Node { kind, ..(*self.nodes[id.get()]).clone() });
@@ -153,13 +153,13 @@ impl SceneGraph {
         Self { nodes, index, last_second }
     }
 
-    /// One node.
+    /// A node with its data.
     #[must_use]
     pub fn node(&self, id: NodeId) -> &Node {
         &self.nodes[id.get()]
     }
 
-    /// The node and all below it, as a range of arena places.
+    /// The node and all below it, as a range of arena indices.
     #[must_use]
     pub fn subtree(&self, id: NodeId) -> Range<usize> {
         id.get()..self.nodes[id.get()].subtree_end.get()
@@ -176,7 +176,7 @@ impl SceneGraph {
         (0..self.index.rbt_nodes.len()).map(RbtIndex::new)
     }
 
-    /// The node that an index of a pose stands for.
+    /// The id of an RBT node.
     #[must_use]
     pub fn rbt_node(&self, rbt: RbtIndex) -> NodeId {
         self.index.rbt_nodes[rbt.get()]
@@ -214,7 +214,8 @@ impl SceneGraph {
         &self.index.rest
     }
 
-    /// The RBT nodes that can be looked from, in the order in which the hotkey goes through them; never empty. The first is the sky camera.
+    /// The RBT nodes that the camera can be attached to, in the order in which the hotkey goes through them; never empty. The first is the
+    /// sky camera.
     #[must_use]
     pub fn eyes(&self) -> &[RbtIndex] {
         &self.index.eyes
@@ -232,19 +233,19 @@ impl SceneGraph {
         self.index.vertical_fov_degrees
     }
 
-    /// Whether anything in the scene has keys at its own times.
+    /// Whether any node has timed keys.
     #[must_use]
     pub fn is_timed(&self) -> bool {
         self.last_second.is_some()
     }
 
-    /// The time of the last key of all, in seconds: nothing moves by itself from then on. `None` with no such keys.
+    /// The time of the last timed key of all nodes, in seconds; nothing moves after it. `None` without timed keys.
     #[must_use]
     pub fn last_second(&self) -> Option<f64> {
         self.last_second
     }
 
-    /// `world_from_node` of every node under `pose`, `seconds` into the keys at their own times, in arena order.
+    /// `world_from_node` of every node under `pose`, `seconds` into the timed keys, in arena order.
     #[must_use]
     pub fn world_from_nodes(&self, pose: &Pose, seconds: f64) -> Vec<AlignedAffine> {
         let mut world_from_node = Vec::new();
@@ -252,7 +253,7 @@ impl SceneGraph {
         world_from_node
     }
 
-    /// As [`SceneGraph::world_from_nodes`], in the storage of a list that is there already.
+    /// Like [`SceneGraph::world_from_nodes`], but reuses the storage of `into`.
     pub fn world_from_nodes_into(&self, pose: &Pose, seconds: f64, into: &mut Vec<AlignedAffine>) {
         debug_assert_eq!(pose.len(), self.rbt_count(), "a pose of another scene");
         let keys_of = |index: usize| match &self.nodes[index].kind {
@@ -268,7 +269,7 @@ impl SceneGraph {
         (index < self.nodes.len()).then(|| NodeId::from_index(index))
     }
 
-    /// The same for any affine in place of each RBT node's transform: one forward loop, since parents come first.
+    /// `world_from_node` of every node, with `parent_from_rbt` for the RBT nodes: one forward loop, because parents come first.
     #[must_use]
     pub fn world_from_nodes_with(&self, seconds: f64, parent_from_rbt: impl Fn(RbtIndex) -> Affine3A) -> Vec<Affine3A> {
         let mut world_from_node: Vec<Affine3A> = Vec::with_capacity(self.nodes.len());
@@ -282,13 +283,13 @@ impl SceneGraph {
         world_from_node
     }
 
-    /// `world_from_node` of one node under `pose`, `seconds` into the keys at their own times.
+    /// `world_from_node` of one node under `pose`, `seconds` into the timed keys.
     #[must_use]
     pub fn world_from_node(&self, pose: &Pose, seconds: f64, id: NodeId) -> Affine3A {
         self.world_from_node_with(seconds, id, |rbt| pose.get(rbt).to_affine())
     }
 
-    /// The same for any affine in place of each RBT node's transform; only those above the node are asked for.
+    /// `world_from_node` of one node, with `parent_from_rbt` for the RBT nodes. It is called only for the node and those above it.
     #[must_use]
     pub fn world_from_node_with(
         &self,

@@ -1,4 +1,4 @@
-//! Timed keys by node and channel: which there are, and scenes with others.
+//! Timed keys by node and channel: queries, and scenes with changed keys.
 
 use glam::Vec4;
 
@@ -10,7 +10,7 @@ use super::tracks::Tracks;
 use crate::timed::{KeyError, Track};
 use crate::words::texts;
 
-/// The latest time of a key that is made here, and the earliest below zero, in seconds: about eleven days.
+/// The largest absolute time of a key that is made here, in seconds: about eleven days.
 const LATEST: f64 = 1e6;
 
 impl SceneGraph {
@@ -24,23 +24,23 @@ impl SceneGraph {
         }
     }
 
-    /// The times of the keys of a channel in seconds, ascending; empty where it has none.
+    /// The times of the keys of a channel in seconds, ascending; empty without keys.
     #[must_use]
     pub fn key_seconds(&self, id: NodeId, channel: Channel) -> &[f64] {
         self.tracks(id, channel).and_then(|tracks| tracks.get(channel)).map(Track::seconds).unwrap_or_default()
     }
 
-    /// The value of a channel at a time, between keys too; `None` where the node has no such channel.
+    /// The value of a channel at a time, between keys too; `None` if the node has no such channel.
     #[must_use]
     pub fn key_value_at(&self, id: NodeId, channel: Channel, seconds: f64) -> Option<KeyValue> {
         let numbers = self.tracks(id, channel)?.numbers_at(channel, seconds);
         Some(channel.value(numbers.unwrap_or_else(|| channel.rest(&self.node(id).kind))))
     }
 
-    /// The scene with a key at a time; one of the same channel at that time gives way to it.
+    /// The scene with a key at a time. It replaces a key of the same channel at that time.
     ///
     /// # Errors
-    /// [`SceneError`] where the node has no such channel, or the time or the value is out of range: as in a scene file.
+    /// [`SceneError`] if the node has no such channel, or the time or the value is out of the range of scene files.
     pub fn with_key(&self, id: NodeId, seconds: f64, value: KeyValue) -> Result<Self, SceneError> {
         let (channel, checks) = (value.channel(), NodeChecks { path: &self.node(id).path });
         check_seconds(checks, channel, seconds)?;
@@ -59,15 +59,15 @@ impl SceneGraph {
     /// The scene without the keys of a channel at these times.
     ///
     /// # Errors
-    /// [`SceneError`] where the node has no such channel.
+    /// [`SceneError`] if the node has no such channel.
     pub fn without_keys(&self, id: NodeId, channel: Channel, times: &[f64]) -> Result<Self, SceneError> {
         self.with_track(id, channel, |track| Ok(track.and_then(|track| track.without(times))))
     }
 
-    /// The scene with the keys of a channel at these times moved by some seconds; a key that a moved one meets gives way.
+    /// The scene with the keys of a channel at these times moved by some seconds. A moved key replaces a key that was there.
     ///
     /// # Errors
-    /// [`SceneError`] where the node has no such channel, or a key would leave the times that there can be.
+    /// [`SceneError`] if the node has no such channel, or a key would leave the allowed times.
     pub fn with_keys_moved(&self, id: NodeId, channel: Channel, times: &[f64], by: f64) -> Result<Self, SceneError> {
         let checks = NodeChecks { path: &self.node(id).path };
         for &seconds in times {
@@ -79,7 +79,7 @@ impl SceneGraph {
         })
     }
 
-    /// The tracks of a node that can have keys of a channel.
+    /// The tracks of a node; an error if it has no such channel.
     fn tracks(&self, id: NodeId, channel: Channel) -> Option<&Tracks> {
         match (&self.node(id).kind, channel.holder()) {
             (NodeKind::Control(tracks), Holder::Control) => Some(tracks),

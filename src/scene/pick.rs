@@ -9,27 +9,27 @@ use crate::pose::{Pose, RbtIndex};
 /// A half line in world space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
-    /// Where it starts, in world space.
+    /// The start point, in world space.
     pub origin_in_world: Vec3,
-    /// Where it goes, in world space; of any length but zero.
+    /// The direction, in world space; any length except zero.
     pub direction_in_world: Vec3,
 }
 
-/// What a ray met first.
+/// The nearest hit of a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pick {
     /// The shape's node.
     pub shape: NodeId,
-    /// The RBT node that carries it; `None` for a plane, which is ground, and for a shape that none carries.
+    /// The RBT node that carries it; `None` for a plane, which is ground, and for a shape with no RBT node above it.
     pub rbt: Option<RbtIndex>,
     /// How far along the ray, in lengths of its direction; above 0.
     pub distance: f32,
 }
 
 impl SceneGraph {
-    /// The nearest shape that `ray` meets under `pose`, `seconds` into the keys at their own times, in front of its origin.
+    /// The nearest shape that `ray` meets under `pose`, `seconds` into the keys at their own times, in front of the ray's origin.
     ///
-    /// Rounded edges of boxes count as sharp ones. A ray from inside a shape passes through it.
+    /// Rounded edges of boxes are treated as sharp. A ray from inside a shape passes through it.
     #[must_use]
     pub fn pick(&self, pose: &Pose, seconds: f64, ray: Ray) -> Option<Pick> {
         let world_from_node = self.world_from_nodes(pose, seconds);

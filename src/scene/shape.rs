@@ -44,12 +44,12 @@ pub enum MeshKind {
 }
 
 impl MeshKind {
-    /// All of them, in drawing order.
+    /// All meshes, in drawing order.
     pub const ALL: [Self; 6] = [Self::Box, Self::Sphere, Self::Cylinder, Self::Cone, Self::Capsule, Self::Plane];
 }
 
 impl Shape {
-    /// It as what all shapes are: the one place that tells them apart.
+    /// The shape as a trait object: the only match over its kinds.
     pub(super) fn solid(&self) -> &dyn Solid {
         match self {
             Self::Box(shape) => shape,
@@ -79,30 +79,30 @@ impl Shape {
         self.solid().rounding()
     }
 
-    /// Where a ray enters it, in lengths of `direction`; origin and direction in shape space. Rounded edges of boxes count as sharp ones.
+    /// Where a ray enters it, in lengths of `direction`; origin and direction in shape space. Rounded edges of boxes are treated as sharp.
     #[must_use]
     pub fn enter(&self, origin: Vec3, direction: Vec3) -> Option<f32> {
         self.solid().enter(origin, direction)
     }
 }
 
-/// Where a shape is under the node that carries it: first scaled, then turned, then moved.
+/// The placement of a shape under its parent node: scaled, then rotated, then translated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Placement {
     /// Translation in the parent node's space, in scene units.
     pub translation: Vec3,
-    /// Rotation.
+    /// Rotation; a unit quaternion.
     pub rotation: Quat,
     /// Scale along each axis of the shape; above 0.
     pub scale: Vec3,
 }
 
-/// A shape with its colour and its place under the node that carries it.
+/// A shape with its colour and its placement under its parent node.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlacedShape {
     /// The solid.
     pub shape: Shape,
-    /// Its colour, where no keys say otherwise.
+    /// Its colour without timed keys.
     pub colour: Colour,
     tracks: Tracks,
     placement: Placement,
@@ -110,7 +110,7 @@ pub struct PlacedShape {
 }
 
 impl PlacedShape {
-    /// A shape in its place.
+    /// A shape with a placement and a colour.
     #[must_use]
     pub fn new(shape: Shape, colour: Colour, tracks: Tracks, placement: Placement) -> Self {
         let Placement { translation, rotation, scale } = placement;
@@ -118,7 +118,7 @@ impl PlacedShape {
         Self { shape, colour, tracks, placement, parent_from_shape }
     }
 
-    /// The same with other timed keys.
+    /// The same shape with other timed keys.
     #[must_use]
     pub fn with_tracks(&self, tracks: Tracks) -> Self {
         Self { tracks, ..self.clone() }
@@ -130,13 +130,13 @@ impl PlacedShape {
         &self.tracks
     }
 
-    /// Where it is.
+    /// Its placement.
     #[must_use]
     pub const fn placement(&self) -> Placement {
         self.placement
     }
 
-    /// Where it is, with any scale: shape space to the parent node's space.
+    /// The placement as an affine, scale included: shape space to the parent node's space.
     #[must_use]
     pub const fn parent_from_shape(&self) -> Affine3A {
         self.parent_from_shape

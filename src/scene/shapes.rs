@@ -1,4 +1,4 @@
-//! The shapes, a file each: their dimensions, which are allowed, and where a ray meets them. The renderer makes their meshes.
+//! The shapes, one file each: dimensions and their ranges, and intersection with rays. The renderer makes the meshes.
 
 mod capsule;
 mod cone;
@@ -21,24 +21,24 @@ use super::checks::NodeChecks;
 use super::file::SceneError;
 use super::shape::MeshKind;
 
-/// What every shape says of itself. Shape space has its origin at the centre, and the axis along Y.
+/// The interface of every shape. Shape space has its origin at the centre, and the axis along Y.
 pub(super) trait Solid {
     /// Its name in scene files.
     fn name(&self) -> &'static str;
 
-    /// Which mesh it is an instance of.
+    /// The mesh that it is an instance of.
     fn mesh(&self) -> MeshKind;
 
-    /// Whether its dimensions are allowed.
+    /// Checks the dimensions.
     ///
     /// # Errors
-    /// [`SceneError::Value`]: the first that is not.
+    /// [`SceneError::Value`]: the first dimension that is not allowed.
     fn check(&self, checks: NodeChecks<'_>) -> Result<(), SceneError>;
 
     /// Half the extents of the axis-aligned box around it, in shape space.
     fn half_extents(&self) -> Vec3;
 
-    /// The radius by which its edges are rounded.
+    /// The radius of its rounded edges in scene units; 0 for sharp ones.
     fn rounding(&self) -> f32 {
         0.0
     }

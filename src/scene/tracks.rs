@@ -5,18 +5,18 @@ use glam::{Affine3A, Quat, Vec3, Vec4};
 use super::channel::Channel;
 use crate::timed::{KeyError, Track};
 
-/// The timed keys of a node, by channel. A channel that has none rests.
+/// The timed keys of a node, by channel. A channel without keys has its default value.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tracks([Option<Track<Vec4>>; Channel::ALL.len()]);
 
 impl Tracks {
-    /// The track of a channel, where it has keys. What the numbers mean is said by the channel: [`super::KeyValue`].
+    /// The track of a channel, if it has keys. The channel defines the meaning of the numbers: [`super::KeyValue`].
     #[must_use]
     pub fn get(&self, channel: Channel) -> Option<&Track<Vec4>> {
         self.0[channel as usize].as_ref()
     }
 
-    /// The same with another track for a channel, or with none.
+    /// The same tracks with one channel replaced, or removed.
     #[must_use]
     pub fn with(&self, channel: Channel, track: Option<Track<Vec4>>) -> Self {
         let mut changed = self.clone();
@@ -24,7 +24,7 @@ impl Tracks {
         changed
     }
 
-    /// Gives a channel keys out of (seconds, numbers) pairs in any order.
+    /// Sets the keys of a channel from (seconds, numbers) pairs in any order.
     ///
     /// # Errors
     /// [`KeyError`] for no pairs, a time that is not finite, or two at one time.
@@ -37,12 +37,12 @@ impl Tracks {
         Ok(())
     }
 
-    /// The numbers of a channel at a time in seconds, where it has keys.
+    /// The numbers of a channel at a time in seconds, if it has keys.
     pub(super) fn numbers_at(&self, channel: Channel, seconds: f64) -> Option<Vec4> {
         self.get(channel).map(|track| track.value_at(seconds))
     }
 
-    /// The affine `T · R · S` of a control node at a time in seconds: `parent_from_node`. What has no keys is that of the identity.
+    /// The affine `T · R · S` of a control node at a time in seconds: `parent_from_node`. Channels without keys are those of the identity.
     #[must_use]
     pub fn parent_from_node(&self, seconds: f64) -> Affine3A {
         let translation = self.numbers_at(Channel::Translation, seconds).map_or(Vec3::ZERO, Vec4::truncate);
@@ -51,7 +51,7 @@ impl Tracks {
         Affine3A::from_scale_rotation_translation(scale, rotation, translation)
     }
 
-    /// The time of the last key of all, in seconds; `None` where there is no key.
+    /// The time of the last key of all, in seconds; `None` without keys.
     #[must_use]
     pub fn last_second(&self) -> Option<f64> {
         self.0.iter().flatten().map(Track::last_second).reduce(f64::max)

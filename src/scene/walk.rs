@@ -1,4 +1,4 @@
-//! From a pose to where every node is in the world: one forward loop over what little it takes of each node.
+//! `world_from_node` of every node from a pose: one forward loop over compact data.
 
 use glam::Affine3A;
 
@@ -6,35 +6,35 @@ use super::graph::{Node, NodeKind};
 use crate::blend::{self, AlignedAffine, MatrixBlock};
 use crate::pose::{LANES, Pose};
 
-/// Blocks of RBT nodes whose matrices are made before they are used: few enough to stay in the nearest cache, and enough for what was
-/// written to have arrived there.
+/// Blocks of RBT nodes whose matrices are computed in one batch. Small enough for the first-level cache; large enough that the stores have
+/// completed before the loads.
 const BATCH: usize = 8;
-/// In place of a parent: there is none.
+/// The parent index of nodes right under the root.
 const NO_PARENT: u32 = u32::MAX;
 
-/// How each node stands to its parent, in arena order.
+/// The data of each node that the walk needs, in arena order.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Walk {
-    /// The parents' places.
+    /// The parents' indices.
     parents: Vec<u32>,
     runs: Vec<Run>,
     /// `parent_from_shape` of every shape.
     fixed: Vec<Affine3A>,
 }
 
-/// Nodes of one kind that follow each other.
+/// Consecutive nodes of one kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Run {
-    /// So many RBT nodes: the next of the pose's transforms.
+    /// A number of RBT nodes, which take the next transforms of the pose.
     Rbts(usize),
-    /// So many shapes: the next of the fixed places.
+    /// A number of shapes, which take the next of the fixed placements.
     Shapes(usize),
     /// A control node: its keys.
     Keys,
 }
 
 impl Walk {
-    /// The walk through these nodes, of which parents come first.
+    /// The walk through these nodes. Parents must come first.
     pub fn through<'a>(nodes: impl IntoIterator<Item = &'a Node>) -> Self {
         let mut walk = Self::default();
         for node in nodes {
@@ -55,12 +55,12 @@ impl Walk {
         walk
     }
 
-    /// Makes `into` the `world_from_node` of every node; `keys_of` says what a control node's keys hold, by its place.
+    /// Sets `into` to the `world_from_node` of every node. `keys_of` returns `parent_from_node` of the control node with an index.
     pub fn world_from_nodes(&self, pose: &Pose, keys_of: impl Fn(usize) -> Affine3A, into: &mut Vec<AlignedAffine>) {
         let level = blend::widest();
         let mut batches = pose.blocks().chunks(BATCH);
         let mut matrices = [MatrixBlock::default(); BATCH];
-        // Places in the batch of matrices: none is left before the first.
+        // Indices into the batch of matrices. The batch is empty at first.
         let (mut next, mut end) = (0, 0);
         let mut fixed = self.fixed.iter();
         into.resize(self.parents.len(), AlignedAffine::IDENTITY);
@@ -110,7 +110,7 @@ mod tests {
     use crate::rbt::Rbt;
     use crate::scene::{SceneBuilder, SceneGraph, built_in_scene};
 
-    /// A tree of so many RBT nodes, three below each.
+    /// A tree of `count` RBT nodes with three children each.
     fn tree(count: usize) -> SceneGraph {
         fn below(builder: &mut SceneBuilder, index: usize, count: usize) {
             if index < count {

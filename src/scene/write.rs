@@ -11,7 +11,7 @@ use crate::colour::Colour;
 use crate::json::{push_f32, push_f32s, push_f64};
 use crate::timed::Track;
 
-/// The text of a scene's file. The same scene gives the same bytes; version 1 where that can say it all.
+/// The text of a scene's file. The same scene gives the same bytes. Version 1 is written if it can express the scene.
 #[must_use]
 pub fn scene_to_json(scene: &SceneGraph) -> String {
     let version = if scene.nodes().iter().all(|node| node.is_in_paths) { 1 } else { 2 };
@@ -38,7 +38,7 @@ fn push_line(text: &mut String, depth: usize) {
     text.extend(std::iter::repeat_n("  ", depth));
 }
 
-/// The nodes of a range of the arena that stand side by side, with all below them.
+/// Writes the siblings in a range of arena indices, with all nodes below them.
 fn push_siblings(text: &mut String, scene: &SceneGraph, indices: std::ops::Range<usize>, depth: usize) {
     text.push('[');
     let mut next = indices.start;
@@ -105,7 +105,7 @@ pub(super) fn numbers(numbers: &[f32]) -> String {
     text
 }
 
-/// Translation and rotation, where they say anything.
+/// Translation and rotation, unless they are the identity.
 fn push_place(fields: &mut Vec<String>, translation: Vec3, rotation: Quat) {
     if translation != Vec3::ZERO {
         fields.push(format!("\"translation\": {}", numbers(&translation.to_array())));
@@ -167,7 +167,7 @@ fn control(tracks: &Tracks, depth: usize) -> String {
     text
 }
 
-/// The keys of a channel, one a line: `[seconds, value]`.
+/// The keys of a channel, one per line: `[seconds, value]`.
 fn key_list(track: &Track<Vec4>, channel: Channel, depth: usize) -> String {
     let mut text = String::from("[");
     for (index, (seconds, key)) in track.keys().enumerate() {

@@ -1,4 +1,4 @@
-//! What stands at an output's path, and whether it may be replaced.
+//! The destination of an output, and whether it may be replaced.
 
 use std::fs::{self, File};
 use std::io;
@@ -6,22 +6,22 @@ use std::path::{Path, PathBuf};
 
 use super::StorageError;
 
-/// As many links behind each other as Linux follows.
+/// The longest chain of links, as on Linux.
 const MOST_LINKS: usize = 40;
 
-/// What an output is written to.
+/// The destination of an output.
 #[derive(Debug)]
 pub(super) enum Destination {
-    /// A regular file that is replaced, or a name that is free.
+    /// A regular file that is replaced, or a free name.
     File {
         /// Its path, all links followed.
         target: PathBuf,
     },
-    /// A device, a pipe, or what a descriptor of a process leads to: open, to be written into.
+    /// A device, a pipe or an open descriptor, opened for writing.
     Stream(File),
 }
 
-/// What stands at a path.
+/// The destination at a path.
 ///
 /// # Errors
 /// [`StorageError`]: a folder, a read-only file, too many links, or the system refuses.
@@ -42,15 +42,15 @@ pub(super) fn destination_of(path: &Path) -> Result<Destination, StorageError> {
     }
 }
 
-/// Whether a path leads to what is not a regular file: a device or a pipe, which is never replaced.
+/// Whether a path leads to a device or a pipe, which is never replaced.
 #[must_use]
 pub fn is_stream(path: &Path) -> bool {
     let Ok(target) = followed(path) else { return false };
     fs::metadata(&target).is_ok_and(|metadata| (!metadata.is_file() && !metadata.is_dir()) || is_in_proc(&target))
 }
 
-/// Follows symbolic links, also one that leads to nothing yet. A descriptor's link under `/proc` is not followed: it leads to what is
-/// open, which may have no name.
+/// Follows symbolic links, also to a target that does not exist. A descriptor's link under `/proc` is not followed: the open file may have
+/// no name.
 fn followed(path: &Path) -> io::Result<PathBuf> {
     let mut target = path.to_owned();
     for _ in 0..MOST_LINKS {
@@ -65,13 +65,13 @@ fn followed(path: &Path) -> io::Result<PathBuf> {
     Err(io::Error::other("too many links behind each other"))
 }
 
-/// Whether a path is a descriptor of a process, as `/dev/stdout` is in the end.
+/// Whether a path is a descriptor of a process, such as `/dev/stdout` after all links.
 fn is_in_proc(path: &Path) -> bool {
     (path.starts_with("/proc") || path.starts_with("/dev/fd"))
         && path.parent().is_some_and(|parent| parent.ends_with("fd"))
 }
 
-/// This process's standard output or error, where a path leads there: written to at the position that the descriptor has.
+/// This process's standard output or error, if a path leads there. Writing continues at the descriptor's position.
 #[cfg(unix)]
 fn own_output(target: &Path) -> io::Result<Option<File>> {
     use std::os::fd::AsFd as _;

@@ -1,4 +1,4 @@
-//! Files that are being written. A regular file gets its new content whole or not at all; a device or a pipe is written into.
+//! Files that are being written. A regular file is replaced atomically; a device or a pipe is written to directly.
 
 use std::fs::{self, File, Metadata};
 use std::io::{self, Write as _};
@@ -9,12 +9,12 @@ use tempfile::NamedTempFile;
 use super::StorageError;
 use super::destination::{Destination, destination_of};
 
-/// What every draft's name begins with.
+/// The prefix of every draft's name.
 pub(super) const DRAFT_PREFIX: &str = ".inbetween-";
 
-/// A file that is being written beside the one whose place it takes at the end. Dropped before, it leaves nothing.
+/// A new file next to the one that it replaces at the end. If it is dropped before, it is removed.
 ///
-/// A device, a pipe or what a descriptor of this process leads to (`/dev/stdout`) is never replaced: it is written into.
+/// A device, a pipe or an open descriptor (`/dev/stdout`) is never replaced: it is written to directly.
 #[derive(Debug)]
 pub struct Draft {
     file: Output,
@@ -23,40 +23,40 @@ pub struct Draft {
 
 #[derive(Debug)]
 enum Output {
-    /// Beside the place of a regular file.
+    /// A draft next to a regular file.
     Beside(io::BufWriter<Beside>),
-    /// The whole content, kept until the end: the folder takes no new file, so that the old one has to be written over.
+    /// The whole content, kept in memory until the end: the folder allows no new file, so the old file must be overwritten.
     InPlace { content: Vec<u8>, target: PathBuf },
-    /// What is no regular file.
+    /// A device or pipe.
     Stream(io::BufWriter<File>),
 }
 
-/// A draft with its lock, and where it belongs.
+/// A draft with its lock and its target.
 #[derive(Debug)]
 pub(super) struct Beside {
     draft: NamedTempFile,
     target: PathBuf,
 }
 
-/// What became of the file that was written.
+/// The effect of a write on the replaced file.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Committed {
-    /// How many other names the file had that was replaced. They keep the old content.
+    /// The number of other hard links of the replaced file. They keep the old content.
     pub other_links: u64,
 }
 
 impl Draft {
-    /// An empty draft for a place. A symbolic link stays one: the file that it leads to is replaced, or made where it is missing.
+    /// An empty draft for a destination. A symbolic link stays a link: its target is replaced, or created if it is missing.
     ///
     /// # Errors
-    /// [`StorageError`]: the place is a folder, lies in none, is read-only, or the system refuses.
+    /// [`StorageError`]: the destination is a folder, is in no folder, is read-only, or the system refuses.
     pub fn new(path: &Path) -> Result<Self, StorageError> {
         let file = match destination_of(path)? {
             Destination::Stream(file) => Output::Stream(io::BufWriter::with_capacity(1 << 16, file)),
             Destination::File { target } => match Beside::new(&target) {
                 Ok(beside) => Output::Beside(io::BufWriter::with_capacity(1 << 18, beside)),
                 Err(error) if is_folder_closed(&error) && target.exists() => {
-                    // Opened now, so that a file that cannot be written is found out before the work.
+                    // Opened now, so that a file that cannot be written is reported before the work.
                     fs::OpenOptions::new().write(true).open(&target)?;
                     Output::InPlace { content: Vec::new(), target }
                 }
@@ -66,25 +66,25 @@ impl Draft {
         Ok(Self { file, is_synced: true })
     }
 
-    /// The same without waiting for the disk at the end: for pictures that can be made again. After a power cut they may be gone; an
-    /// interrupted program leaves them whole or not at all.
+    /// Like [`Draft::new`], without syncing at the end: for pictures that can be made again. A power cut may lose them; a killed program
+    /// leaves complete files or none.
     #[must_use]
     pub fn unsynced(self) -> Self {
         Self { is_synced: false, ..self }
     }
 
-    /// Puts what was written in its place.
+    /// Replaces the destination by the draft.
     ///
     /// # Errors
-    /// [`StorageError::System`]; a regular file is as it was then.
+    /// [`StorageError::System`]; a regular file is then unchanged.
     pub fn commit(self) -> Result<(), StorageError> {
         self.put().map(|_| ())
     }
 
-    /// As [`Draft::commit`], and says what became of the file that stood there.
+    /// Like [`Draft::commit`]; also returns what became of the replaced file.
     ///
     /// # Errors
-    /// [`StorageError::System`]; a regular file is as it was then.
+    /// [`StorageError::System`]; a regular file is then unchanged.
     pub fn put(self) -> Result<Committed, StorageError> {
         match self.file {
             Output::Stream(mut file) => {
@@ -123,7 +123,7 @@ impl io::Write for Draft {
     }
 }
 
-/// A file that another program writes beside the one whose place it takes at the end. Dropped before, it is removed.
+/// A new file that another program writes, next to the one that it replaces at the end. If it is dropped before, it is removed.
 #[derive(Debug)]
 pub struct Foreign(ForeignOutput);
 
@@ -134,10 +134,10 @@ enum ForeignOutput {
 }
 
 impl Foreign {
-    /// An empty draft for a place.
+    /// An empty draft for a destination.
     ///
     /// # Errors
-    /// [`StorageError`]: the place is a folder, lies in none, is read-only, or the system refuses.
+    /// [`StorageError`]: the destination is a folder, is in no folder, is read-only, or the system refuses.
     pub fn new(path: &Path) -> Result<Self, StorageError> {
         Ok(Self(match destination_of(path)? {
             Destination::Stream(_) => ForeignOutput::Stream(path.to_owned()),
@@ -145,7 +145,7 @@ impl Foreign {
         }))
     }
 
-    /// Where the other program writes: an empty file, or a device or pipe.
+    /// The path to which the other program writes: an empty file, or a device or pipe.
     #[must_use]
     pub fn path(&self) -> &Path {
         match &self.0 {
@@ -154,10 +154,10 @@ impl Foreign {
         }
     }
 
-    /// Puts what was written in its place.
+    /// Replaces the destination by the draft.
     ///
     /// # Errors
-    /// [`StorageError::System`]; what stood there before is as it was.
+    /// [`StorageError::System`]; the destination is then unchanged.
     pub fn commit(self) -> Result<(), StorageError> {
         match self.0 {
             ForeignOutput::Beside(beside) => Ok(beside.commit(true).map(|_| ())?),
@@ -167,16 +167,16 @@ impl Foreign {
 }
 
 impl Beside {
-    /// A locked, empty draft. Drafts for the same place that a killed program left are removed: their locks are gone.
+    /// A locked, empty draft. Removes drafts of killed programs for the same destination: they have no lock.
     fn new(target: &Path) -> io::Result<Self> {
         let folder = folder_of(target);
         let prefix = draft_prefix(target);
         remove_leftovers(folder, &prefix);
         loop {
             let draft = builder(&prefix).tempfile_in(folder)?;
-            // Where the file system has no locks, a draft is unprotected for as long as it is written.
+            // Without locks in the file system a draft is not protected while it is written.
             let _ = draft.as_file().try_lock();
-            // Another program may have taken the draft for a leftover before it was locked.
+            // Another program may have removed the draft as a leftover before it was locked.
             if draft.path().exists() {
                 return Ok(Self { draft, target: target.to_owned() });
             }
@@ -218,7 +218,7 @@ fn folder_of(target: &Path) -> &Path {
     }
 }
 
-/// What the names of all drafts for a place begin with. A hash stands for the name, since a name may have 255 bytes already.
+/// The prefix of all drafts for a destination. It has a hash of the name, because a name may already have 255 bytes.
 fn draft_prefix(target: &Path) -> String {
     use sha2::Digest as _;
     let name = target.file_name().unwrap_or_default();
@@ -226,7 +226,7 @@ fn draft_prefix(target: &Path) -> String {
     format!("{DRAFT_PREFIX}{:02x}{:02x}{:02x}{:02x}-", hash[0], hash[1], hash[2], hash[3])
 }
 
-/// Makes drafts with the mode that the umask gives a new file.
+/// Creates drafts with the mode that the umask gives a new file.
 fn builder(prefix: &str) -> tempfile::Builder<'_, 'static> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(prefix).rand_bytes(12);
@@ -238,7 +238,7 @@ fn builder(prefix: &str) -> tempfile::Builder<'_, 'static> {
     builder
 }
 
-/// Removes drafts that nobody holds a lock on. What cannot be removed stays: it does no harm.
+/// Removes drafts without a lock. Errors are ignored: a leftover does no harm.
 fn remove_leftovers(folder: &Path, prefix: &str) {
     let Ok(entries) = fs::read_dir(folder) else { return };
     for entry in entries.filter_map(Result::ok) {
@@ -258,7 +258,7 @@ fn take_over(draft: &File, old: &Metadata) -> io::Result<()> {
     use std::os::unix::fs::MetadataExt as _;
     let new = draft.metadata()?;
     if (new.uid(), new.gid()) != (old.uid(), old.gid()) {
-        // Only root can give a file away; for others the file becomes their own, as with every editor that renames.
+        // Only root can change the owner. For others the new file is their own, as with every editor that renames.
         let _ = std::os::unix::fs::fchown(draft, Some(old.uid()), Some(old.gid()));
     }
     draft.set_permissions(old.permissions())
@@ -280,14 +280,14 @@ fn other_links(_: &Metadata) -> u64 {
     0
 }
 
-/// Makes a rename last through a power cut. Where folders cannot be synced, the system does it in its own time.
+/// Syncs the folder so that a rename survives a power cut. Errors are ignored: some systems cannot sync folders.
 fn sync_folder(folder: &Path) {
     if let Ok(folder) = File::open(folder) {
         let _ = folder.sync_all();
     }
 }
 
-/// Whether a folder takes no new file, so that a file in it can only be written over.
+/// Whether a folder allows no new file, so that a file in it can only be overwritten.
 fn is_folder_closed(error: &io::Error) -> bool {
     matches!(error.kind(), io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem)
 }

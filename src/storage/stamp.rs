@@ -1,4 +1,4 @@
-//! What a file held when it was last read or written, to notice that another program has changed it.
+//! The state of a file when it was last read or written, to notice changes by other programs.
 
 use std::fs;
 use std::io::{self, Write};
@@ -7,25 +7,25 @@ use std::time::SystemTime;
 
 use sha2::{Digest as _, Sha256};
 
-/// What a file held at some moment.
+/// The state of a file at one moment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Stamp {
     /// Its length in bytes.
     length: u64,
-    /// When it was changed last, as far as the file system says; `None`: not asked for yet.
+    /// The file system's modification time; `None` if it was not read yet.
     modified: Option<SystemTime>,
     /// SHA-256 of its content.
     hash: [u8; 32],
 }
 
 impl Stamp {
-    /// The stamp of a file that holds these bytes.
+    /// The stamp of a file with these bytes.
     #[must_use]
     pub fn of(path: &Path, bytes: &[u8]) -> Self {
         Self { length: bytes.len() as u64, modified: modified(path), hash: Sha256::digest(bytes).into() }
     }
 
-    /// Whether a file looks like this: the same length and time. Cheap: nothing is read.
+    /// Whether a file has the same length and time. Cheap: the content is not read.
     #[must_use]
     pub fn looks_same(&self, path: &Path) -> bool {
         fs::metadata(path).is_ok_and(|metadata| metadata.len() == self.length)
@@ -33,7 +33,7 @@ impl Stamp {
             && modified(path) == self.modified
     }
 
-    /// Whether a file holds these very bytes; a file that is gone does not.
+    /// Whether a file has the same content; false if it does not exist.
     #[must_use]
     pub fn is_same(&self, path: &Path) -> bool {
         let same_length = fs::metadata(path).is_ok_and(|metadata| metadata.is_file() && metadata.len() == self.length);
@@ -41,7 +41,7 @@ impl Stamp {
     }
 }
 
-/// Passes bytes on, and remembers what they were.
+/// Passes bytes on and hashes them.
 #[derive(Debug)]
 pub struct Stamping<W> {
     inner: W,
@@ -50,19 +50,19 @@ pub struct Stamping<W> {
 }
 
 impl<W: Write> Stamping<W> {
-    /// Nothing has been written.
+    /// A writer with no bytes yet.
     pub fn new(inner: W) -> Self {
         Self { inner, length: 0, hash: Sha256::new() }
     }
 
-    /// Where the bytes went, and the stamp that a file at `path` will have once they are there.
+    /// The inner writer, and the stamp that the file will have.
     pub fn finish(self) -> (W, Stamp) {
         (self.inner, Stamp { length: self.length, modified: None, hash: self.hash.finalize().into() })
     }
 }
 
 impl Stamp {
-    /// The same with the time that the file has now.
+    /// The same stamp with the file's current time.
     #[must_use]
     pub fn placed_at(self, path: &Path) -> Self {
         Self { modified: modified(path), ..self }

@@ -1,14 +1,14 @@
-//! Looking through folders, without following links.
+//! Listing folders without following links.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::StorageError;
 
-/// What stands under a name.
+/// The kind of an entry.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EntryKind {
-    /// A file.
+    /// A regular file.
     File,
     /// A folder.
     Folder,
@@ -21,15 +21,15 @@ pub enum EntryKind {
 /// One entry of a folder.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Entry {
-    /// Its path, through the folder's.
+    /// Its path: the folder's path and the name.
     pub path: PathBuf,
-    /// Its own name, what is no text in it replaced.
+    /// Its own name; bytes that are not UTF-8 are replaced.
     pub name: String,
-    /// What it is.
+    /// Its kind.
     pub kind: EntryKind,
 }
 
-/// What stands at a path; a link is one, wherever it leads.
+/// The kind of the entry at a path; links are not followed.
 ///
 /// # Errors
 /// [`StorageError::System`]
@@ -46,7 +46,7 @@ pub fn kind(path: &Path) -> Result<EntryKind, StorageError> {
     })
 }
 
-/// The first `most` entries of a folder in the order of their names, and how many there are at least.
+/// The first `most` entries of a folder in the order of their names, and a lower bound of their number.
 ///
 /// # Errors
 /// [`StorageError::System`]
@@ -65,7 +65,7 @@ pub fn entries(folder: &Path, most: usize) -> Result<(Vec<Entry>, usize), Storag
     Ok((paths.into_iter().map(entry).collect::<Result<_, _>>()?, count))
 }
 
-/// Where a path leads, all links followed, if that is inside of a folder.
+/// The path with all links followed, if it is inside a folder.
 #[must_use]
 pub fn inside(path: &Path, folder: &Path) -> Option<PathBuf> {
     let (path, folder) = (fs::canonicalize(path).ok()?, fs::canonicalize(folder).ok()?);

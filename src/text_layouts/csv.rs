@@ -14,15 +14,15 @@ pub(super) const HEADER: &str = "frame_num,rbt_ind,tx,ty,tz,rw,rx,ry,rz";
 const QUATERNION_FIRST_HEADER: &str = "frame_num,rbt_ind,rw,rx,ry,rz,tx,ty,tz";
 const COLUMNS: usize = 9;
 
-/// Whether a text begins as the header does.
+/// Whether a text begins with the start of the header.
 pub(super) fn is_csv(text: &[u8]) -> bool {
     text.len() >= 9 && text[..9].eq_ignore_ascii_case(b"frame_num")
 }
 
-/// Where the rows stand, and the order that the header names. `at` is the byte at which the header begins.
+/// The plan of the rows, with the order that the header names. `at` is the byte at which the header begins.
 ///
 /// # Errors
-/// The first thing that is wrong; when salvaging, only where not one keyframe is whole.
+/// The first error; when salvaging, only if no keyframe is complete.
 pub(super) fn plan(
     bytes: &[u8],
     at: usize,
@@ -178,7 +178,7 @@ impl Counter {
         Ok(())
     }
 
-    /// The first keyframe says how many nodes there are.
+    /// The first keyframe defines the number of nodes.
     fn whole(&mut self, bytes: &[u8]) -> Result<(), TextError> {
         let found = self.in_keyframe;
         if !self.counts.contains(&found) {
@@ -204,14 +204,14 @@ impl Counter {
         }
     }
 
-    /// Those that are counted, and the one that was being read if nothing is missing of it.
+    /// The number of complete keyframes, including the one being read if it is complete.
     fn whole_keyframes(&self) -> usize {
         self.keyframes + usize::from(self.nodes.is_some_and(|nodes| nodes == self.in_keyframe))
     }
 }
 
 impl TextError {
-    /// Where a frame is full, what is expected is the next.
+    /// After a complete frame the next one is expected.
     fn or_next_frame(mut self, is_full: bool) -> Self {
         if let (TextProblem::Unexpected { expected, .. }, true) = (&mut self.problem, is_full) {
             *expected = texts::TEXT_EXPECTED_NEXT_FRAME.into();

@@ -1,18 +1,18 @@
-//! What is wrong with a text: a sentence with its line and column.
+//! Errors in texts, with line and column.
 
 use thiserror::Error;
 
 use crate::text::line_and_column;
 use crate::words::{self, Argument, Message, display_by_message, texts};
 
-/// A text that cannot be read, and where.
+/// An error in a text, with its location.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub struct TextError {
     /// The line, from 1.
     pub line: usize,
     /// The column, from 1, in characters.
     pub column: usize,
-    /// What is wrong there.
+    /// The error.
     pub problem: TextProblem,
 }
 
@@ -24,63 +24,63 @@ impl TextError {
     }
 }
 
-/// What is wrong at a place of a text.
+/// The kinds of errors in texts.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum TextProblem {
     /// There is nothing to read.
     Empty,
-    /// The bytes are no text that this program reads.
+    /// The bytes are not text in a known encoding.
     Utf16,
-    /// Something stands where something else belongs.
+    /// An unexpected token.
     Unexpected {
-        /// What stands there, quoted, or `the end of the file`.
+        /// The text found, quoted, or `the end of the file`.
         found: Argument,
-        /// What belongs there.
+        /// The expected text.
         expected: Argument,
     },
-    /// A number that is none, such as `nan`, or is beyond single precision.
+    /// A number is not finite, such as `nan`, or beyond single precision.
     NotFinite {
-        /// What stands there.
+        /// The text found.
         found: String,
     },
     /// The header and the rows do not agree.
     Header {
-        /// How many keyframes it says.
+        /// The number of keyframes in the header.
         keyframes: usize,
-        /// How many nodes it says.
+        /// The number of nodes in the header.
         nodes: usize,
-        /// How many numbers that makes.
+        /// The number of numbers that follows from them.
         expected: usize,
-        /// How many there are.
+        /// The number of numbers found.
         found: usize,
-        /// Where it may have gone wrong, as a part of the sentence; if it is known.
+        /// The probable location of the error, as a part of the sentence, if known.
         hint: Option<Message>,
     },
-    /// The rows end within a keyframe.
+    /// The text ends inside a keyframe.
     Incomplete {
-        /// How many numbers there are.
+        /// The number of numbers found.
         found: usize,
-        /// How many nodes a keyframe has.
+        /// The number of nodes per keyframe.
         nodes: usize,
-        /// How many numbers a node has.
+        /// The number of numbers per node.
         width: usize,
-        /// Where it may have gone wrong, as a part of the sentence; if it is known.
+        /// The probable location of the error, as a part of the sentence, if known.
         hint: Option<Message>,
     },
-    /// A keyframe between marks is not as long as the others.
+    /// A keyframe between marks has another length than the others.
     KeyframeLength {
         /// The keyframe, from 0.
         keyframe: usize,
-        /// How many numbers it has.
+        /// The number of numbers found.
         found: usize,
-        /// How many it should have.
+        /// The number of numbers expected.
         expected: usize,
     },
     /// The keyframes are of another scene.
     NodeCount {
-        /// How many it has.
+        /// The number of nodes per keyframe found.
         found: usize,
-        /// How many this program can use, in words.
+        /// The supported numbers of nodes, as a phrase.
         expected: Argument,
     },
     /// A rotation is not a unit quaternion.
@@ -89,11 +89,11 @@ pub enum TextProblem {
         keyframe: usize,
         /// The row within it, from 0.
         row: usize,
-        /// Whether they are the last four of the row, or the first.
+        /// Whether the quaternion is the last four numbers of the row, or the first four.
         is_last: bool,
-        /// Their length.
+        /// The quaternion's length.
         length: f32,
-        /// What is known of the other order, as a part of the sentence, if it is known.
+        /// A remark about the other order, as a part of the sentence, if there is one.
         hint: Option<Message>,
     },
     /// A matrix scales, shears or mirrors.
@@ -103,24 +103,24 @@ pub enum TextProblem {
         /// The matrix within it, from 0.
         row: usize,
     },
-    /// A dictionary is longer than what is read.
+    /// A dictionary has too many keys.
     TooManyKeys {
-        /// The most there can be.
+        /// The largest number of keys.
         limit: usize,
     },
-    /// Two keys of a dictionary are at one time.
+    /// Two keys of a dictionary have the same time.
     TwoAtOneTime {
-        /// The time.
+        /// The time in seconds.
         seconds: f64,
     },
-    /// There is not one whole keyframe to be saved.
+    /// There is no complete keyframe to salvage.
     NothingToSalvage,
 }
 
 display_by_message!(TextError, TextProblem);
 
 impl TextError {
-    /// What is wrong and where, as a message.
+    /// The error as a message, with line and column.
     #[must_use]
     pub fn message(&self) -> Message {
         texts::text_at(self.line, self.column, self.problem.message())
@@ -128,7 +128,7 @@ impl TextError {
 }
 
 impl TextProblem {
-    /// What is wrong, as a message without its place.
+    /// The error as a message without its location.
     #[must_use]
     pub fn message(&self) -> Message {
         match self {

@@ -1,7 +1,7 @@
-//! Which row of a keyframe is which node: students built the joints of a robot in different orders.
+//! Matches rows of a keyframe to nodes: students built the joints of a robot in different orders.
 //!
-//! The offsets of keyframe 0 tell by their signs, and by the parent that a node follows. Nodes right under the root (the sky camera, the
-//! ground, the robots) can stand anywhere, so they keep the scene's places, and so does the block of rows of each.
+//! The match uses the signs of the offsets in keyframe 0, and that children follow their parents. Nodes right under the root (the sky
+//! camera, the ground, the robots) can have any position, so they keep the scene's order, and so do their blocks of rows.
 
 use glam::Vec3;
 
@@ -14,25 +14,25 @@ use crate::scene::SceneGraph;
 use crate::text::without_byte_order_mark;
 use crate::words::{self, Argument, texts};
 
-/// What is this much smaller than an offset's largest coordinate counts as 0.
+/// Coordinates below 10 % of an offset's largest coordinate count as 0.
 const ZERO_FRACTION: f32 = 0.1;
-/// Larger robots than this are not searched for an order.
+/// Robots with more joints than this are not searched.
 const MOST_JOINTS: usize = 128;
-/// How many rows are tried in all before the search is given up.
+/// The limit of the search, in tried rows.
 const MOST_TRIES: usize = 5_000;
 
-/// Which node each row of a keyframe is, as a user's list says it.
+/// The node of each row of a keyframe, from a user's list.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct JointList {
     nodes: Vec<Option<RbtIndex>>,
 }
 
 impl JointList {
-    /// Reads a list: a path a line for each row of a keyframe, `-` for a row that is not used. Blank lines and what follows a `#` are
-    /// passed over.
+    /// Reads a list with one line for each row of a keyframe: a path, or `-` for an unused row. Blank lines and comments after `#` are
+    /// skipped.
     ///
     /// # Errors
-    /// A path that is not the scene's or stands twice, and nodes of the scene that are missing.
+    /// A path that is not in the scene or occurs twice, and missing nodes of the scene.
     pub fn from_text(bytes: &[u8], scene: &SceneGraph) -> Result<Self, TextError> {
         let error = |at, found: Argument, expected: Argument| {
             TextError::new(bytes, at, TextProblem::Unexpected { found, expected })
@@ -68,21 +68,21 @@ impl JointList {
         Ok(Self { nodes })
     }
 
-    /// How many rows it names.
+    /// The number of rows.
     #[must_use]
     pub fn rows(&self) -> usize {
         self.nodes.len()
     }
 }
 
-/// For each row of a keyframe the place of its node in the scene, if it is used. `offsets` are the translations of keyframe 0; none where
-/// there is no keyframe. What was inferred is added to the plan.
+/// For each row of a keyframe, the index of its node in the scene; `None` for unused rows. `offsets` are the translations of keyframe 0;
+/// empty without keyframes. Inferences are added to the plan.
 pub(super) fn match_joints(
     offsets: &[Vec3],
     scene: &SceneGraph,
     options: &Options,
     plan: &mut Plan,
-) -> Vec<Option<usize>> {
+) -> Vec<Option<RbtIndex>> {
     let own = scene.rbt_count();
     if plan.nodes > own {
         plan.find(
@@ -92,10 +92,10 @@ pub(super) fn match_joints(
     }
     if let Some(joints) = &options.joints {
         plan.find(Certainty::Sure, "joints: as the list says");
-        let listed = joints.nodes.iter().map(|node| node.map(RbtIndex::get));
-        return listed.chain(std::iter::repeat(None)).take(plan.nodes).collect();
+        return joints.nodes.iter().copied().chain(std::iter::repeat(None)).take(plan.nodes).collect();
     }
-    let mut node_of_row: Vec<Option<usize>> = (0..plan.nodes).map(|row| (row < own).then_some(row)).collect();
+    let mut node_of_row: Vec<Option<RbtIndex>> =
+        (0..plan.nodes).map(|row| (row < own).then_some(RbtIndex::new(row))).collect();
     if offsets.len() < own {
         return node_of_row;
     }
@@ -144,7 +144,7 @@ pub(super) fn match_joints(
         };
         for row in 0..robot.wanted.len() {
             let node = order.as_ref().map_or(row, |order| order[row]);
-            node_of_row[robot.first + row] = Some(robot.first + node);
+            node_of_row[robot.first + row] = Some(RbtIndex::new(robot.first + node));
             if !matches!(found_here, Found::Nothing) {
                 differs = differs.max((offsets[robot.first + row].length() - robot.wanted[node].length()).abs());
             }
@@ -177,27 +177,27 @@ fn rest_named(own: usize, nodes: usize) -> String {
     }
 }
 
-/// What the offsets of keyframe 0 say of a robot.
+/// How the offsets of keyframe 0 match a robot.
 enum Found {
-    /// They fit the scene's order.
+    /// They match in the scene's order.
     Same,
-    /// They fit another order, in which children follow their parents. For each row, the joint.
+    /// They match in another order, in which children follow their parents. For each row, the joint.
     Order(Vec<usize>),
-    /// They fit by sign alone; what has the same signs goes by the order of its parents.
+    /// They match by sign alone. Joints with equal signs are in the order of their parents.
     ByOrder(Vec<usize>),
-    /// They fit no order.
+    /// They match in no order.
     Nothing,
 }
 
-/// The joints below a node that stands right under the root.
+/// The joints below a node that is right under the root.
 struct Robot<'a> {
     name: &'a str,
     scene: &'a SceneGraph,
-    /// The place of the first joint in a pose.
+    /// The index of the first joint in a pose.
     first: usize,
     /// The rest offsets in the parent's space.
     wanted: Vec<Vec3>,
-    /// Each joint's parent among the joints; `None` where that is the robot itself.
+    /// Each joint's parent among the joints; `None` for the robot itself.
     parents: Vec<Option<usize>>,
 }
 
@@ -307,7 +307,7 @@ struct Walk<'a> {
 }
 
 impl Walk<'_> {
-    /// Finds joints for the rows that are left. `above` are the joints that the walk is under; the robot itself is `None`.
+    /// Finds joints for the remaining rows. `above` are the ancestors of the current row; `None` is the robot itself.
     fn go_on(&mut self, above: &mut Vec<Option<usize>>) -> bool {
         let row = self.order.len();
         if row == self.found.len() {

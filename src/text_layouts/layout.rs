@@ -1,15 +1,15 @@
 //! The layouts by name.
 
-/// A way to write keyframes as text, by the name that the command line and the reports use.
+/// A layout of keyframes as text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Layout {
-    /// `N M`, then a row `tx ty tz qw qx qy qz` for each node of each keyframe, a row a line.
+    /// `N M`, then a row `tx ty tz qw qx qy qz` for each node of each keyframe, one row per line.
     Header,
-    /// The same with a line of translation and a line of quaternion for each node.
+    /// Like the first, with two lines for each node: translation and quaternion.
     HeaderTwoLines,
-    /// The same with all rows of a keyframe on one line.
+    /// Like the first, with all rows of a keyframe on one line.
     HeaderKeyframeALine,
-    /// The same with the quaternion first, a row a line.
+    /// Like the first, with the quaternion before the translation.
     HeaderQuaternionFirst,
     /// Rows without the header.
     Rows,
@@ -28,7 +28,7 @@ pub enum Layout {
 }
 
 impl Layout {
-    /// Those that can be written.
+    /// The layouts that can be written.
     pub const WRITTEN: [Self; 10] = [
         Self::Header,
         Self::HeaderTwoLines,
@@ -42,7 +42,7 @@ impl Layout {
         Self::Endless,
     ];
 
-    /// Its name.
+    /// The name on the command line and in reports.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -60,7 +60,7 @@ impl Layout {
         }
     }
 
-    /// What it looks like, in a few words.
+    /// A short description.
     #[must_use]
     pub const fn description(self) -> &'static str {
         match self {
@@ -78,7 +78,7 @@ impl Layout {
         }
     }
 
-    /// Whether it can say that there are no keyframes.
+    /// Whether it can represent an empty list.
     #[must_use]
     pub const fn can_be_empty(self) -> bool {
         matches!(
@@ -87,14 +87,14 @@ impl Layout {
         )
     }
 
-    /// The layout of that name that can be written.
+    /// The writable layout with this name.
     #[must_use]
     pub fn from_name(name: &str) -> Option<Self> {
         Self::WRITTEN.into_iter().find(|layout| layout.name() == name)
     }
 }
 
-/// Which of the seven numbers of a row come first.
+/// The order of the seven numbers of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FieldOrder {
     /// tx ty tz qw qx qy qz.
@@ -104,7 +104,7 @@ pub enum FieldOrder {
 }
 
 impl FieldOrder {
-    /// Both.
+    /// Both orders.
     pub const ALL: [Self; 2] = [Self::TranslationFirst, Self::QuaternionFirst];
 
     /// Its name: `translation-first` or `quaternion-first`.
@@ -116,7 +116,7 @@ impl FieldOrder {
         }
     }
 
-    /// The order of that name.
+    /// The order with this name.
     #[must_use]
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|order| order.name() == name)

@@ -1,13 +1,13 @@
-//! A text as numbers, separators, line ends and words. Nothing is kept: whoever needs a text twice goes through it twice.
+//! Splits a text into numbers, separators, line ends and words. Nothing is stored: a second pass reads the text again.
 
 use super::error::{TextError, TextProblem, quoted};
 use crate::text::without_byte_order_mark;
 use crate::words::{Phrase, texts};
 
-/// A part of a text.
+/// A token.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Token<'a> {
-    /// A number; infinite where the text's is beyond single precision.
+    /// A number; infinite if it is beyond single precision.
     Number(f32),
     /// `,` or `;`.
     Separator(u8),
@@ -17,16 +17,16 @@ pub(super) enum Token<'a> {
     Word(&'a [u8]),
 }
 
-/// A part of a text with its place.
+/// A token with its location.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Piece<'a> {
-    /// The byte at which it begins.
+    /// The byte offset of its start.
     pub(super) at: usize,
-    /// What it is.
+    /// The token.
     pub(super) token: Token<'a>,
 }
 
-/// Goes through a text.
+/// Reads tokens from a text.
 #[derive(Clone, Debug)]
 pub(super) struct Lexer<'a> {
     bytes: &'a [u8],
@@ -34,18 +34,18 @@ pub(super) struct Lexer<'a> {
 }
 
 impl<'a> Lexer<'a> {
-    /// From a byte of a text on.
+    /// A lexer that starts at a byte offset.
     pub(super) fn new(bytes: &'a [u8], at: usize) -> Self {
         let mark = if at == 0 { bytes.len() - without_byte_order_mark(bytes).len() } else { 0 };
         Self { bytes, at: at + mark }
     }
 
-    /// What is still to come.
+    /// The unread rest.
     pub(super) fn rest(&self) -> &'a [u8] {
         &self.bytes[self.at..]
     }
 
-    /// Passes over the rest of the line and gives it, its end not included.
+    /// Reads the rest of the line and returns it without its end.
     pub(super) fn rest_of_line(&mut self) -> &'a [u8] {
         let rest = &self.bytes[self.at..];
         let length = rest.iter().position(|&byte| byte == b'\n').unwrap_or(rest.len());
@@ -76,7 +76,7 @@ impl<'a> Iterator for Lexer<'a> {
     }
 }
 
-/// The numbers of a text and where they stand, whatever else there is.
+/// The numbers of a text with their byte offsets; other tokens are ignored.
 pub(super) fn numbers(bytes: &[u8], from: usize) -> impl Iterator<Item = (usize, f32)> {
     Lexer::new(bytes, from).filter_map(|piece| match piece.token {
         Token::Number(value) => Some((piece.at, value)),
@@ -84,7 +84,7 @@ pub(super) fn numbers(bytes: &[u8], from: usize) -> impl Iterator<Item = (usize,
     })
 }
 
-/// Why a number is not one that can be used, or a word stands where a number belongs.
+/// The error for a number that is not finite, or for a word instead of a number.
 pub(super) fn not_a_number(bytes: &[u8], piece: Piece<'_>, expected: Phrase) -> TextError {
     let rest = &bytes[piece.at..];
     let is_end = |&byte: &u8| is_blank(byte) || matches!(byte, b'\n' | b',' | b';');
@@ -108,12 +108,12 @@ fn is_blank(byte: u8) -> bool {
 }
 
 fn number(run: &[u8]) -> Option<f32> {
-    // The standard library reads `inf` and `nan` too.
+    // The standard library also accepts `inf` and `nan`.
     let is_plain = run.iter().all(|byte| matches!(byte, b'0'..=b'9' | b'+' | b'-' | b'.' | b'e' | b'E'));
     if is_plain { std::str::from_utf8(run).ok()?.parse().ok() } else { None }
 }
 
-/// What C and C++ programs print for numbers that are none: `nan`, `-nan(ind)`, `inf`, `1.#QNAN`, `-1.#IND`.
+/// The output of C and C++ programs for NaN and infinity: `nan`, `-nan(ind)`, `inf`, `1.#QNAN`, `-1.#IND`.
 fn is_not_finite(run: &[u8]) -> bool {
     let unsigned = run.strip_prefix(b"-").or(run.strip_prefix(b"+")).unwrap_or(run).to_ascii_lowercase();
     unsigned.starts_with(b"nan") || unsigned.starts_with(b"inf") || unsigned.starts_with(b"1.#")

@@ -1,4 +1,4 @@
-//! How a text's numbers make keyframes: whether there is a header, how many nodes a keyframe has, which layout it is.
+//! Infers how the numbers of a text form keyframes: the layout, the header, and the number of nodes per keyframe.
 
 use super::Options;
 use super::error::{TextError, TextProblem, in_rows};
@@ -9,33 +9,33 @@ use crate::rotation_rules::RECOGNISED;
 use crate::scene::SceneGraph;
 use crate::words::{self, Argument, texts};
 
-/// The numbers of a row: a translation and a quaternion.
+/// Numbers per row: a translation and a quaternion.
 const ROW: usize = 7;
-/// The numbers of a matrix.
+/// Numbers per matrix.
 const MATRIX: usize = 16;
-/// The scene's nodes for which the course's later assignments add some.
+/// The number of nodes of the scene to which the course's later assignments add some.
 const COURSE_NODES: usize = 22;
-/// How many nodes those have.
+/// The numbers of nodes in those assignments.
 const LATER_COURSE_NODES: [usize; 3] = [24, 25, 26];
 
-/// Where the rows stand in a text.
+/// The inferred structure of a text.
 #[derive(Debug)]
 pub(super) struct Plan {
-    /// The layout.
+    /// The layout that the text is in.
     pub(super) layout: Layout,
-    /// The byte from which numbers are counted.
+    /// The byte offset of the first number.
     pub(super) from: usize,
-    /// The byte at which they end.
+    /// The byte offset after the last number.
     pub(super) end: usize,
-    /// How many numbers of a header to pass over.
+    /// Numbers of the header to skip.
     pub(super) skip: usize,
-    /// How many numbers at the beginning of each row to pass over.
+    /// Numbers to skip at the beginning of each row.
     pub(super) lead: usize,
-    /// How many nodes a keyframe has.
+    /// The number of nodes per keyframe.
     pub(super) nodes: usize,
-    /// How many keyframes there are.
+    /// The number of keyframes.
     pub(super) keyframes: usize,
-    /// What was inferred.
+    /// The inferences so far.
     pub(super) findings: Vec<Finding>,
 }
 
@@ -45,7 +45,7 @@ impl Plan {
     }
 }
 
-/// The numbers of nodes that a keyframe may have, the most likely first.
+/// The possible numbers of nodes per keyframe, the most likely first.
 pub(super) fn node_counts(scene: &SceneGraph, options: &Options) -> Vec<usize> {
     let own = options.joints.as_ref().map_or(scene.rbt_count(), super::JointList::rows);
     let is_course = scene.rbt_count() == COURSE_NODES;
@@ -66,10 +66,10 @@ struct Planner<'a> {
     salvage: bool,
 }
 
-/// What the numbers of a text that is no CSV make.
+/// The plan of a text that is not CSV.
 ///
 /// # Errors
-/// The first thing that cannot be read or does not add up.
+/// The first error.
 pub(super) fn plan(bytes: &[u8], scene: &SceneGraph, options: &Options) -> Result<Plan, TextError> {
     let structure = structure(bytes);
     if let Some(problem) = structure.problem.clone().filter(|_| !options.salvage || structure.numbers == 0) {
@@ -106,7 +106,7 @@ impl Planner<'_> {
         self.error(at, TextProblem::NodeCount { found, expected: in_words(&self.counts) })
     }
 
-    /// The first two numbers, where they can be a header.
+    /// The first two numbers, if they can be a header.
     fn header(&self) -> Option<(usize, usize)> {
         let whole = |number: &f32| {
             #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it is whole and not negative")]
@@ -115,7 +115,7 @@ impl Planner<'_> {
         Some((whole(self.structure.first.first()?)?, whole(self.structure.first.get(1)?)?))
     }
 
-    /// Matrices are told by their bottom rows and their unit columns.
+    /// Recognises matrices by their bottom rows and unit columns.
     fn matrices(&self) -> Option<Result<Plan, TextError>> {
         let structure = self.structure;
         let first: &[f32; MATRIX] = structure.first.as_slice().try_into().ok()?;

@@ -1,4 +1,4 @@
-//! Python dictionaries of keys, as in `{0: vec(0, 0, 0), 2: vec(1, 1, 0)}`, to a scene file with a control node.
+//! Converts Python dictionaries of timed keys, such as `{0: vec(0, 0, 0), 2: vec(1, 1, 0)}`, to a scene file with a control node.
 
 mod functions;
 mod parser;
@@ -9,10 +9,10 @@ use crate::json::{push_f32, push_f32s};
 use crate::words::texts;
 use parser::{Keys, Parser, Value};
 
-/// Whether a text that begins with no blank is Python: a dictionary of keys, a name that one is given, an import or a comment before them.
+/// Whether a text that does not begin with a blank is Python: a dictionary of keys, an assignment, an import or a comment.
 pub(super) fn is_python(text: &[u8]) -> bool {
     let mut text = text;
-    // Comments come before code in either language's eyes; no other layout has them.
+    // No other layout has comments.
     while text.starts_with(b"#") {
         let line = text.iter().position(|&byte| byte == b'\n').unwrap_or(text.len());
         text = text[line..].trim_ascii_start();
@@ -29,10 +29,10 @@ pub(super) fn is_python(text: &[u8]) -> bool {
     is_name && (after.starts_with(b"=") || matches!(&text[..name], b"import" | b"from"))
 }
 
-/// The text of a scene file whose control node has the keys that a Python text gives. `at` is the byte at which the text begins.
+/// The text of a scene file whose control node has the keys of a Python text. `at` is the byte offset of the text's start.
 ///
 /// # Errors
-/// What cannot be read, with its place.
+/// The first error, with its location.
 pub(super) fn scene_from_keys(bytes: &[u8], at: usize) -> Result<(String, Report), TextError> {
     let mut parser = Parser::new(bytes, at);
     let keys = parser.keys()?;

@@ -1,20 +1,20 @@
-//! Keyframes out of what others wrote: how `diff`, `diagnose` and `grade` read them.
+//! Reading of keyframes from any supported format, for `diff`, `diagnose` and `grade`.
 
 use super::{Certainty, Imported, Options, Report, import};
 use crate::keyframe::KeyframeFile;
 use crate::scene::SceneGraph;
 
-/// Keyframes, and what was inferred of the text that they are from.
+/// Keyframes, and the inferences about their text.
 #[derive(Clone, Debug)]
 pub struct Reading {
-    /// The keyframes.
+    /// The content, as that of a keyframe file.
     pub file: KeyframeFile,
-    /// What was inferred; `None` for this program's own format.
+    /// The inferences; `None` for this program's own format.
     pub report: Option<Report>,
 }
 
 impl Reading {
-    /// The findings that a person should check: a sentence each.
+    /// The findings that a person should check, one sentence each.
     #[must_use]
     pub fn warnings(&self) -> Vec<&str> {
         let findings = self.report.iter().flat_map(|report| &report.findings);
@@ -28,7 +28,7 @@ impl Reading {
 /// Reads keyframes for a scene: this program's own format, or any layout of text that `convert` reads.
 ///
 /// # Errors
-/// What is wrong: a sentence for each problem; never empty.
+/// A message for each error; never empty.
 pub fn read_keyframes(bytes: &[u8], scene: &SceneGraph) -> Result<Reading, Vec<String>> {
     match import(bytes, scene, &Options::default()).map_err(|error| error.sentences())? {
         Imported::KeyframeFile(file) => Ok(Reading { file, report: None }),

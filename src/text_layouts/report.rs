@@ -1,19 +1,19 @@
-//! What was inferred of a text, and how sure that is.
+//! The inferences about a text, and their certainty.
 
 use std::fmt;
 
 use crate::words::Message;
 
-/// How sure a finding is.
+/// The certainty of a finding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Certainty {
     /// The text says it, or nothing else is possible.
     Sure,
-    /// It fits, and something else could be meant.
+    /// It fits, but another reading is possible.
     Likely,
-    /// Nothing tells: look whether it is right.
+    /// It is a guess that a person should check.
     Warning,
-    /// Worth knowing.
+    /// A note.
     Note,
 }
 
@@ -30,21 +30,21 @@ impl Certainty {
     }
 }
 
-/// One thing that was inferred.
+/// One inference.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Finding {
-    /// How sure it is.
+    /// Its certainty.
     pub certainty: Certainty,
-    /// What it is: the part of a sentence after the certainty.
+    /// The part of the sentence after the certainty.
     pub text: String,
 }
 
-/// A short report: what was read in one line, and a line for each thing that was inferred.
+/// A short report: a summary line, and a line for each inference.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Report {
-    /// What was read, as in `6 keyframes of 22 nodes, layout header, translation first`.
+    /// The summary, such as `6 keyframes of 22 nodes, layout header, translation first`.
     pub summary: Message,
-    /// What was inferred, in the order in which it was.
+    /// The inferences in the order in which they were made.
     pub findings: Vec<Finding>,
 }
 
@@ -57,7 +57,7 @@ impl Report {
         self.findings.push(Finding { certainty, text: text.into() });
     }
 
-    /// Whether anything should be looked at.
+    /// Whether a person should check any finding.
     #[must_use]
     pub fn has_warnings(&self) -> bool {
         self.findings.iter().any(|finding| finding.certainty == Certainty::Warning)

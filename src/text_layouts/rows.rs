@@ -1,4 +1,4 @@
-//! Rows to poses: which four numbers are the quaternion, and the keyframes.
+//! Converts rows to poses, and infers which four numbers are the quaternion.
 
 use glam::{Mat3, Quat, Vec3};
 
@@ -10,16 +10,15 @@ use super::lexer::numbers;
 use super::plan::Plan;
 use super::report::Certainty;
 use crate::keyframe::Keyframe;
-use crate::pose::RbtIndex;
 use crate::rbt::Rbt;
 use crate::rotation_rules::{Mending, NORMALISED, RECOGNISED};
 use crate::scene::SceneGraph;
 use crate::words::texts;
 
-/// A row of the text and the byte at which it begins.
+/// The byte offset of a row, and its numbers.
 type Row<const WIDTH: usize> = (usize, [f32; WIDTH]);
 
-/// The rows of all whole keyframes.
+/// The rows of all complete keyframes.
 fn rows<'a, const WIDTH: usize>(bytes: &'a [u8], plan: &Plan) -> impl Iterator<Item = Row<WIDTH>> + use<'a, WIDTH> {
     let mut numbers = numbers(&bytes[..plan.end], plan.from).skip(plan.skip);
     let lead = plan.lead;
@@ -38,10 +37,10 @@ fn rows<'a, const WIDTH: usize>(bytes: &'a [u8], plan: &Plan) -> impl Iterator<I
     .take(plan.keyframes * plan.nodes)
 }
 
-/// Makes keyframes of the rows, and adds what was inferred to the plan.
+/// Makes keyframes from the rows, and adds inferences to the plan.
 ///
 /// # Errors
-/// Rows that are no rigid body transforms; when salvaging, only where not one keyframe is whole.
+/// Rows that are not rigid body transforms; when salvaging, only if no keyframe is complete.
 pub(super) fn keyframes(
     bytes: &[u8],
     plan: &mut Plan,
@@ -70,13 +69,13 @@ fn build<const WIDTH: usize>(
 ) -> Vec<Keyframe> {
     let first: Vec<Vec3> = rows(bytes, plan).take(plan.nodes).map(|(_, row)| decode(row).translation).collect();
     let node_of_row = match_joints(&first, scene, options, plan);
-    // So many were counted in the text.
+    // The plan counted this many keyframes in the text.
     let mut keyframes: Vec<Keyframe> = Vec::with_capacity(plan.keyframes);
     let mut pose = scene.rest_pose().clone();
     for (row_index, (_, row)) in rows(bytes, plan).enumerate() {
         let row_of_keyframe = row_index % plan.nodes;
         if let Some(node) = node_of_row[row_of_keyframe] {
-            pose.set(RbtIndex::new(node), decode(row));
+            pose.set(node, decode(row));
         }
         if row_of_keyframe + 1 == plan.nodes {
             // Poses that do not change share their storage.
@@ -95,17 +94,17 @@ fn rbt([a, b, c, d, e, f, g]: [f32; 7], order: FieldOrder) -> Rbt {
     Rbt::new(translation.into(), near_unit(Quat::from_xyzw(x, y, z, w)))
 }
 
-/// The rotation itself where it is unit, else normalised; the sign is kept.
+/// The rotation, normalised if it is not of unit length. The sign is kept.
 fn near_unit(rotation: Quat) -> Quat {
     let exact = rotation.as_dquat();
     match Mending::of_length(exact.length()) {
         Mending::Keep => rotation,
-        // What is too far off was refused before.
+        // Rotations that are too far off were refused before.
         Mending::Normalise | Mending::Refuse => exact.normalize().as_quat(),
     }
 }
 
-/// A row whose four numbers are no unit quaternion.
+/// A row whose four numbers are not a unit quaternion.
 #[derive(Clone, Copy)]
 struct NotUnit {
     row: usize,
@@ -145,7 +144,7 @@ fn field_order(
         (None, [true, true]) => named.unwrap_or(FieldOrder::TranslationFirst),
         (None, [true, false]) => FieldOrder::TranslationFirst,
         (None, [false, true]) => FieldOrder::QuaternionFirst,
-        // The order that holds for longer.
+        // The order that is valid for more rows.
         (None, [false, false]) => {
             let until = not_unit.map(|row| row.map_or(0, |row| row.row));
             if until[1] > until[0] { FieldOrder::QuaternionFirst } else { FieldOrder::TranslationFirst }
@@ -183,7 +182,7 @@ fn field_order(
     Ok(order)
 }
 
-/// Leaves out what begins with a broken keyframe, if that is wanted and anything is left.
+/// Removes the keyframes from the broken one on, if salvaging is on and any keyframe is left.
 fn salvage(plan: &mut Plan, broken: usize, error: TextError, options: &Options) -> Result<(), TextError> {
     if !options.salvage || broken == 0 {
         return Err(error);

@@ -1,74 +1,74 @@
-//! The first way through a text: how many numbers there are, how the lines and marks divide them, and what cannot be read.
+//! The first pass over a text: counts numbers, lines and marks, and finds the first error.
 
 use super::error::{TextError, TextProblem, quoted};
 use super::lexer::{Lexer, Piece, Token, not_a_number};
 use crate::words::{Message, Phrase, texts};
 
-/// How many of the first numbers are kept: as many as a matrix has.
+/// The number of first numbers that are kept: those of a matrix.
 const FIRST: usize = 16;
 
-/// What a stream of numbers looks like, in a size that does not depend on the text's.
+/// The structure of a stream of numbers. Its size does not depend on the text's.
 #[derive(Debug, Default)]
 pub(super) struct Structure {
-    /// How many numbers there are.
+    /// The number of numbers.
     pub(super) numbers: usize,
-    /// The first of them.
+    /// The first numbers.
     pub(super) first: Vec<f32>,
-    /// The byte at which the first stands.
+    /// The byte offset of the first number.
     pub(super) first_at: usize,
-    /// How many numbers the first lines that have any have.
+    /// The numbers per line of the first lines with numbers.
     pub(super) first_lines: [usize; 4],
-    /// How many lines have numbers.
+    /// The number of lines with numbers.
     pub(super) lines: usize,
-    /// How many numbers each of the lines has, where that is the same in all.
+    /// The numbers per line, if equal in all lines.
     pub(super) every_line: Option<usize>,
-    /// The first line that breaks the pattern of those before it.
+    /// The first line that breaks the pattern of the lines before it.
     pub(super) irregular_line: Option<Irregular>,
-    /// What the lines `frame [k]` and `end` divide.
+    /// The lines `frame [k]` and `end`.
     pub(super) marks: Marks,
     /// Whether any numbers are separated by commas.
     pub(super) has_commas: bool,
-    /// Whether a semicolon stands within a group of seven numbers.
+    /// Whether a semicolon occurs inside a group of seven numbers.
     pub(super) splits_rows: bool,
-    /// Whether a semicolon stands after a group of seven numbers.
+    /// Whether a semicolon occurs after a group of seven numbers.
     pub(super) ends_rows: bool,
-    /// Where the part that can be read ends, in bytes.
+    /// The byte offset at which the readable part ends.
     pub(super) end: usize,
-    /// Why it ends there, if not with the text.
+    /// The error at that offset; `None` at the end of the text.
     pub(super) problem: Option<TextError>,
 }
 
-/// A line or a keyframe that is not as long as expected.
+/// A line or a keyframe of an unexpected length.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Irregular {
-    /// The byte at which it begins.
+    /// The byte offset of its start.
     pub(super) at: usize,
-    /// Its place among its kind, from 0.
+    /// The index of the line or keyframe, from 0.
     pub(super) index: usize,
-    /// How many numbers it has.
+    /// The number of numbers found.
     pub(super) found: usize,
-    /// How many it should have.
+    /// The number of numbers expected.
     pub(super) expected: usize,
 }
 
-/// The lines `frame [k]` and `end`, and how many numbers stand between them.
+/// The lines `frame [k]` and `end`, and the numbers between them.
 #[derive(Debug, Default)]
 pub(super) struct Marks {
-    /// How many lines `frame [k]` there are.
+    /// The number of lines `frame [k]`.
     pub(super) frames: usize,
-    /// How many lines `end` there are.
+    /// The number of lines `end`.
     pub(super) ends: usize,
-    /// How many numbers stand before the first `frame [k]`.
+    /// The number of numbers before the first `frame [k]`.
     pub(super) lead: usize,
-    /// How many blocks of numbers there are.
+    /// The number of blocks of numbers.
     pub(super) blocks: usize,
     /// The lengths of the first two blocks in numbers.
     pub(super) first_blocks: [usize; 2],
-    /// Where they begin, in bytes.
+    /// The byte offsets of the first two blocks.
     pub(super) first_blocks_at: [usize; 2],
-    /// The first block from the third on that is not as long as the second.
+    /// The first block, from the third on, whose length differs from the second's.
     pub(super) irregular: Option<Irregular>,
-    /// The first `frame [k]` whose number is not the one after the last: what it says and what was expected.
+    /// The first `frame [k]` out of sequence: the number found and the number expected.
     pub(super) out_of_turn: Option<(u64, u64)>,
     next_frame: u64,
     in_block: usize,
@@ -120,7 +120,7 @@ impl Marks {
         self.ends += 1;
     }
 
-    /// Whether the marks say where each keyframe begins or ends. A single `end` may as well close the file.
+    /// Whether the marks delimit keyframes. A single `end` may also close the file.
     pub(super) fn divide(&self) -> bool {
         self.frames > 0 || self.blocks > 1
     }
@@ -128,7 +128,7 @@ impl Marks {
 
 const NUMBER: Phrase = texts::TEXT_EXPECTED_NUMBER;
 
-/// Goes through a text of numbers, separators and marks.
+/// Reads a text of numbers, separators and marks.
 pub(super) fn structure(bytes: &[u8]) -> Structure {
     let mut structure = Structure { end: bytes.len(), ..Structure::default() };
     let mut lexer = Lexer::new(bytes, 0);
@@ -222,7 +222,7 @@ impl Structure {
         if let Some(first) = self.first_lines.get_mut(self.lines) {
             *first = line.numbers;
         } else {
-            // The header may take the first two lines; translations and quaternions may take turns.
+            // The header may take the first two lines; translations and quaternions may alternate.
             let expected = self.first_lines[2 + self.lines % 2];
             if line.numbers != expected && self.irregular_line.is_none() {
                 self.irregular_line = Some(Irregular { at: line.at, index: self.lines, found: line.numbers, expected });
@@ -233,7 +233,7 @@ impl Structure {
         self.lines += 1;
     }
 
-    /// Where the rows may have gone wrong, as a part of a sentence.
+    /// The probable location of an error in the rows, as a part of a sentence.
     pub(super) fn hint(&self, bytes: &[u8]) -> Option<Message> {
         self.irregular_line.map(|Irregular { at, found, expected, .. }| {
             let line = TextError::new(bytes, at, TextProblem::Empty).line;

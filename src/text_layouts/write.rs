@@ -1,4 +1,4 @@
-//! Keyframes as text, in any of the layouts that are written.
+//! Writes keyframes as text in any writable layout.
 
 use std::fmt::{self, Write as _};
 
@@ -7,16 +7,16 @@ use super::layout::Layout;
 use crate::keyframe::Keyframe;
 use crate::rbt::Rbt;
 
-/// Keyframes as the text of a layout: what it displays is the file.
+/// Keyframes in a layout; its `Display` is the file's text.
 #[derive(Clone, Copy, Debug)]
 pub struct KeyframeText<'a> {
     /// The keyframes, all of the same number of nodes.
     pub keyframes: &'a [Keyframe],
-    /// How many nodes each has.
+    /// The number of nodes of each.
     pub nodes: usize,
     /// The layout; [`Layout::Matrices`] is only read, and written as [`Layout::Header`].
     pub layout: Layout,
-    /// Whether numbers have all digits that it takes to read the same value back; six significant digits otherwise.
+    /// Whether numbers have all digits that are needed to read the same value back; otherwise six significant digits.
     pub is_exact: bool,
 }
 
@@ -130,7 +130,7 @@ impl fmt::Display for Exact {
     }
 }
 
-/// Six significant digits, as C's `%g` and C++ streams have them.
+/// Six significant digits, like C's `%g` and C++ streams.
 struct SixDigits(f32);
 
 impl fmt::Display for SixDigits {

@@ -1,4 +1,4 @@
-//! The comparison of interpolations: ghosts of the chosen robot as the other interpolations would place it.
+//! The comparison of interpolations: ghosts of the chosen robot, posed by other blends.
 
 use std::sync::LazyLock;
 
@@ -13,11 +13,11 @@ use crate::keyframe::{Blend, PlayRange};
 use crate::pose::RbtIndex;
 use crate::scene::NodeKind;
 
-/// Linear-light tints in the order of [`Blend::others`], worked out once.
+/// Linear-light tints in the order of [`Blend::others`], computed once.
 static TINTS: LazyLock<[Vec3; Blend::OTHERS]> =
     LazyLock::new(|| [Colour::BLUE, Colour::GREEN, Colour::RED].map(Colour::to_linear));
 
-/// Adds ghosts of the chosen robot as the other interpolations would place it, while playing.
+/// While playing, adds ghosts of the chosen robot, posed by other blends.
 pub(super) fn add_comparison(frame: &mut Frame, editor: &Editor) {
     if !editor.is_playing() {
         return;
@@ -38,7 +38,7 @@ pub(super) fn add_comparison(frame: &mut Frame, editor: &Editor) {
     }
 }
 
-/// The RBT node nearest to the root of those above a node: the robot that an arm belongs to.
+/// The topmost RBT node above a node, such as the robot that an arm belongs to.
 fn outermost_rbt(editor: &Editor, rbt: RbtIndex) -> RbtIndex {
     let scene = editor.scene();
     let mut outermost = rbt;

@@ -1,4 +1,4 @@
-//! The frame of what an editor displays.
+//! The frame of an editor's state.
 
 use glam::Vec2;
 
@@ -16,7 +16,7 @@ pub fn frame_of_editor(editor: &Editor, size_px: Vec2) -> Frame {
     frame_of_displayed(editor, &editor.displayed_pose(), size_px)
 }
 
-/// As [`frame_of_editor`], of the pose that the editor displays, [`Editor::displayed_pose`], which the caller has already.
+/// Like [`frame_of_editor`], if the caller already has the displayed pose ([`Editor::displayed_pose`]).
 #[must_use]
 pub fn frame_of_displayed(editor: &Editor, pose: &Pose, size_px: Vec2) -> Frame {
     let camera = editor.camera(size_px);

@@ -11,27 +11,27 @@ use crate::scene::SceneGraph;
 
 /// Opacity of the nearest ghost.
 pub(super) const OPACITY: f32 = 0.38;
-/// Shapes whose matrices differ by less than this stand as they are displayed, and have no ghost: a sample of a node that does not move
-/// differs from its keyframes by rounding.
+/// A shape has no ghost if its matrix differs from the displayed one by less than this. Samples of a node that does not move differ from
+/// its keyframes by rounding.
 const SAME_PLACE: f32 = 1e-5;
 
-/// Linear-light tints of earlier keyframes (warm) and later ones (cool), worked out once.
+/// Linear-light tints of earlier keyframes (warm) and later ones (cool), computed once.
 static TINTS: LazyLock<[Vec3; 2]> = LazyLock::new(|| [Colour::EARLIER, Colour::LATER].map(Colour::to_linear));
 
 /// The keyframes around a picture.
 #[derive(Clone, Copy, Debug)]
 pub struct Neighbours<'a> {
-    /// The list, its first and last keyframe included: they steer the motion, and are edited.
+    /// The whole list, including the first and the last keyframe, which are not played but can be edited.
     pub keyframes: &'a KeyframeList,
-    /// Indices in the list from which earlier ghosts count down and later ones up: both are the keyframe displayed; between two keyframes
-    /// they are the later and the earlier of the two.
+    /// Indices in the list from which earlier ghosts count down and later ones up: both are the displayed keyframe, or, between two
+    /// keyframes, the later and the earlier one.
     pub from: [usize; 2],
     /// Ghosts on each side, at most [`MOST_GHOSTS`].
     pub count: u8,
 }
 
-/// Adds the neighbouring keyframes as ghosts, the farther the fainter: the n-th on each side has an n-th of the nearest one's opacity.
-/// Shapes that stand as they are displayed have none, nor have planes. `scene` and `seconds` are those that the frame was made of.
+/// Adds the neighbouring keyframes as ghosts. The n-th on each side has 1/n of the opacity of the nearest. Planes and shapes that have not
+/// moved have no ghost. `scene` and `seconds` must be those of the frame.
 pub fn add_ghosts(frame: &mut Frame, scene: &SceneGraph, seconds: f64, neighbours: Neighbours<'_>) {
     let Neighbours { keyframes, from: [before, after], count } = neighbours;
     let Frame { items, ghosts, .. } = frame;

@@ -9,9 +9,9 @@ use crate::editor::{Editor, PathDot};
 use crate::frame::{Dot, Frame, Line};
 use crate::keyframe::{KeyframeIndex, PlayRange};
 
-/// Pieces of the path between two keyframes, unless the list is long.
+/// Line segments between two keyframes, unless the list is long.
 const PIECES_PER_INTERVAL: usize = 32;
-/// Pieces of the whole path at most.
+/// The largest number of line segments.
 const MOST_PIECES: usize = 4096;
 /// Width of the path in pixels.
 const PATH_WIDTH_PX: f32 = 2.0;
@@ -19,12 +19,12 @@ const DOT_PX: f32 = 8.0;
 const CURRENT_DOT_PX: f32 = 11.0;
 const MARK_PX: f32 = 21.0;
 
-/// Linear-light colours, worked out once.
+/// Linear-light colours, computed once.
 static PATH: LazyLock<Vec3> = LazyLock::new(|| Colour::PATH.to_linear());
 static CURRENT: LazyLock<Vec3> = LazyLock::new(|| Colour::ACCENT.to_linear());
 
-/// Adds the path that the chosen node takes through its keyframes: a line with a dot at each, the pieces that only steer fainter.
-/// The eye has no path: it would end at itself.
+/// Adds the path that the chosen node takes through its keyframes: a line with a dot at each, with the pieces that are not played fainter.
+/// The eye has no path: it would pass through the camera.
 pub(super) fn add_path(frame: &mut Frame, editor: &Editor) {
     let Some(chosen) = editor.path_node() else { return };
     let document = editor.document();
@@ -56,7 +56,7 @@ pub(super) fn add_path(frame: &mut Frame, editor: &Editor) {
                     let alpha = piece as f32 / pieces as f32;
                     let to: Vec3 = scene
                         .world_from_node_with(editor.seconds(), node, |rbt| {
-                            range.rbt_at(start, alpha, document.interpolation, rbt).to_affine()
+                            range.rbt_at(KeyframeIndex::new(start), alpha, document.interpolation, rbt).to_affine()
                         })
                         .translation
                         .into();
@@ -78,7 +78,7 @@ pub(super) fn add_path(frame: &mut Frame, editor: &Editor) {
     }
 }
 
-/// Marks a dot of the motion path: the one that a press would take, or that is held.
+/// Highlights a dot of the motion path: the one under the pointer or being dragged.
 pub fn mark_dot(frame: &mut Frame, dot: PathDot) {
     let mark = |opacity: f32, diameter_px: f32| Dot {
         centre_in_world: dot.centre_in_world,

@@ -28,7 +28,7 @@ pub fn frame_of_scene(
     Frame { view: View::new(camera), items, ghosts: Vec::new(), lines: Vec::new(), dots: Vec::new(), arcball: None }
 }
 
-/// Outlines the shapes of a node too, such as the node that a click would choose. `scene` is the one that the frame was made of.
+/// Also outlines the shapes of a node, such as the one under the pointer. `scene` must be the frame's.
 pub fn outline(frame: &mut Frame, scene: &SceneGraph, rbt: RbtIndex) {
     for item in &mut frame.items {
         item.outlined |= scene.id_at(item.node as usize).and_then(|id| scene.carrying_rbt(id)) == Some(rbt);

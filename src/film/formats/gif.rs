@@ -10,9 +10,9 @@ use crate::film::{Encoder, FilmEncoder, FilmError, FilmFormat, Format, Plan};
 use crate::picture::Image;
 use crate::words::texts;
 
-/// Frames by which the palette is chosen.
+/// The number of frames from which the palette is chosen.
 const PALETTE_FRAMES: usize = 6;
-/// A picture lasts two hundredths of a second at least.
+/// The highest frame rate: a picture lasts at least 0.02 s.
 const MOST_FRAMES_PER_SECOND: u32 = 50;
 
 /// Animated GIF: 255 colours, shown everywhere; times are whole hundredths of a second.
@@ -30,7 +30,7 @@ pub static GIF: Format = Format {
     }),
 };
 
-/// The shortest time that programs show a picture for, in hundredths of a second: less they take for ten.
+/// The shortest time that programs show a picture for, in hundredths of a second: they replace shorter ones by 0.1 s.
 const SHORTEST: u32 = 2;
 
 /// A GIF that is being written.
@@ -39,10 +39,10 @@ struct GifFilm<W: Write> {
     sides: [u16; 2],
     encoder: gif::Encoder<W>,
     mapping: Mapping,
-    /// The picture so far, as places in the palette.
+    /// The current picture, as indices into the palette.
     shown: Vec<u8>,
     next: Vec<u8>,
-    /// Hundredths of a second given out so far.
+    /// The end of the last picture, in hundredths of a second.
     given: u32,
 }
 
@@ -79,7 +79,7 @@ impl<W: Write + Send> FilmEncoder for GifFilm<W> {
         let [left, top, width, height] = rectangle;
         self.encoder.write_frame(&Frame {
             delay: u16::try_from(delay).unwrap_or(u16::MAX),
-            // Where pixels are transparent the picture before must go; else it stays beneath.
+            // If pixels are transparent, the previous picture is cleared; otherwise it is kept.
             dispose: if self.plan.is_opaque { DisposalMethod::Keep } else { DisposalMethod::Background },
             transparent: Some(transparent),
             left,
@@ -100,7 +100,7 @@ impl<W: Write + Send> FilmEncoder for GifFilm<W> {
 }
 
 /// The smallest rectangle (left, top, width, height) in which two pictures differ, at least one pixel, and the second's pixels in it,
-/// transparent where they are as before.
+/// transparent if unchanged.
 fn changes(before: &[u8], after: &[u8], picture_width: u16) -> ([u16; 4], Cow<'static, [u8]>) {
     let width = usize::from(picture_width);
     let (mut left, mut right, mut top, mut bottom) = (width, 0, usize::MAX, 0);

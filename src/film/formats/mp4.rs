@@ -1,4 +1,4 @@
-//! MP4 (H.264), which the user's ffmpeg encodes out of a Y4M stream.
+//! MP4 (H.264), which the user's ffmpeg encodes from a Y4M stream.
 
 use super::{MOST_FRAMES_PER_SECOND, y4m};
 use crate::film::{Encoder, Format};

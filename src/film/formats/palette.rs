@@ -1,6 +1,6 @@
-//! At most 255 colours for a whole film, and the way to them that does not flicker.
+//! A palette of at most 255 colours for a whole film, and a mapping to it that does not flicker.
 //!
-//! One palette serves all pictures, and the dither depends on a pixel's place and colour alone: what does not move does not change.
+//! One palette serves all pictures, and the dither depends only on a pixel's position and colour, so unchanged pixels stay unchanged.
 
 use std::collections::BTreeSet;
 
@@ -10,16 +10,16 @@ use crate::picture::Image;
 
 /// Colours in a palette; the one after them is transparent.
 pub const MOST_COLOURS: usize = 255;
-/// About so many pixels of the sampled pictures are looked at.
+/// Approximate number of pixels that are read from the sampled pictures.
 const SAMPLED_PIXELS: usize = 120_000;
-/// At least about so many pixels are learned from.
+/// Approximate smallest number of pixels that the network learns from.
 const LEARNED_PIXELS: usize = 60_000;
-/// How far a dithered channel is moved at most, in levels of 256.
+/// The largest change of a dithered channel, in levels of 256.
 const DITHER_LEVELS: i32 = 9;
-/// Bits a channel of the table of nearest colours.
+/// Bits per channel of the table of nearest colours.
 const TABLE_BITS: u32 = 6;
 
-/// Bayer's matrix of order 8: each number of 0 to 63 once, neighbours far apart.
+/// Bayer's matrix of order 8: each number of 0 to 63 once, with neighbours far apart.
 const BAYER: [[u8; 8]; 8] = {
     let mut matrix = [[0; 8]; 8];
     let mut y = 0;
@@ -41,17 +41,17 @@ const BAYER: [[u8; 8]; 8] = {
     matrix
 };
 
-/// Colours of a film.
+/// The palette of a film.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Palette {
     colours: Vec<[u8; 3]>,
-    /// Whether they are all the colours there were, so that no dither is needed.
+    /// Whether the palette has all colours of the film, so that no dither is needed.
     is_exact: bool,
 }
 
 impl Palette {
-    /// The palette of pictures that stand for a film: their own colours where they are few, else 255 that NeuQuant finds.
-    /// Pixels that are more transparent than not have no colour.
+    /// The palette of a film from sample pictures: their own colours if they are few, otherwise 255 that NeuQuant finds. Pixels with less
+    /// than half opacity are ignored.
     #[must_use]
     pub fn of(pictures: &[Image]) -> Self {
         let pixels =
@@ -67,10 +67,10 @@ impl Palette {
     }
 
     fn found<'a>(pixels: impl Iterator<Item = &'a [u8]> + Clone) -> Vec<[u8; 3]> {
-        // A step that is odd and no multiple of usual widths looks at every column.
+        // An odd step that does not divide usual widths samples every column.
         let step = (pixels.clone().count() / SAMPLED_PIXELS).max(1) | 1;
         let sample: Vec<u8> = pixels.step_by(step).flat_map(|pixel| [pixel[0], pixel[1], pixel[2], u8::MAX]).collect();
-        // The network learns by repetition: few pixels are shown often.
+        // The network learns by repetition: if there are few pixels they are repeated.
         let sample = sample.repeat((LEARNED_PIXELS * 4 / sample.len().max(1)).max(1));
         let found = NeuQuant::new(3, MOST_COLOURS, &sample).color_map_rgb();
         let mut colours: Vec<[u8; 3]> = found.chunks_exact(3).map(|colour| [colour[0], colour[1], colour[2]]).collect();
@@ -86,7 +86,7 @@ impl Palette {
     }
 
     fn nearest(&self, colour: [i32; 3]) -> u8 {
-        // Green is seen best, blue least.
+        // Weights: the eye is most sensitive to green, least to blue.
         let distance = |other: &[u8; 3]| {
             let [r, g, b] = [0, 1, 2].map(|channel| i32::from(other[channel]) - colour[channel]);
             3 * r * r + 6 * g * g + 2 * b * b
@@ -96,20 +96,20 @@ impl Palette {
     }
 }
 
-/// Colours to places in a palette, remembered.
+/// A cached mapping of colours to palette indices.
 pub struct Mapping {
     palette: Palette,
-    /// The place of the colour nearest to the middle of each cell, plus one; 0 where it was not looked for.
+    /// For each cell, the index of the colour nearest to its middle, plus one; 0 if not computed yet.
     table: Vec<u16>,
 }
 
 impl Mapping {
-    /// Nothing looked for yet.
+    /// An empty cache.
     pub fn new(palette: Palette) -> Self {
         Self { palette, table: vec![0; 1 << (3 * TABLE_BITS)] }
     }
 
-    /// The places of a picture's pixels in the palette, and [`MOST_COLOURS`] for those more transparent than not.
+    /// The palette indices of a picture's pixels; [`MOST_COLOURS`] for pixels with less than half opacity.
     pub fn indices(&mut self, image: &Image, out: &mut Vec<u8>) {
         out.clear();
         let width = image.width as usize;

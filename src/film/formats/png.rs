@@ -4,7 +4,7 @@ use super::{MOST_FRAMES_PER_SECOND, no_limit};
 use crate::film::{Encoder, EncodingError, Format, StillEncoder};
 use crate::picture::{PngRoom, Rows};
 
-/// PNG.
+/// PNG: lossless, with opacity.
 pub static PNG: Format = Format {
     name: "PNG",
     ending: "png",

@@ -8,10 +8,10 @@ use crate::film::{Encoder, EncodingError, Format, StillEncoder};
 use crate::picture::Rows;
 use crate::words::texts;
 
-/// The longest side in pixels: a file has 14 bits for it.
+/// The longest side in pixels: the format has 14 bits for it.
 const LONGEST_SIDE: u32 = 16_384;
 
-/// WebP.
+/// WebP: lossless, with opacity.
 pub static WEBP: Format = Format {
     name: "WebP",
     ending: "webp",
@@ -22,7 +22,7 @@ pub static WEBP: Format = Format {
     encoder: Encoder::Still(|_| Box::new(WebP::default())),
 };
 
-/// Memory for making WebPs.
+/// Memory for encoding WebPs.
 #[derive(Default)]
 struct WebP {
     packed: Vec<u8>,

@@ -6,7 +6,7 @@ use super::{MOST_FRAMES_PER_SECOND, no_limit};
 use crate::film::{Encoder, FilmEncoder, FilmError, FilmFormat, Format, Plan};
 use crate::picture::Image;
 
-/// Uncompressed YUV 4:2:0 (YUV4MPEG2), which other programs encode.
+/// Uncompressed YUV 4:2:0 (YUV4MPEG2), as input of other encoders.
 pub static Y4M: Format = Format {
     name: "Y4M",
     ending: "y4m",
@@ -17,7 +17,7 @@ pub static Y4M: Format = Format {
     encoder: Encoder::Film(STREAM),
 };
 
-/// How the stream is begun, for a file or for ffmpeg.
+/// Begins a stream, for a file or for ffmpeg.
 pub(super) const STREAM: FilmFormat =
     FilmFormat { sample_frames: 0, start: |plan, _, output| Ok(Box::new(Y4mFilm::new(plan, output)?)) };
 
@@ -48,7 +48,7 @@ impl<W: Write + Send> FilmEncoder for Y4mFilm<W> {
                 let (first, second) = rows.split_at(4 * width);
                 let second = if second.is_empty() { first } else { second };
                 for (above, below) in first.chunks(8).zip(second.chunks(8)) {
-                    // An odd width or height repeats its last column or row.
+                    // With an odd width or height the last column or row is repeated.
                     let corners = [&above[..4], &above[above.len() - 4..], &below[..4], &below[below.len() - 4..]];
                     let sum: i32 = corners.into_iter().map(|pixel| chroma(rgb(pixel))).sum();
                     self.bytes.push(level(128 + ((sum + (2 << 16)) >> 18)));
@@ -64,7 +64,7 @@ impl<W: Write + Send> FilmEncoder for Y4mFilm<W> {
     }
 }
 
-/// Red, green and blue; what is translucent over black.
+/// Red, green and blue, composited over black.
 fn rgb(pixel: &[u8]) -> [i32; 3] {
     let opacity = i32::from(pixel[3]);
     [0, 1, 2].map(|channel| i32::from(pixel[channel]) * opacity / 255)

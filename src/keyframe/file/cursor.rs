@@ -1,4 +1,4 @@
-//! A place in JSON text that moves on over what is expected there. `None` says that something else is there.
+//! A position in JSON text that advances over expected tokens. `None` means that another token was found.
 
 /// Powers of ten that double precision holds exactly.
 const POWERS_OF_TEN: [f64; 23] = [
@@ -7,12 +7,12 @@ const POWERS_OF_TEN: [f64; 23] = [
 ];
 /// Whole numbers up to this one are exact in double precision.
 const LARGEST_WHOLE: u64 = 1 << 53;
-/// So many digits fit into 64 bits whatever they are.
+/// Any number with this many decimal digits fits into 64 bits.
 const MOST_DIGITS: usize = 19;
-/// Exponents of more digits are left to the exact reader.
+/// Exponents with more digits are left to the strict reader.
 const MOST_EXPONENT_DIGITS: usize = 4;
 
-/// A place in a text.
+/// A position in a text.
 #[derive(Clone, Copy)]
 pub struct Cursor<'a> {
     bytes: &'a [u8],
@@ -20,12 +20,12 @@ pub struct Cursor<'a> {
 }
 
 impl<'a> Cursor<'a> {
-    /// The place `at` of a text.
+    /// A cursor at the byte offset `at`.
     pub const fn new(bytes: &'a [u8], at: usize) -> Self {
         Self { bytes, at }
     }
 
-    /// How many bytes it has passed.
+    /// The byte offset.
     pub const fn at(&self) -> usize {
         self.at
     }
@@ -42,7 +42,7 @@ impl<'a> Cursor<'a> {
         Some(byte)
     }
 
-    /// Passes white space.
+    /// Skips white space.
     #[inline]
     pub fn pass_space(&mut self) {
         while let Some(b' ' | b'\n' | b'\t' | b'\r') = self.bytes.get(self.at) {
@@ -50,14 +50,14 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// Passes white space and one byte, which must be this one.
+    /// Skips white space and one byte, which must be this one.
     #[inline]
     pub fn pass(&mut self, byte: u8) -> Option<()> {
         self.pass_space();
         (self.next()? == byte).then_some(())
     }
 
-    /// Passes white space and a text, if it is the one that comes, and says whether it did.
+    /// Skips white space and `text` if it comes next. Returns whether it did.
     #[inline]
     pub fn passes<const N: usize>(&mut self, text: &[u8; N]) -> bool {
         self.pass_space();
@@ -66,8 +66,8 @@ impl<'a> Cursor<'a> {
         is_next
     }
 
-    /// From the start of an object to just behind the `[` of one of its members, whose name comes with its quotation marks. What is
-    /// passed over need not be JSON.
+    /// Moves from the start of an object to just after the `[` of the member `name`, which includes its quotation marks. The skipped text
+    /// is not checked to be JSON.
     pub fn pass_to_array(&mut self, quoted_name: &[u8]) -> Option<()> {
         self.pass(b'{')?;
         let mut depth = 0_usize;
@@ -91,7 +91,7 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// Passes an array of `N` numbers.
+    /// Reads an array of `N` numbers.
     #[inline]
     pub fn pass_numbers<const N: usize>(&mut self) -> Option<[f32; N]> {
         self.pass(b'[')?;
@@ -107,7 +107,7 @@ impl<'a> Cursor<'a> {
         Some(numbers)
     }
 
-    /// Passes digits and appends them to a number, which is right up to [`MOST_DIGITS`]; says how many there were.
+    /// Reads digits and appends them to a number, which is correct up to [`MOST_DIGITS`] digits. Returns how many there were.
     #[inline]
     fn pass_digits(&mut self, number: &mut u64) -> usize {
         let start = self.at;
@@ -122,7 +122,7 @@ impl<'a> Cursor<'a> {
         self.at - start
     }
 
-    /// Passes a number and gives the nearest one of single precision; `None` also where that is beyond the largest.
+    /// Reads a number and rounds it to single precision. `None` also if it is beyond the largest.
     #[inline]
     pub fn pass_number(&mut self) -> Option<f32> {
         let start = self.at;
@@ -166,14 +166,15 @@ impl<'a> Cursor<'a> {
     }
 }
 
-/// The number of single precision that is nearest to `digits · 10^power`, where one rounding in double precision tells it.
+/// `digits · 10^power` rounded to single precision; `None` if one rounding in double precision does not decide it.
 #[inline]
 fn to_single(digits: u64, power: i64) -> Option<f32> {
-    /// What single precision has no place for, and the half of its last place.
+    /// The bits of a double that single precision drops, and half a unit in its last place.
     const DROPPED: u64 = (1 << 29) - 1;
     const HALF: u64 = 1 << 28;
     let scale = *POWERS_OF_TEN.get(usize::try_from(power.unsigned_abs()).ok()?)?;
-    // Both are exact, so that this is rounded once, and the next rounding goes the right way unless it starts from just half a place.
+    // Both operands are exact, so this rounds once. The rounding to single precision is then correct unless the double lies exactly
+    // half-way.
     let double = if power < 0 { digits as f64 / scale } else { digits as f64 * scale };
     let is_plain = double == 0.0 || (f64::from(f32::MIN_POSITIVE)..f64::from(f32::MAX)).contains(&double);
     (is_plain && double.to_bits() & DROPPED != HALF).then_some(double as f32)

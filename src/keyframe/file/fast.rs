@@ -1,8 +1,8 @@
-//! The quick reader: keyframes as programs write them, read on all cores straight into poses.
+//! The fast reader: keyframes as programs write them, read on all cores directly into poses.
 //!
-//! It knows one shape: `keyframes` somewhere in the file, `pose` last in each keyframe, names without escapes, numbers within range.
-//! Anything else, and anything wrong, it leaves to the exact reader. Around the keyframes and the poses, the text is read by the same
-//! code as there; between them, it is read by a [`Cursor`].
+//! It knows one shape: `keyframes` somewhere in the file, `pose` last in each keyframe, names without escapes, numbers within range. It
+//! gives up on anything else and on any error; the strict reader then reads the file. The text outside of keyframes and poses is read by
+//! the strict reader's code, the text inside by a [`Cursor`].
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -18,15 +18,15 @@ use crate::pose::{LANES, Pose, RbtBlock};
 use crate::rbt::Rbt;
 use crate::scene::SceneGraph;
 
-/// Text that is read in one go, in bytes: some milliseconds.
+/// Bytes of text that one thread reads as a piece: some milliseconds of work.
 const PIECE_BYTES: usize = 1 << 20;
 
-/// Reads a keyframe file for a scene, as [`strict::read`] does; `None` where that is to read it.
+/// Reads a keyframe file for a scene, with the result of [`strict::read`]. `None` if the strict reader must read it.
 pub fn read(bytes: &[u8], scene: &SceneGraph) -> Option<KeyframeFile> {
     read_in_pieces(bytes, scene, PIECE_BYTES)
 }
 
-/// The same with pieces of at least so many bytes.
+/// Like [`read`], with pieces of at least `piece_bytes` bytes.
 pub fn read_in_pieces(bytes: &[u8], scene: &SceneGraph, piece_bytes: usize) -> Option<KeyframeFile> {
     let mut cursor = Cursor::new(bytes, 0);
     cursor.pass_to_array(b"\"keyframes\"")?;
@@ -55,12 +55,12 @@ pub fn read_in_pieces(bytes: &[u8], scene: &SceneGraph, piece_bytes: usize) -> O
     })
 }
 
-/// The last byte but white space before a place.
+/// The offset of the last byte before `at` that is not white space.
 fn last_before(bytes: &[u8], at: usize) -> Option<usize> {
     bytes[..at].iter().rposition(|byte| !matches!(byte, b' ' | b'\n' | b'\t' | b'\r'))
 }
 
-/// Where the `]` behind the keyframes seems to be: the last to come after a `}` and a `]`, which end the last keyframe and its pose.
+/// The probable offset of the `]` that closes `keyframes`: the last `]` after a `}` and a `]`, which close the last keyframe and its pose.
 fn end_of_keyframes(bytes: &[u8]) -> Option<usize> {
     let mut at = bytes.len();
     loop {
@@ -72,8 +72,8 @@ fn end_of_keyframes(bytes: &[u8]) -> Option<usize> {
     }
 }
 
-/// Places that seem to be those of keyframes, `piece_bytes` or more apart; the first is `start`, and the last `end`. Where one of
-/// them is something else, what is before it is no whole keyframe.
+/// Offsets of probable keyframe starts, at least `piece_bytes` apart. The first is `start`, the last `end`. If an offset is wrong, the text
+/// before it does not end with a whole keyframe, and reading fails.
 fn pieces(bytes: &[u8], start: usize, end: usize, piece_bytes: usize) -> Vec<usize> {
     let mut boundaries = vec![start];
     let mut at = start + piece_bytes;
@@ -91,16 +91,16 @@ fn pieces(bytes: &[u8], start: usize, end: usize, piece_bytes: usize) -> Vec<usi
     boundaries
 }
 
-/// What is needed to read keyframes.
+/// The data that all threads share.
 struct Keyframes<'a> {
     text: &'a [u8],
     version: u64,
-    /// For each place in `nodes`, the one in the scene's order.
+    /// For each index in `nodes`, the index in the scene's order.
     index_in_scene: Vec<usize>,
 }
 
 impl Keyframes<'_> {
-    /// The keyframes between these places, on as many cores as there are and pay.
+    /// Reads the keyframes between these offsets on all cores.
     fn read(&self, boundaries: &[usize]) -> Option<Vec<Keyframe>> {
         let last = boundaries.last();
         let pieces: Vec<&[usize]> = boundaries.windows(2).collect();
@@ -119,7 +119,7 @@ impl Keyframes<'_> {
         Some(keyframes)
     }
 
-    /// The keyframes from one place up to another: whole ones, with a comma after each but the last of all.
+    /// Reads the keyframes from offset `start` to `end`, with a comma after each except the very last.
     fn piece(&self, start: usize, end: usize, is_last: bool) -> Option<Vec<Keyframe>> {
         let mut cursor = Cursor::new(&self.text[..end], start);
         let mut keyframes = Vec::new();
@@ -156,7 +156,7 @@ impl Keyframes<'_> {
         is_read.then_some(keyframe)
     }
 
-    /// A keyframe of what stands before its pose.
+    /// The keyframe without its pose, from the text before the pose.
     fn extras(&self, before_pose: &[u8]) -> Option<Keyframe> {
         let text: KeyframeText = serde_json::from_slice(&[before_pose, b"]}"].concat()).ok()?;
         let mut problems = Problems::default();

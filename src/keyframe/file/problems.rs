@@ -1,70 +1,70 @@
-//! What can be wrong with a keyframe file.
+//! The errors in keyframe files.
 
 use thiserror::Error;
 
 use crate::interpolation::Interpolation;
 use crate::words::{Message, display_by_message, quoted, texts};
 
-/// A file can be wrong in each of its numbers: after so many problems the rest are only counted.
+/// Every number of a file can be wrong. After this many errors the rest are only counted.
 const MOST_PROBLEMS: usize = 100;
 
-/// One thing that is wrong with a keyframe file: a sentence with its place.
+/// One error in a keyframe file, with its location.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum KeyframeFileError {
     /// Not JSON of the right shape; the message ends with line and column.
     Json {
-        /// What is wrong, with line and column.
+        /// The message, with line and column.
         message: String,
     },
     /// `format` names something else.
     Format {
-        /// What the file says.
+        /// The value in the file.
         found: String,
     },
     /// `version` is not one that this program reads.
     Version {
-        /// What the file says.
+        /// The value in the file.
         found: u64,
     },
     /// `interpolation` is unknown.
     Interpolation {
-        /// What the file says.
+        /// The value in the file.
         found: String,
     },
     /// `ms_between_keyframes` is out of range.
     MsBetweenKeyframes {
-        /// What the file says.
+        /// The value in the file.
         found: f64,
     },
     /// The scene has no such RBT node.
     ExtraNode {
-        /// The path.
+        /// The node's path.
         path: String,
         /// The scene's name.
         scene: String,
     },
     /// An RBT node of the scene is not in `nodes`.
     MissingNode {
-        /// The path.
+        /// The node's path.
         path: String,
         /// The scene's name.
         scene: String,
     },
-    /// A path stands twice.
+    /// A path occurs twice in `nodes`.
     DuplicateNode {
-        /// The path.
+        /// The node's path.
         path: String,
     },
-    /// A pose and `nodes` are not of one length.
+    /// A pose and `nodes` have different lengths.
     PoseLength {
         /// The keyframe, from 0.
         keyframe: usize,
-        /// How many entries there are.
+        /// The number of entries in the pose.
         found: usize,
-        /// How many there should be.
+        /// The number of entries in `nodes`.
         expected: usize,
     },
-    /// A number cannot be held.
+    /// A number is beyond single precision.
     NotFinite {
         /// The keyframe, from 0.
         keyframe: usize,
@@ -86,26 +86,26 @@ pub enum KeyframeFileError {
     NeedsVersion2 {
         /// The keyframe, from 0.
         keyframe: usize,
-        /// Which field.
+        /// The field's name.
         field: &'static str,
     },
-    /// A keyframe's interval is of no length that can play.
+    /// A keyframe's duration is out of range.
     Duration {
         /// The keyframe, from 0.
         keyframe: usize,
-        /// What the file says.
+        /// The value in the file.
         found: f64,
     },
     /// A keyframe's easing is unknown.
     Easing {
         /// The keyframe, from 0.
         keyframe: usize,
-        /// What the file says.
+        /// The value in the file.
         found: String,
     },
-    /// More is wrong than is worth saying.
+    /// Further errors, which are only counted.
     More {
-        /// How many more.
+        /// The number of further errors.
         more: usize,
     },
 }
@@ -113,7 +113,7 @@ pub enum KeyframeFileError {
 display_by_message!(KeyframeFileError);
 
 impl KeyframeFileError {
-    /// What is wrong, as a message with its place.
+    /// The error as a message with its location.
     #[must_use]
     pub fn message(&self) -> Message {
         match self {
@@ -140,7 +140,7 @@ impl KeyframeFileError {
     }
 }
 
-/// The problems found so far, the first of them in words and the rest as a number.
+/// The errors found so far. The first ones are kept, the rest are counted.
 #[derive(Default)]
 pub struct Problems {
     said: Vec<KeyframeFileError>,
@@ -148,7 +148,7 @@ pub struct Problems {
 }
 
 impl Problems {
-    /// Adds one.
+    /// Adds an error.
     pub fn push(&mut self, problem: KeyframeFileError) {
         if self.said.len() < MOST_PROBLEMS {
             self.said.push(problem);
@@ -157,12 +157,12 @@ impl Problems {
         }
     }
 
-    /// How many there are.
+    /// The number of errors.
     pub fn count(&self) -> usize {
         self.said.len() + self.more
     }
 
-    /// The value where nothing is wrong.
+    /// The value if there are no errors.
     pub fn into_result<T>(mut self, value: T) -> Result<T, Vec<KeyframeFileError>> {
         if self.more > 0 {
             self.said.push(KeyframeFileError::More { more: self.more });

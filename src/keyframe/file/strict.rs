@@ -1,4 +1,4 @@
-//! The reader that says what a keyframe file means, and everything that is wrong with one.
+//! The strict reader of keyframe files: it defines the format and reports every error.
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -18,7 +18,7 @@ use crate::rbt::Rbt;
 use crate::rotation_rules::Mending;
 use crate::scene::SceneGraph;
 
-/// A keyframe file as it stands there.
+/// The JSON object of a keyframe file.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct FileText {
@@ -32,14 +32,14 @@ pub struct FileText {
     keyframes: Vec<KeyframeText>,
 }
 
-/// What tells another kind of file, or a later version of this one, from a broken file.
+/// The fields that identify the kind and the version of a file, also if the rest is not valid.
 #[derive(Deserialize)]
 struct HeaderText {
     format: String,
     version: u64,
 }
 
-/// A keyframe as it stands there.
+/// The JSON object of a keyframe.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct KeyframeText {
@@ -56,7 +56,7 @@ struct RbtText {
     rotation: [f32; 4],
 }
 
-/// A pose in the file's order, in its final storage: nothing of the size of the file is held twice.
+/// A pose in the file's order, in its final storage: no data of the size of the file is held twice.
 struct PoseText(Arc<[Rbt]>);
 
 impl<'de> Deserialize<'de> for PoseText {
@@ -86,7 +86,7 @@ impl<'de> Deserialize<'de> for PoseText {
 /// Reads a keyframe file for a scene.
 ///
 /// # Errors
-/// Everything that is wrong, each with its place, in the file's order: never empty.
+/// All errors with their locations, in file order; never empty.
 pub fn read(bytes: &[u8], scene: &SceneGraph) -> Result<KeyframeFile, Vec<KeyframeFileError>> {
     let text: FileText = match serde_json::from_slice(bytes) {
         Ok(text) => text,
@@ -131,15 +131,15 @@ pub fn read(bytes: &[u8], scene: &SceneGraph) -> Result<KeyframeFile, Vec<Keyfra
     problems.into_result(KeyframeFile { interpolation, ms_between_keyframes, keyframes })
 }
 
-/// What a file says beside its keyframes.
+/// The fields of a file besides its keyframes.
 pub struct Head {
     pub interpolation: Option<Interpolation>,
     pub ms_between_keyframes: Option<u32>,
-    /// For each RBT node of the scene, its place in `nodes`; `None` where they do not match.
+    /// For each RBT node of the scene, its index in `nodes`; `None` if they do not match.
     pub index_in_file: Option<Vec<usize>>,
 }
 
-/// What a file says beside its keyframes; what is wrong with that goes to the problems.
+/// The fields of a file besides its keyframes. Errors are added to `problems`.
 pub fn head_of(text: &FileText, scene: &SceneGraph, problems: &mut Problems) -> Head {
     let interpolation = text.interpolation.as_ref().and_then(|name| {
         let known = Interpolation::from_name(name);
@@ -158,7 +158,7 @@ pub fn head_of(text: &FileText, scene: &SceneGraph, problems: &mut Problems) -> 
     Head { interpolation, ms_between_keyframes, index_in_file: match_nodes(&text.nodes, scene, problems) }
 }
 
-/// A keyframe's name, duration and easing, with no pose yet; what is wrong with them goes to the problems.
+/// A keyframe's name, duration and easing, with no pose yet. Errors are added to `problems`.
 pub fn extras_of(text: &KeyframeText, keyframe: usize, version: u64, problems: &mut Problems) -> Keyframe {
     let mut extras = Keyframe::new(Pose::new(Vec::new()));
     let given =
@@ -183,7 +183,7 @@ pub fn extras_of(text: &KeyframeText, keyframe: usize, version: u64, problems: &
     extras
 }
 
-/// Another kind of file, or a later version of this one.
+/// The error for another kind of file or an unknown version.
 pub fn header_problem(format: &str, version: u64) -> Option<KeyframeFileError> {
     if format != FORMAT {
         Some(KeyframeFileError::Format { found: format.to_owned() })
@@ -194,7 +194,7 @@ pub fn header_problem(format: &str, version: u64) -> Option<KeyframeFileError> {
     }
 }
 
-/// For each RBT node of the scene, its place in `nodes`; `None` where they do not match.
+/// For each RBT node of the scene, its index in `nodes`; `None` if they do not match.
 fn match_nodes(nodes: &[String], scene: &SceneGraph, problems: &mut Problems) -> Option<Vec<usize>> {
     let mut index_of: HashMap<&str, usize> = HashMap::with_capacity(nodes.len());
     let problems_before = problems.count();
@@ -226,7 +226,7 @@ fn in_scene_order(pose: Arc<[Rbt]>, index_in_file: &[usize]) -> Pose {
     }
 }
 
-/// Normalises a rotation that is a little off; says what is wrong with one that is far off.
+/// Normalises a rotation that is slightly off unit length; returns the error for one that is far off.
 pub fn mend_rotation(rbt: &mut Rbt, keyframe: usize, path: &str) -> Option<KeyframeFileError> {
     let not_finite = |field| Some(KeyframeFileError::NotFinite { keyframe, path: path.to_owned(), field });
     if !rbt.translation.is_finite() {

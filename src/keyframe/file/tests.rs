@@ -1,4 +1,4 @@
-//! The quick reader and the exact one agree, and so do the writer and the plainest way of writing.
+//! The fast and the strict reader agree, and so do the writer and a plain implementation.
 
 use std::fmt::Write as _;
 use std::sync::Arc;
@@ -15,7 +15,7 @@ use crate::pose::Pose;
 use crate::rbt::Rbt;
 use crate::scene::{SceneGraph, built_in_scene};
 
-/// Names that look like what the quick reader looks for.
+/// Names that contain tokens that the fast reader looks for.
 const NAMES: [Option<&str>; 6] = [
     None,
     Some("plain"),
@@ -68,7 +68,7 @@ fn originals(scene: &SceneGraph) -> Vec<Vec<u8>> {
     originals
 }
 
-/// Whether the quick reader reads a text, and then the same as the exact one, to the bit: `{:?}` tells all numbers apart.
+/// Whether the fast reader reads a text. The result must equal the strict reader's to the bit: `{:?}` distinguishes all numbers.
 #[track_caller]
 fn is_read(bytes: &[u8], scene: &SceneGraph, piece_bytes: usize) -> bool {
     let Some(quick) = fast::read_in_pieces(bytes, scene, piece_bytes) else { return false };
@@ -83,7 +83,7 @@ fn what_programs_write_is_read_quickly() {
     let scene = scene();
     for (index, original) in originals(&scene).into_iter().enumerate() {
         for piece_bytes in [1, 1000, 10_000, 1 << 20] {
-            // A name that looks like the end of a pose can be taken for one, and then the exact reader reads the file.
+            // A name that looks like the end of a pose can be taken for one, and then the strict reader reads the file.
             let is_misleading = index >= 8 && piece_bytes < original.len();
             let text = String::from_utf8_lossy(&original);
             assert!(is_read(&original, &scene, piece_bytes) || is_misleading, "{piece_bytes}: {text}");
@@ -91,7 +91,7 @@ fn what_programs_write_is_read_quickly() {
     }
 }
 
-/// A change at a place, given as a fraction of the text: some bytes make way for some text.
+/// A change at an offset, given as a fraction of the text: some bytes are replaced by some text.
 #[derive(Clone, Debug)]
 struct Mutation(f64, usize, &'static str);
 
@@ -180,7 +180,7 @@ fn check_number(text: &str) {
     assert_eq!(quick.map(f32::to_bits), serde_json::from_str(text).ok().map(f32::to_bits), "{text}");
 }
 
-/// The text between the brackets of `keyframes`, as plainly as it can be made.
+/// The text between the brackets of `keyframes`, by a plain implementation.
 fn plain_text(keyframes: &[Keyframe]) -> String {
     let number = |number: f32| {
         let text = format!("{number:?}");

@@ -1,4 +1,5 @@
-//! Numbers that JSON can hold and a pose cannot, such as 1e39, so that their place is said by keyframe and node.
+//! Numbers that JSON can hold and a pose cannot, such as 1e39. They are found in a second reading, so that the error names keyframe and
+//! node.
 
 use serde::Deserialize;
 
@@ -21,7 +22,7 @@ struct RbtText {
     rotation: [f64; 4],
 }
 
-/// The translations and rotations of a file whose numbers are beyond single precision; none where that is not what is wrong with it.
+/// The errors for translations and rotations beyond single precision; empty if the file has none or is not valid JSON.
 pub fn numbers_too_large(bytes: &[u8]) -> Vec<KeyframeFileError> {
     let Ok(text) = serde_json::from_slice::<FileText>(bytes) else { return Vec::new() };
     let mut problems = Problems::default();

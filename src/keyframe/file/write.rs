@@ -14,11 +14,11 @@ use crate::keyframe::list::{Keyframe, KeyframeList};
 use crate::pose::RbtIndex;
 use crate::scene::SceneGraph;
 
-/// Nodes of poses whose text is made in one go, some hundred kilobytes at most.
+/// Nodes per piece of text: a few hundred kilobytes.
 const PIECE_NODES: usize = 1024;
-/// What a node of a pose takes at most, but for numbers that are seldom: in room that is not used, memory is not either.
+/// Upper bound of the bytes per node, except for rare numbers. Untouched pages of the reservation cost nothing.
 const MOST_NODE_BYTES: usize = 160;
-/// Texts that each thread has made and nobody has taken yet, and one that is being made.
+/// Pieces per thread: finished ones that wait to be written, and one in progress.
 const PIECES_AHEAD: usize = 3;
 
 /// The text of a keyframe file: the same bytes for the same keyframes, one line for each node of each pose.
@@ -36,16 +36,16 @@ pub fn keyframes_to_json(
     text
 }
 
-/// A keyframe file that holds what it is made from, at no cost: it shares the scene and the keyframes.
+/// A keyframe file that owns its data cheaply: it shares the scene and the keyframes. Its `Display` is the file's text.
 #[derive(Clone, Debug, PartialEq)]
 pub struct KeyframesText {
     /// The scene whose nodes the poses are of.
     pub scene: Arc<SceneGraph>,
     /// The keyframes.
     pub keyframes: KeyframeList,
-    /// The interpolation in force.
+    /// The interpolation.
     pub interpolation: Interpolation,
-    /// The milliseconds between keyframes in force.
+    /// The milliseconds between keyframes.
     pub ms_between_keyframes: u32,
 }
 
@@ -57,16 +57,16 @@ impl fmt::Display for KeyframesText {
     }
 }
 
-/// A keyframe file: what it displays is the text, made as it is written.
+/// A keyframe file whose `Display` is the file's text, made while it is written.
 #[derive(Clone, Copy, Debug)]
 pub struct KeyframesJson<'a> {
     /// The scene whose nodes the poses are of.
     pub scene: &'a SceneGraph,
     /// The keyframes.
     pub keyframes: &'a KeyframeList,
-    /// The interpolation in force.
+    /// The interpolation.
     pub interpolation: Interpolation,
-    /// The milliseconds between keyframes in force.
+    /// The milliseconds between keyframes.
     pub ms_between_keyframes: u32,
 }
 
@@ -92,7 +92,7 @@ impl fmt::Display for KeyframesJson<'_> {
     }
 }
 
-/// What is written in one go: some whole keyframes, or some of the nodes of one.
+/// A piece of the text: whole keyframes, or some nodes of one keyframe.
 #[derive(Debug)]
 struct Piece {
     keyframes: Range<usize>,
@@ -123,8 +123,8 @@ fn pieces(keyframes: &[Keyframe]) -> Vec<Piece> {
     pieces
 }
 
-/// Hands over the text of keyframes piece by piece. Threads make the pieces in turn, never far ahead of what is taken: unlike
-/// [`crate::parallel::map_in_order`], which keeps all results, this takes memory for a few pieces however long the text is.
+/// Writes the text of keyframes piece by piece. Threads make the pieces in turn and never run far ahead of the writer. Unlike
+/// [`crate::parallel::map_in_order`], which keeps all results, this needs memory for a few pieces only.
 fn write_keyframes(keyframes: &[Keyframe], mut write: impl FnMut(&str) -> fmt::Result) -> fmt::Result {
     let pieces = pieces(keyframes);
     let threads = thread::available_parallelism().map_or(1, usize::from).min(pieces.len());
@@ -164,7 +164,7 @@ fn write_keyframes(keyframes: &[Keyframe], mut write: impl FnMut(&str) -> fmt::R
     })
 }
 
-/// A piece of the text between the brackets of `keyframes`, in storage that may have held another one.
+/// A piece of the text between the brackets of `keyframes`, in storage that is reused.
 fn text_of(piece: &Piece, keyframes: &[Keyframe], storage: String) -> String {
     let mut text = storage.into_bytes();
     text.clear();
@@ -188,7 +188,7 @@ fn text_of(piece: &Piece, keyframes: &[Keyframe], storage: String) -> String {
     String::from_utf8(text).expect("it was put together from texts")
 }
 
-/// What a keyframe has beside its pose, nothing where it has nothing.
+/// The fields of a keyframe besides its pose; empty if it has none.
 fn extras(keyframe: &Keyframe) -> String {
     let mut text = String::new();
     if let Some(name) = &keyframe.name {

@@ -16,7 +16,7 @@ pub(super) const LEVELS: [Level; 3] = [
     Level::new(MeshKind::Capsule, Cut::Capsule(10, 2), 1.025_1, 0.052_9),
 ];
 
-/// A capsule of some steps around, and of some from its equator to each pole.
+/// A capsule with steps around the axis and from the equator to each pole.
 pub(super) fn mesh(steps: u16, latitudes: u16) -> Mesh {
     let mut mesh = Mesh::default();
     let mut rings: Vec<Vec<u16>> = Vec::new();

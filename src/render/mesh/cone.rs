@@ -14,7 +14,7 @@ pub(super) const LEVELS: [Level; 3] = [
     Level::new(MeshKind::Cone, Cut::Around(10), 1.025_1, 0.025_1),
 ];
 
-/// Normals of the unit cone, of radius 1 and height 2; an instance's affine carries them to its own slope.
+/// The unit cone has radius 1 and height 2. An instance's affine transforms its normals.
 pub(super) fn mesh(steps: u16) -> Mesh {
     let mut mesh = Mesh::default();
     let slope = |direction: Vec3| (direction * 2.0 + Vec3::Y).normalize();

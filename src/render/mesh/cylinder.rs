@@ -14,7 +14,7 @@ pub(super) const LEVELS: [Level; 3] = [
     Level::new(MeshKind::Cylinder, Cut::Around(10), 1.025_1, 0.025_1),
 ];
 
-/// A cylinder of some steps around.
+/// A cylinder with steps around the axis.
 pub(super) fn mesh(steps: u16) -> Mesh {
     let mut mesh = Mesh::default();
     let ring = |mesh: &mut Mesh, y: f32| -> Vec<u16> {

@@ -1,35 +1,35 @@
 //! The levels of detail of each kind.
 //!
-//! Where something round is cut into flat pieces, their corners are put outside the true surface by as much as the middles of their edges
-//! are inside ([`Level::fitted`]): half the error of corners on the surface, and so down to half as many triangles for the same error.
+//! A flat piece of a round surface has its corners as far outside the true surface as the middles of its edges are inside
+//! ([`Level::fitted`]). This halves the error of corners on the surface, and needs as few as half the triangles for the same error.
 
 use glam::Vec3;
 
 use super::{Mesh, capsule, cone, cylinder, plane, rounded_box, sphere};
 use crate::scene::MeshKind;
 
-/// How round parts are cut into flat ones.
+/// The subdivision of round parts.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Cut {
-    /// A box's rounded edges, in so many steps; in none they are sharp, and the box is drawn with no rounding.
+    /// A box whose rounded edges have this number of steps. With 0 the edges are sharp and the box is drawn without rounding.
     Bevel(u16),
-    /// Each edge of the icosahedron that a sphere is made from, in so many.
+    /// A sphere from an icosahedron whose edges are divided into this number of parts.
     Faces(u16),
-    /// A cylinder or cone, in so many steps around.
+    /// A cylinder or cone with this number of steps around the axis.
     Around(u16),
-    /// A capsule, in so many steps around, and so many from its equator to each pole.
+    /// A capsule: steps around the axis, and steps from the equator to each pole.
     Capsule(u16, u16),
-    /// Nothing is round.
+    /// A flat shape.
     Flat,
 }
 
 /// One mesh of a kind.
 #[derive(Clone, Copy, Debug)]
 pub struct Level {
-    /// What it is a mesh of.
+    /// The kind of shape.
     pub kind: MeshKind,
     pub(super) cut: Cut,
-    /// What the radius of an instance is multiplied by. A box's rounding is made smaller, which moves its bevels outwards.
+    /// Factor on the radius of an instance. A box's rounding is made smaller, which moves its bevels outwards.
     pub(super) radius: f32,
     /// The maximum error of the silhouette, relative to the radius. It ignores the short edges inside box corners and across the quads
     /// of a capsule's caps.
@@ -46,7 +46,7 @@ impl Level {
         LEVELS[LEVELS_OF_KIND[kind as usize].0]
     }
 
-    /// Half extents and rounding of an instance that shows a shape with these.
+    /// Half extents and rounding of the instance for a shape's half extents and rounding.
     pub fn fitted(self, half_extents: Vec3, rounding: f32) -> (Vec3, f32) {
         let fitted = rounding * self.radius;
         match self.kind {
@@ -57,7 +57,7 @@ impl Level {
         }
     }
 
-    /// Its corners and triangles.
+    /// Computes its vertices and triangles.
     pub(super) fn mesh(self) -> Mesh {
         match self.cut {
             Cut::Bevel(steps) => rounded_box::mesh(steps),
@@ -73,7 +73,7 @@ impl Level {
 /// The levels of each kind, the finest first, in the order of [`MeshKind::ALL`].
 const OF_KINDS: [&[Level]; MeshKind::ALL.len()] =
     [&rounded_box::LEVELS, &sphere::LEVELS, &cylinder::LEVELS, &cone::LEVELS, &capsule::LEVELS, &plane::LEVELS];
-/// How many meshes there are.
+/// The number of meshes.
 pub const MESHES: usize = {
     let (mut count, mut kind) = (0, 0);
     while kind < OF_KINDS.len() {
@@ -82,7 +82,7 @@ pub const MESHES: usize = {
     }
     count
 };
-/// All of them: kinds in their order, of each the finest first.
+/// All levels: by kind, then finest first.
 pub const LEVELS: [Level; MESHES] = {
     let mut levels = [OF_KINDS[0][0]; MESHES];
     let (mut index, mut kind) = (0, 0);
@@ -97,7 +97,7 @@ pub const LEVELS: [Level; MESHES] = {
     }
     levels
 };
-/// Where each kind's meshes are in [`LEVELS`]: the first and the last.
+/// For each kind, the indices of its finest and its coarsest level in [`LEVELS`].
 pub const LEVELS_OF_KIND: [(usize, usize); MeshKind::ALL.len()] = {
     let mut ranges = [(MESHES, 0); MeshKind::ALL.len()];
     let mut index = 0;

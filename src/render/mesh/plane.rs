@@ -6,7 +6,7 @@ use super::Mesh;
 use super::levels::{Cut, Level};
 use crate::scene::MeshKind;
 
-/// Cells along each side of a plane: large triangles interpolate badly.
+/// Cells along each side of a plane: large triangles interpolate inaccurately.
 const PLANE_CELLS: u16 = 8;
 
 /// Its levels, the finest first.

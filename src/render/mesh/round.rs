@@ -1,4 +1,4 @@
-//! What cylinders, cones and capsules share: points around the axis, and discs.
+//! Shared by cylinders, cones and capsules: points around the axis, and discs.
 
 use std::f32::consts::TAU;
 
@@ -6,7 +6,7 @@ use glam::Vec3;
 
 use super::Mesh;
 
-/// The unit vector at one of `steps` places around Y.
+/// The unit vector at one of `steps` directions around Y.
 pub(super) fn around(step: u16, steps: u16) -> Vec3 {
     let (sin, cos) = (TAU * f32::from(step % steps) / f32::from(steps)).sin_cos();
     Vec3::new(sin, 0.0, cos)

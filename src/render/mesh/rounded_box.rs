@@ -16,7 +16,7 @@ pub(super) const LEVELS: [Level; 4] = [
     Level::new(MeshKind::Box, Cut::Bevel(0), 0.0, 0.732_1),
 ];
 
-/// A box whose rounded edges are cut in some steps; with none it has sharp edges.
+/// A box whose rounded edges have this number of steps; with 0 it has sharp edges.
 pub(super) fn mesh(steps: u16) -> Mesh {
     let mut mesh = rounded(steps.max(1));
     if steps == 0 {

@@ -13,7 +13,7 @@ pub(super) const LEVELS: [Level; 3] = [
     Level::new(MeshKind::Sphere, Cut::Faces(2), 1.025_1, 0.025_1),
 ];
 
-/// An icosahedron whose edges are each cut in so many, on the ball.
+/// An icosahedron with each edge divided into `cuts` parts, projected on the ball.
 pub(super) fn mesh(cuts: u16) -> Mesh {
     let golden = f32::midpoint(1.0, 5.0_f32.sqrt());
     let mut corners = Vec::new();

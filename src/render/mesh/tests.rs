@@ -117,7 +117,7 @@ fn levels_are_as_far_outside_what_is_round_as_inside_and_say_how_far() {
                 .fold([0.0_f32; 2], |most, of_edge| [most[0].max(of_edge[0]), most[1].max(of_edge[1])]),
         };
         let measured = match level.cut {
-            // The three corners of the triangle in place of a rounded corner stick out most.
+            // The corners of the triangle that replaces a rounded corner stick out most.
             Cut::Bevel(1) => (1.0 + 2.0 * (1.0 - level.radius).powi(2)).sqrt() - 1.0,
             _ => inside.max(outside),
         };
@@ -136,7 +136,7 @@ fn core_from_axis(vertex: &Vertex) -> f32 {
     vertex.core[0].hypot(vertex.core[2])
 }
 
-/// Whether an edge runs along what is round: not across a disc, to an apex, between two of a box's cores or inside its corners.
+/// Whether an edge approximates a round surface: not across a disc, to an apex, between two cores of a box or inside its corners.
 fn is_round(shape: &Shape, a: &Vertex, b: &Vertex) -> bool {
     match shape.mesh() {
         MeshKind::Box => {

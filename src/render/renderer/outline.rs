@@ -7,7 +7,7 @@ use crate::render::pipelines::Kind;
 use crate::render::targets::Targets;
 
 impl Renderer {
-    /// The outline around all outlined shapes as one, inside a rectangle in pixels from the viewport's corner.
+    /// Draws one outline around all outlined shapes, inside a rectangle in pixels from the viewport's corner.
     pub(super) fn draw_outline(
         &mut self,
         gpu: &Gpu,

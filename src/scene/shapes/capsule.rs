@@ -15,7 +15,7 @@ use crate::words::texts;
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Capsule {
-    /// Radius.
+    /// Radius in scene units.
     pub radius: f32,
     /// Full height, both caps included; at least twice the radius.
     pub height: f32,

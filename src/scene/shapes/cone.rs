@@ -15,7 +15,7 @@ use crate::scene::write::number;
 pub struct Cone {
     /// Radius of the base.
     pub radius: f32,
-    /// Full height.
+    /// Full height in scene units.
     pub height: f32,
 }
 

@@ -14,9 +14,9 @@ use crate::scene::write::number;
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Cylinder {
-    /// Radius.
+    /// Radius in scene units.
     pub radius: f32,
-    /// Full height.
+    /// Full height in scene units.
     pub height: f32,
 }
 

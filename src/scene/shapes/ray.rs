@@ -1,13 +1,13 @@
-//! What several shapes need to be met by a ray: intervals of the ray, in lengths of its direction.
+//! Shared by shapes that intersect rays: intervals of the ray, in lengths of its direction.
 
 use glam::{Vec3, Vec3Swizzles as _};
 
-/// An interval of the ray counts where it is not empty and begins in front.
+/// The start of an interval, if the interval is not empty and starts in front of the origin.
 pub(super) fn entering(enter: f32, leave: f32) -> Option<f32> {
     (enter <= leave && enter > 0.0).then_some(enter)
 }
 
-/// The roots of `a s² + 2 b s + c = 0` in order: where the ray is inside. With no slope: all of it, or nothing.
+/// The roots of `a s² + 2 b s + c = 0` in order: the interval inside. If `a` is 0: the whole ray, or nothing.
 fn quadratic(a: f32, half_b: f32, c: f32) -> Option<(f32, f32)> {
     if a <= f32::MIN_POSITIVE {
         return (c <= 0.0).then_some((f32::NEG_INFINITY, f32::INFINITY));

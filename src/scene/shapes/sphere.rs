@@ -14,7 +14,7 @@ use crate::scene::write::number;
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Sphere {
-    /// Radius.
+    /// Radius in scene units.
     pub radius: f32,
 }
 

@@ -1,4 +1,4 @@
-//! The functions that make vectors and rotations, as the course's Python module has them.
+//! The functions of the course's Python module that make vectors and rotations.
 
 use glam::{Quat, Vec3};
 
@@ -6,13 +6,13 @@ use crate::rotation_rules::Mending;
 use crate::timed::rotation_from_euler_degrees;
 use crate::words::{Phrase, texts};
 
-/// All of them.
+/// The names of the functions.
 pub(super) const FUNCTIONS: [&str; 4] = ["vec", "quaternion", "quaternion_from_euler", "quaternion_from_axis_angle"];
 
-/// What a function of these makes of its arguments.
+/// Calls one of [`FUNCTIONS`].
 ///
 /// # Errors
-/// What it expects instead of them.
+/// The expected arguments, as a phrase.
 pub(super) fn call(function: &str, arguments: &Arguments<'_>) -> Result<Term, Phrase> {
     let (made, expected) = match function {
         "vec" => (vector(arguments), texts::TEXT_EXPECTED_VEC),
@@ -23,12 +23,12 @@ pub(super) fn call(function: &str, arguments: &Arguments<'_>) -> Result<Term, Ph
     made.ok_or(expected)
 }
 
-/// An argument or a value before it is known what it is for.
+/// An argument or value before its purpose is known.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Term {
     /// A number.
     Number(f32),
-    /// Numbers, of which the first so many count.
+    /// Up to four numbers; the second field is how many are used.
     Numbers([f32; 4], usize),
     /// A unit quaternion.
     Rotation(Quat),
@@ -41,7 +41,7 @@ pub(super) struct Arguments<'a> {
 }
 
 impl Arguments<'_> {
-    /// The argument with one of these names, or in this place.
+    /// The argument with this name, or the unnamed one at this position.
     fn get(&self, position: usize, name: &str) -> Option<Term> {
         let named = self.terms.iter().find(|(given, _)| *given == Some(name));
         let placed = self.terms.get(position).filter(|(given, _)| given.is_none());

@@ -1,4 +1,4 @@
-//! The little of Python that dictionaries of keys need.
+//! A parser for the subset of Python in dictionaries of timed keys.
 
 use glam::{Quat, Vec3};
 
@@ -6,11 +6,11 @@ use super::functions::{Arguments, FUNCTIONS, Term, call};
 use crate::text_layouts::error::{TextError, TextProblem, quoted};
 use crate::words::{Argument, Phrase, texts};
 
-/// The most keys that a dictionary can have, so that memory is bounded whatever stands in the text.
+/// The most keys that a dictionary can have, so that memory is bounded.
 const MOST_KEYS: usize = 20_000;
-/// How deep parentheses can be nested.
+/// The deepest nesting of parentheses.
 const DEEPEST: usize = 8;
-/// As in scene files.
+/// The largest coordinate, as in scene files.
 const LARGEST_COORDINATE: f32 = 1e6;
 
 /// A key's value.
@@ -27,22 +27,22 @@ pub(super) enum Value {
 /// Seconds and values of one dictionary.
 pub(super) type TimedValues = Vec<(f64, Value)>;
 
-/// What the dictionaries give.
+/// The result of a text.
 #[derive(Debug, Default)]
 pub(super) struct Keys {
-    /// Of `translate_keys`.
+    /// The keys of `translate_keys`.
     pub(super) translations: TimedValues,
-    /// Of `rotate_keys`.
+    /// The keys of `rotate_keys`.
     pub(super) rotations: TimedValues,
-    /// Of `scale_keys`.
+    /// The keys of `scale_keys`.
     pub(super) scales: TimedValues,
-    /// Whether `quaternion` stands there with components.
+    /// Whether `quaternion` is called with components.
     pub(super) has_quaternions: bool,
-    /// Whether `quaternion_from_euler` stands there.
+    /// Whether `quaternion_from_euler` is called.
     pub(super) has_euler_angles: bool,
 }
 
-/// What a dictionary is for.
+/// The channel of a dictionary.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Purpose {
     Translate,
@@ -58,7 +58,7 @@ pub(super) struct Parser<'a> {
 }
 
 impl<'a> Parser<'a> {
-    /// From a byte of a text on.
+    /// A parser that starts at a byte offset.
     pub(super) fn new(bytes: &'a [u8], at: usize) -> Self {
         Self { bytes, at, keys: Keys::default() }
     }
@@ -66,7 +66,7 @@ impl<'a> Parser<'a> {
     /// Reads all dictionaries.
     ///
     /// # Errors
-    /// What cannot be read, with its place.
+    /// The first error, with its location.
     pub(super) fn keys(&mut self) -> Result<Keys, TextError> {
         loop {
             self.skip_blanks();
@@ -160,7 +160,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// A value for its purpose, within the ranges of scene files.
+    /// Converts a value to that of a channel, within the ranges of scene files.
     fn value(&self, at: usize, purpose: Purpose, term: Term) -> Result<Value, TextError> {
         let is_coordinate = |number: &f32| number.abs() <= LARGEST_COORDINATE;
         let is_scale = |number: &f32| *number > 0.0 && *number <= LARGEST_COORDINATE;
@@ -198,7 +198,7 @@ impl<'a> Parser<'a> {
             let found = name.to_owned();
             return Err(self.error(at, TextProblem::NotFinite { found }));
         }
-        // A module's name may stand before the function's.
+        // A module's name may precede the function's.
         let mut function = name;
         while self.takes(b'.') {
             function = self.name().ok_or_else(|| self.expected(texts::TEXT_EXPECTED_NAME))?;
@@ -296,7 +296,7 @@ impl<'a> Parser<'a> {
 
     fn seconds(&mut self) -> Result<f64, TextError> {
         let at = self.at;
-        // Adding zero makes a zero of minus zero.
+        // Normalise -0.0 to 0.0 so that equal values give equal bytes.
         let seconds = self.number_text().and_then(|text| text.parse::<f64>().ok()).map(|seconds| seconds + 0.0);
         self.finite(at, seconds, f64::is_finite, texts::TEXT_EXPECTED_SECONDS)
     }

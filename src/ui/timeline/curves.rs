@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use super::columns::Columns;
 use super::half_turn::degrees_between;
 use crate::interpolation::Interpolation;
-use crate::keyframe::{KeyframeList, PlayRange};
+use crate::keyframe::{KeyframeIndex, KeyframeList, PlayRange};
 use crate::pose::RbtIndex;
 use crate::rbt::Rbt;
 use crate::words::{Phrase, texts};
@@ -82,7 +82,7 @@ impl<'a> Movement<'a> {
         let start = key_time.floor() as usize + 1;
         #[expect(clippy::cast_possible_truncation, reason = "a fraction needs no more than f32")]
         let alpha = self.list.as_slice()[start].easing.value(key_time.fract()) as f32;
-        self.range.rbt_at(start, alpha, self.interpolation, self.rbt)
+        self.range.rbt_at(KeyframeIndex::new(start), alpha, self.interpolation, self.rbt)
     }
 
     /// What a graph shows at a time: three values of the translation, one of all else.
