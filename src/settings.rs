@@ -138,7 +138,7 @@ pub enum SettingsError {
 display_by_message!(SettingsError);
 
 impl SettingsError {
-    /// What is wrong, for people.
+    /// The error as a message.
     #[must_use]
     pub fn message(&self) -> Message {
         match self {

@@ -36,7 +36,7 @@ use crate::render::GpuError;
 use dialog::Question;
 use shell::Shell;
 
-/// Why there is no window: what is missing and how to get it.
+/// Why the window cannot open, and what to install.
 #[derive(Debug, Error)]
 pub enum WindowError {
     /// No display answers.

@@ -21,7 +21,7 @@ pub fn print(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(),
     }
 }
 
-/// Writes lines to standard error; where that is closed, there is no one to tell.
+/// Writes lines to standard error. A closed one is ignored.
 pub fn complain(lines: &str) {
     let _ = writeln!(io::stderr().lock(), "{lines}");
 }

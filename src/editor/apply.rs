@@ -23,8 +23,8 @@ const MS_STEP: u32 = 100;
 pub(super) type CommandResult = Result<Option<Message>, CommandError>;
 
 impl Editor {
-    /// Runs a command, and returns the effect that the host must perform. Its message, or its refusal, is [`Editor::message`] afterwards. A drag's
-    /// movements have no message and leave the status line alone. Every other command without a message clears it.
+    /// Runs a command, and returns the effect that the host must perform. Afterwards, [`Editor::message`] is its message or its refusal.
+    /// Movements of a drag have no message and leave the status line alone. Every other command without a message clears it.
     ///
     /// # Errors
     /// Why the command was refused. The document is then unchanged, except that a running drag may have been committed.

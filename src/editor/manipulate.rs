@@ -36,7 +36,7 @@ enum Style {
     Node,
     /// The sky camera about the world's centre: the world seems to be dragged, so the motion is inverted.
     Orbit,
-    /// The eye by its own frame: turns are inverted, so that what is under the pointer stays there.
+    /// The eye by its own frame. Turns are inverted, so that the point under the pointer stays under it.
     Ego,
 }
 

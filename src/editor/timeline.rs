@@ -14,7 +14,7 @@ use crate::words::{Message, Phrase, texts};
 /// The longest name of a keyframe, in characters.
 const LONGEST_NAME: usize = 100;
 
-/// What was copied.
+/// The clipboard.
 #[derive(Clone, Debug, Default)]
 pub struct Clipboard {
     keyframes: Vec<Keyframe>,
@@ -23,7 +23,7 @@ pub struct Clipboard {
 }
 
 impl Editor {
-    /// The keyframes that an edit of the timeline is for: the selected ones, or the current one; in order.
+    /// The indices that a timeline edit applies to, in order: the selected keyframes, or the current one.
     #[must_use]
     pub fn keyframes_at_hand(&self) -> Vec<usize> {
         if self.session.selected.is_empty() {
@@ -117,7 +117,7 @@ impl Editor {
         Ok(None)
     }
 
-    /// Drops what the list no longer has from the selection and the range to play.
+    /// Removes indices beyond the list from the selection and the played range.
     pub(super) fn fit_session_to_list(&mut self) {
         let count = self.document.keyframes.len();
         self.session.selected.retain(|index| index.get() < count);
@@ -190,7 +190,7 @@ impl Editor {
         Ok(Some(texts::easing_is(easing.name())))
     }
 
-    /// Puts another order of keyframes in place as one step, with `current` copied to the scene and `selected` selected.
+    /// Replaces the keyframes as one undo step, with `current` copied to the scene and `selected` selected.
     fn rearrange(
         &mut self,
         label: Phrase,

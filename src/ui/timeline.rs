@@ -1,6 +1,6 @@
 //! The timeline: a ruler, a row for all nodes and one for each, and a diamond for every keyframe; beside it, graphs.
 //!
-//! Areas, hits and what a drag asks for are worked out apart from painting. Only what is in sight is looked at.
+//! Layout, hit tests and drags are computed apart from painting. Only the visible part is computed.
 
 mod columns;
 mod curves;
@@ -41,7 +41,7 @@ use scale::{MOST_POINTS, Scale, View};
 use timed_key_view::KeyView;
 use timed_keys::Keys;
 
-/// Which side of the timeline is shown.
+/// The tabs of the timeline.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 enum Tab {
     /// Diamonds.
@@ -51,7 +51,7 @@ enum Tab {
     Graphs,
 }
 
-/// What is asked of the timeline by a key, a menu or the list of commands.
+/// A request to the timeline from a hotkey, a menu or the command list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ask {
     /// A field for the current keyframe's name.
@@ -72,12 +72,12 @@ pub struct Timeline {
     view: Option<View>,
     /// The visible part of time until then. It stays the same during a drag, so that nothing moves under the pointer.
     untouched: Option<View>,
-    /// For how many keyframes and what width that is.
+    /// The number of keyframes and the width that this view was made for.
     fitted_to: (usize, f32),
     scroll: f32,
     drag: Option<Drag>,
     hovered: Option<Hit>,
-    /// Where a selection with Shift begins.
+    /// The index at which a selection with Shift begins.
     anchor: Option<usize>,
     renaming: Option<Renaming>,
     asked: Option<Ask>,
@@ -90,13 +90,13 @@ pub struct Timeline {
 }
 
 impl Timeline {
-    /// Whether Escape is for the timeline: a drag goes on, which it ends.
+    /// Whether Escape belongs to the timeline, because it cancels a running drag.
     #[must_use]
     pub const fn takes_escape(&self) -> bool {
         self.drag.is_some() || self.graphs.is_dragging() || self.keys.is_dragging()
     }
 
-    /// Does what is asked when the timeline is shown next.
+    /// Stores a request, which is carried out when the timeline is next shown.
     pub const fn ask(&mut self, ask: Ask) {
         self.asked = Some(ask);
     }
@@ -255,7 +255,7 @@ impl Timeline {
         self.scroll = self.scroll.clamp(0.0, most);
     }
 
-    /// Changes what is in sight, from what it is.
+    /// Changes the visible part of time by a function.
     fn set_view(&mut self, change: impl FnOnce(View) -> View, width: f32, columns: &Columns) {
         let (first, last) = columns.ends();
         let view = self.view.or(self.untouched).unwrap_or_else(|| View::at_first(first, last, width));
@@ -358,7 +358,7 @@ fn missing(ui: &Ui, look: &Look<'_>, bindings: &[Binding]) {
     painter.text(at, Align2::LEFT_CENTER, text, FontId::proportional(12.0), look.tokens.dim);
 }
 
-/// Makes the diamonds of the summary row known to the keyboard and to screen readers. The pointer meets the tracks instead.
+/// Adds the diamonds of the summary row as widgets for the keyboard and screen readers. The mouse is handled by the tracks.
 fn diamonds(timeline: &mut Timeline, ui: &Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     let Target { layout, scale, columns, .. } = *look.target;
     let y = layout.summary.center().y;
@@ -396,7 +396,7 @@ fn diamonds(timeline: &mut Timeline, ui: &Ui, look: &Look<'_>, commands: &mut Ve
     }
 }
 
-/// The key of a command, or its name where it has none.
+/// The hotkey of a command, or its name if it has no hotkey.
 fn key_of(bindings: &[Binding], command: &Command) -> String {
     let binding = binding_of(bindings, command);
     binding

@@ -16,7 +16,7 @@ pub const RULER: f32 = 36.0;
 pub const RADIUS: f32 = 6.0;
 /// Half a diamond on a node's row, at most.
 pub const SMALL_RADIUS: f32 = 4.5;
-/// Closer together than this, diamonds merge.
+/// The distance between diamonds below which they merge.
 pub const LEAST_GAP: f32 = 6.0;
 /// From a diamond's middle to the grip of the interval that ends there.
 const GRIP: f32 = 13.0;
@@ -50,7 +50,7 @@ pub struct Layout {
     pub tracks: Rect,
     /// Pictures of keyframes; empty where there is no room for them.
     pub strip: Rect,
-    /// The row that stands for all nodes.
+    /// The summary row of all nodes.
     pub summary: Rect,
     /// The rows of nodes.
     pub nodes: Rect,

@@ -148,7 +148,7 @@ fn session() -> Vec<Step> {
     steps
 }
 
-/// What was filled before and kept looks the same to the byte as what is all filled anew.
+/// Incremental redraws give the same bytes as full redraws.
 #[track_caller]
 fn check(pixels_per_point: f32, can_copy: bool) {
     let mut bench = Bench::new();
