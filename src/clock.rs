@@ -1,6 +1,6 @@
 //! The fixed-rate animation clock: whole ticks out of wall time, exactly.
 //!
-//! Time comes in as [`Duration`]s, from the caller; no clock is read here. What is left over between ticks is kept in whole
+//! Time comes in as [`Duration`]s, from whoever reads a clock; none is read here. What is left over between ticks is kept in whole
 //! sixtieths of a nanosecond, never as a float, so any split of the same wall time gives the same ticks: an hour is 216,000.
 
 use std::time::Duration;

@@ -1,6 +1,6 @@
-//! Settings: hotkeys, colours, language, scale, recent files, sizes of panels. Plain data, and the text of its file.
+//! What a user set once and keeps: keys, colours, language, scale, recent files, sizes of panels. Plain data, and the text of its file.
 //!
-//! The file's path and the meaning of chords are not known here.
+//! Nothing here knows where the file is, or what a key's name means.
 
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
@@ -11,11 +11,11 @@ use thiserror::Error;
 
 use crate::words::{Argument, Language, Message, display_by_message, texts};
 
-/// The `format` field of the file.
+/// What the file says that it is.
 const FORMAT: &str = "inbetween.settings";
 /// The version that is written, and the newest that is read.
 const VERSION: u32 = 1;
-/// Larger files are refused, in bytes.
+/// A file of more bytes is not ours.
 pub const LARGEST_SETTINGS_BYTES: u64 = 1 << 20;
 /// How many recent files are kept.
 pub const MOST_RECENT_FILES: usize = 10;
@@ -45,8 +45,8 @@ impl ThemeChoice {
 /// The settings.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
-    /// Changed hotkeys: the id of a binding and its chords as text. Bindings with default hotkeys are not listed.
-    /// Older files have English names instead of ids; they are still read.
+    /// The keys of bindings that have others than the table's: the binding's id, and its chords as people write them.
+    /// Older files have English names in place of ids.
     pub keys: BTreeMap<String, Vec<String>>,
     /// Which colours show.
     pub theme: ThemeChoice,
@@ -117,7 +117,7 @@ pub enum SettingsError {
         /// Which version it is.
         found: u32,
     },
-    /// It is not JSON, or has unknown fields.
+    /// It is no JSON, or holds what is not known.
     Json {
         /// What is wrong, and the line and column.
         reason: String,
@@ -138,7 +138,7 @@ pub enum SettingsError {
 display_by_message!(SettingsError);
 
 impl SettingsError {
-    /// The error as a message.
+    /// What is wrong, for people.
     #[must_use]
     pub fn message(&self) -> Message {
         match self {
