@@ -22,7 +22,7 @@ struct App {
 
 impl App {
     fn apply(&mut self, command: Command) {
-        if let Ok(Some(Effect::Window(command))) = self.editor.apply(command) {
+        if let Some(Effect::Window(command)) = self.editor.apply(command).unwrap_or_default() {
             self.ui.perform(&command, &mut self.settings).expect("it cannot be refused");
         }
     }

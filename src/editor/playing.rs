@@ -208,7 +208,7 @@ impl Editor {
     }
 
     /// The pose that an edit of the scene starts from: the displayed pose while nothing plays.
-    pub(super) fn pose_at_hand(&self) -> Pose {
+    pub(super) fn edited_pose(&self) -> Pose {
         if self.is_scrubbed() { self.displayed_pose() } else { self.document.live_pose.clone() }
     }
 

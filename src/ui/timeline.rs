@@ -37,7 +37,7 @@ use hit::{Hit, Layout, RADIUS, Target};
 use paint::Look;
 use rename::Renaming;
 use rows::{Rows, has_key_rows};
-use scale::{MOST_POINTS, Scale, View};
+use scale::{MOST_POINTS, Scale, VisibleTime};
 use timed_key_view::KeyView;
 use timed_keys::Keys;
 
@@ -69,9 +69,9 @@ pub struct Timeline {
     columns: Columns,
     rows: Rows,
     /// The visible part of time; `None` until the user zooms or pans.
-    view: Option<View>,
+    view: Option<VisibleTime>,
     /// The visible part of time until then. It stays the same during a drag, so that nothing moves under the pointer.
-    untouched: Option<View>,
+    untouched: Option<VisibleTime>,
     /// The number of keyframes and the width that this view was made for.
     fitted_to: (usize, f32),
     scroll: f32,
@@ -217,7 +217,7 @@ impl Timeline {
         if is_still && self.fitted_to != fitted_to {
             // More keyframes, or another width: a view that was never zoomed fits itself again. A change of durations does not move it.
             self.fitted_to = fitted_to;
-            let fresh = View::at_first(first, last, width);
+            let fresh = VisibleTime::at_first(first, last, width);
             let same_zoom = self.untouched.filter(|view| view.points_per_unit == fresh.points_per_unit);
             self.untouched = Some(same_zoom.unwrap_or(fresh));
         }
@@ -245,7 +245,7 @@ impl Timeline {
         Scale {
             left: layout.tracks.left(),
             right: layout.tracks.right(),
-            view: view.unwrap_or_else(|| View::at_first(first, last, layout.tracks.width())),
+            view: view.unwrap_or_else(|| VisibleTime::at_first(first, last, layout.tracks.width())),
         }
     }
 
@@ -256,9 +256,9 @@ impl Timeline {
     }
 
     /// Changes the visible part of time by a function.
-    fn set_view(&mut self, change: impl FnOnce(View) -> View, width: f32, columns: &Columns) {
+    fn set_view(&mut self, change: impl FnOnce(VisibleTime) -> VisibleTime, width: f32, columns: &Columns) {
         let (first, last) = columns.ends();
-        let view = self.view.or(self.untouched).unwrap_or_else(|| View::at_first(first, last, width));
+        let view = self.view.or(self.untouched).unwrap_or_else(|| VisibleTime::at_first(first, last, width));
         let (first, last) = columns.all();
         self.view = Some(change(view).kept_near(first, last, width));
     }
@@ -280,7 +280,7 @@ impl Timeline {
         let width = layout.tracks.width();
         if zoom != 1.0 {
             let (first, last) = columns.all();
-            let least = (View::fitting(first, last, width).points_per_unit / 2.0).min(MOST_POINTS);
+            let least = (VisibleTime::fitting(first, last, width).points_per_unit / 2.0).min(MOST_POINTS);
             self.set_view(|view| view.zoomed(f64::from(zoom), at.x - layout.tracks.left(), least), width, columns);
         } else if scrolled != egui::Vec2::ZERO {
             if modifiers.shift || is_over_names {
@@ -303,21 +303,21 @@ impl Timeline {
     /// Brings the whole list into sight.
     fn fit_all(&mut self, layout: &Layout, columns: &Columns) {
         let (first, last) = columns.all();
-        self.view = Some(View::fitting(first, last, layout.tracks.width()));
+        self.view = Some(VisibleTime::fitting(first, last, layout.tracks.width()));
     }
 
     /// Scrolls the selected keyframes into sight; a single one with its neighbours.
     fn fit_selection(&mut self, editor: &Editor, layout: &Layout, columns: &Columns) {
         if let Some((first, last)) = timed_key_view::ends_of_selection(editor) {
-            self.view = Some(View::fitting(first, last.max(first + 0.1), layout.tracks.width()));
+            self.view = Some(VisibleTime::fitting(first, last.max(first + 0.1), layout.tracks.width()));
             return;
         }
-        let indices = editor.keyframes_at_hand();
+        let indices = editor.edited_keyframes();
         let (Some(&first), Some(&last)) = (indices.first(), indices.last()) else { return };
         let last_place = columns.len().saturating_sub(1);
         let (first, last) =
             if first == last { (first.saturating_sub(1), (last + 1).min(last_place)) } else { (first, last) };
-        self.view = Some(View::fitting(columns.time(first), columns.time(last), layout.tracks.width()));
+        self.view = Some(VisibleTime::fitting(columns.time(first), columns.time(last), layout.tracks.width()));
     }
 }
 

@@ -66,7 +66,7 @@ pub struct WindowSurface {
     thumbnails: Option<(Renderer, Offscreen)>,
 }
 
-/// PanelPainter that were laid out and wait to be painted, all of them, over the scene.
+/// Panels that were laid out and wait to be painted over the scene. All of them must be painted.
 pub struct LaidOut {
     /// What the panels ask for.
     pub output: UiOutput,

@@ -266,7 +266,7 @@ impl Timeline {
             Some(Drag::Move { .. }) => {
                 let Some(at) = at else { return };
                 let to = target.columns.insertion(target.scale.time_at(at.x));
-                if moves_anything(&editor.keyframes_at_hand(), to) {
+                if moves_anything(&editor.edited_keyframes(), to) {
                     commands.push(Command::Edit(Edit::Timeline(TimelineEdit::MoveKeyframes(to))));
                 }
             }

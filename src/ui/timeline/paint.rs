@@ -372,7 +372,7 @@ fn insertion(painter: &Painter, look: &Look<'_>, grabbed: usize, at: Pos2) {
     let Target { layout, scale, columns, .. } = look.target;
     let tokens = look.tokens;
     let to = columns.insertion(scale.time_at(at.x));
-    let indices = look.editor.keyframes_at_hand();
+    let indices = look.editor.edited_keyframes();
     if super::drag::moves_anything(&indices, to) {
         let (first, last) = columns.ends();
         let (before, after) = (to.checked_sub(1), (to < columns.len()).then_some(to));
