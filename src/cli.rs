@@ -1,10 +1,10 @@
 //! The command line: arguments in, text, files and an exit status out. One file for each command.
 //!
-//! Commands read arguments, print, show progress and turn errors into exit statuses; what they do is done by the rooms below.
+//! Commands read arguments, print, show progress and turn errors into exit statuses. The rooms below do the work.
 //!
-//! Exit statuses: 0 done, 1 bad input, 2 wrong usage, 3 no display or no GPU adapter. Where the status is 1, what is wrong stands on
-//! standard error, a sentence a line, and nothing on standard output. Commands that compare end with 0 within the tolerance, 1 beyond,
-//! 2 where they cannot tell.
+//! Exit statuses: 0 done, 1 bad input, 2 wrong usage, 3 no display or no GPU adapter. With status 1, standard error has the problems,
+//! a sentence a line, and standard output is empty. Commands that compare end with 0 within the tolerance, 1 beyond,
+//! 2 if they cannot compare.
 
 mod arguments;
 mod check;
@@ -45,7 +45,7 @@ use error::{CliError, Ended};
 
 /// Does what the arguments say, of which the first is the program's name. The result is the process's exit status.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
-    // First: the environment can only be changed while there is one thread.
+    // Must come first: the environment can only be changed while there is one thread.
     #[cfg(target_os = "linux")]
     drivers::leave_out_useless_ones();
     let log_level = env_logger::Env::default().default_filter_or("inbetween=error");

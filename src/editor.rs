@@ -1,6 +1,6 @@
 //! The editor owns all state and is the only way to change it.
 //!
-//! [`Command`]s go in through [`Editor::apply`], ticks through [`Editor::tick`]; what is to be done outside comes out as an [`Effect`],
+//! [`Command`]s go in through [`Editor::apply`], ticks through [`Editor::tick`]. Work outside of the editor comes out as an [`Effect`],
 //! which a [`Host`] performs. The editor knows no window, no GPU, no file system and no clock, so it cannot fail because of them.
 
 mod apply;

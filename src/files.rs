@@ -1,7 +1,7 @@
 //! Named files to values, with errors that name the file: scenes, animations, pictures, and results that are written.
 //!
-//! The rooms above take names of files from a user or from another file. [`storage`] knows no names in its errors and the
-//! parsers know no files; here the two meet.
+//! The rooms above get file names from users or from other files. Errors of [`storage`] do not contain names and
+//! parsers know no files; this room adds the names.
 
 mod animation;
 mod error;

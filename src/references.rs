@@ -1,4 +1,4 @@
-//! Reference pictures: what a folder's list asks for, drawn today and compared with the references beside it.
+//! Reference pictures: draws the pictures of a folder's list and compares them with the references beside it.
 
 mod list;
 
@@ -16,20 +16,20 @@ use crate::storage;
 /// What `--update` did with a reference.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Accepted {
-    /// There was none before.
+    /// It was created.
     New,
-    /// It was another picture.
+    /// It was replaced.
     Updated,
-    /// It was the same file.
+    /// It did not change.
     Unchanged,
 }
 
-/// Whether a picture looks like its reference.
+/// The verdict on one picture.
 #[derive(Debug)]
 pub enum Verdict {
     /// They were compared.
     Compared {
-        /// What the comparison found.
+        /// The score.
         found: Box<Comparison>,
         /// The largest score that counts as the same.
         tolerance: f32,
@@ -43,7 +43,7 @@ pub enum Verdict {
 }
 
 impl Verdict {
-    /// Whether the picture is as it should be.
+    /// Whether the picture equals its reference within the tolerance.
     #[must_use]
     pub fn is_good(&self) -> bool {
         matches!(self, Self::Compared { found, tolerance } if found.is_within(*tolerance))
@@ -106,7 +106,7 @@ impl<'a> References<'a> {
         Ok(accepted)
     }
 
-    /// Draws a picture, compares it with its reference, and writes both the picture and, where it is not as it should be, the difference
+    /// Draws a picture, compares it with its reference, and writes the picture and, if they differ, the difference
     /// into the folder `actual`.
     ///
     /// # Errors
@@ -116,7 +116,7 @@ impl<'a> References<'a> {
         let name = &shot.name;
         files::write(&actual.join(format!("{name}.png")), &drawn.to_png()?)?;
         let difference = actual.join(format!("{name}-difference.png"));
-        // A difference that an earlier run left would be taken for this run's.
+        // Remove the difference image of an earlier run.
         storage::remove(&difference).map_err(|reason| FileError::storage(&difference, reason))?;
         let verdict = self.verdict(shot, &drawn);
         if let Verdict::Compared { found, .. } = &verdict

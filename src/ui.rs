@@ -1,6 +1,6 @@
 //! The panels: menus, node tree, inspector, transport, timeline, status, help and dialogs.
 //!
-//! Widgets read a shared [`Editor`] and push [`Command`]s; nothing here changes it. Only zoom, scroll, what is folded and what is being
+//! Widgets read a shared [`Editor`] and push [`Command`]s; nothing here changes it. Only zoom, scroll, folding and text that is being
 //! typed live in [`Panels`]. Nothing here knows the window, the GPU, files or the clock.
 
 pub mod angles;
@@ -100,7 +100,7 @@ struct PanelInput<'a> {
 struct PanelSize {
     size: f32,
     is_dragged: bool,
-    /// How often it was shown since no button is held: its last size is not that of the frame in which the drag ended.
+    /// Frames since all buttons were released. The final size is only reported one frame later.
     rests: u8,
 }
 
@@ -119,7 +119,7 @@ pub struct Panels {
     dialog: Option<Dialog>,
     /// What was exported last, and of which keyframe file.
     exported: Option<(PathBuf, ExportOptions)>,
-    /// The export that is under way.
+    /// The running export.
     pub exporting: Option<Exporting>,
     /// How fast the window is, where that is shown.
     pub statistics: Option<Statistics>,
@@ -180,7 +180,7 @@ impl Panels {
 
     /// Shows the panels in the whole window's `ui`.
     pub fn show(&mut self, ui: &mut egui::Ui, editor: &Editor) -> UiOutput {
-        self.dress(ui.ctx());
+        self.apply_settings_to(ui.ctx());
         self.thumbnails.begin();
         self.log.take_in(editor.said(), ui.input(|input| input.time));
         let mut output = UiOutput::default();

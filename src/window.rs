@@ -1,7 +1,7 @@
 //! The window: events in, commands to the editor, pictures out, and the effects that the editor asks for.
 //!
 //! Only here are winit's names known and, for the window, the clock on the wall read. What can be decided without a window is
-//! plain data with tables of tests: [`keys`], [`path`] and [`pointer`].
+//! plain data with tables of tests: [`hotkeys`], [`motion_path`] and [`pointer`].
 
 mod damage;
 mod desktop;
@@ -36,7 +36,7 @@ use crate::render::GpuError;
 use dialog::Question;
 use shell::Shell;
 
-/// Why there is no window: what is missing and how to get it.
+/// Why the window cannot open, and what to install.
 #[derive(Debug, Error)]
 pub enum WindowError {
     /// No display answers.

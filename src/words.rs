@@ -1,8 +1,8 @@
 //! Messages as data, and the languages they are displayed in.
 //!
 //! `assets/words/en.txt` has every message with its id; the build script makes [`texts`] of it, a constant for each message without
-//! arguments and a function for each that has some. Another language is one more file there. Code that reports something returns a [`Message`]
-//! or a [`Phrase`]; the code that displays it chooses the language.
+//! arguments and a function for each that has some. Another language is one more file there. Code that reports something returns a
+//! [`Message`] or a [`Phrase`]; the code that displays it chooses the language.
 
 mod catalogue;
 mod file;

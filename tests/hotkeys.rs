@@ -214,14 +214,14 @@ fn a_drag_is_one_step_and_escape_takes_it_back() {
 fn the_eye_moves_where_nothing_is_chosen() {
     let mut editor = editor();
     let sky = editor.scene().find_rbt("sky").unwrap();
-    assert_eq!(editor.node_at_hand(), sky);
+    assert_eq!(editor.dragged_node(), sky);
     press(&mut editor, "v");
-    assert_eq!(editor.scene().rbt_path(editor.node_at_hand()), "robot1");
+    assert_eq!(editor.scene().rbt_path(editor.dragged_node()), "robot1");
     press(&mut editor, "m");
     assert_eq!(editor.message().unwrap().severity(), Severity::Error, "the sky modes need the sky as eye");
     press(&mut editor, "v v m");
     assert_eq!(editor.message().unwrap().severity(), Severity::Information);
-    assert_eq!(editor.node_at_hand(), sky);
+    assert_eq!(editor.dragged_node(), sky);
 }
 
 #[test]

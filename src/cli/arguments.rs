@@ -1,4 +1,4 @@
-//! The arguments, as clap reads them. What is checked here is wrong usage; what the commands check is bad input.
+//! The arguments, as clap reads them. Errors found here are wrong usage (status 2); errors that commands find are bad input (status 1).
 
 mod help;
 
@@ -16,7 +16,7 @@ use crate::interpolation::Interpolation;
 use crate::render::Background;
 use crate::text_layouts::{FieldOrder, Layout};
 
-/// The keyframe file where none is named.
+/// The keyframe file if none is given.
 pub const DEFAULT_KEYFRAME_FILE: &str = "animation.json";
 
 const AFTER_HELP: &str = "\
@@ -34,12 +34,12 @@ pub struct Arguments {
     pub scene: Option<PathBuf>,
     /// The keyframe file to open in the window, loaded if it exists [default: animation.json, not loaded].
     pub file: Option<PathBuf>,
-    /// What to do instead of opening the window.
+    /// The command to run instead of opening the window.
     #[command(subcommand)]
     pub command: Option<Subcommand>,
 }
 
-/// What there is to do besides opening the window.
+/// The commands besides the window.
 #[derive(Debug, clap::Subcommand)]
 pub enum Subcommand {
     /// Validate keyframe files: one line a file, one a problem.
@@ -58,7 +58,7 @@ pub enum Subcommand {
     /// Render what DIR/pictures.json lists and compare it with the references beside it. Exit status: 1 on a difference or a missing reference.
     #[command(after_long_help = "Manual: inbetween help ci")]
     Verify(VerifyArguments),
-    /// Compare two PNG images by what an eye would notice (FLIP). Exit status: 0 within the tolerance, 1 beyond, 2 trouble.
+    /// Compare two PNG images by the differences that an eye notices (FLIP). Exit status: 0 within the tolerance, 1 beyond, 2 trouble.
     #[command(after_long_help = "Manual: inbetween help films")]
     Compare(CompareArguments),
     /// Run a script of hotkeys and gestures with no window.
@@ -67,7 +67,7 @@ pub enum Subcommand {
     /// Name the mistake that explains what a program showed, from samples of its playback.
     #[command(long_about = diagnose_help(), after_long_help = "Manual: inbetween help grading")]
     Diagnose(DiagnoseArguments),
-    /// Tell how far two animations are apart, node by node, as they play. Exit status: 0 within tolerance, 1 beyond, 2 trouble.
+    /// Compare two animations node by node, as they play. Exit status: 0 within tolerance, 1 beyond, 2 trouble.
     #[command(after_long_help = "Manual: inbetween help grading")]
     Diff(DiffArguments),
     /// Grade submissions by a rubric: grades.csv, grades.json and report.html.
@@ -153,16 +153,16 @@ pub struct ConvertArguments {
     /// Write this layout instead of a keyframe file, numbers with six significant digits.
     #[arg(long, value_name = "LAYOUT", value_parser = layout())]
     pub to: Option<Layout>,
-    /// With --to, write all digits that it takes to read the same values back.
+    /// With --to, write enough digits to read back the same values.
     #[arg(long)]
     pub exact: bool,
-    /// Which of a row's numbers come first, whatever they look like.
+    /// The order of a row's numbers, instead of the inferred one.
     #[arg(long, value_name = "ORDER", value_parser = field_order())]
     pub order: Option<FieldOrder>,
-    /// Which node each row of a keyframe is: a list of paths, one a line; - for a row that is not used.
+    /// The nodes of a keyframe's rows: a file with a path on each line; - marks a row that is not used.
     #[arg(long, value_name = "FILE")]
     pub joints: Option<PathBuf>,
-    /// Take the whole keyframes of a text that breaks off or does not agree with its header.
+    /// Accept a text that breaks off or disagrees with its header, and take its whole keyframes.
     #[arg(long)]
     pub salvage: bool,
 }
@@ -178,16 +178,16 @@ pub struct SampleArguments {
     /// Frames a second, 1 to 1000. Samples the whole playing range and its end.
     #[arg(long, value_name = "N", requires = "file", value_parser = clap::value_parser!(u32).range(1..=1000))]
     pub fps: Option<u32>,
-    /// How to print.
+    /// The output format.
     #[arg(long, value_enum, default_value_t)]
     pub format: SampleFormat,
-    /// In which space: parent prints poses; world prints every node's world matrix, shapes and control nodes included.
+    /// The space of the output: parent prints poses; world prints the world matrix of every node, including shapes and control nodes.
     #[arg(long, value_enum, default_value_t)]
     pub space: Space,
     /// The time of the timed keys, in seconds.
     #[arg(long, value_name = "S", default_value_t = 0.0, allow_negative_numbers = true, value_parser = seconds)]
     pub seconds: f64,
-    /// Interpolate so, whatever the file says.
+    /// The interpolation to use instead of the file's.
     #[arg(long, value_name = "NAME", value_parser = interpolation())]
     pub interpolation: Option<Interpolation>,
 }
@@ -229,7 +229,7 @@ pub struct RenderArguments {
     /// Frames a second, of the whole playing range and its end.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_FRAMES_PER_SECOND)), help = help::fps())]
     pub fps: Option<u32>,
-    /// What the numbered images of a folder are written as [default: png].
+    /// The format of a folder's numbered images [default: png].
     #[arg(long, value_name = "FORMAT", value_parser = still_format())]
     pub frame_format: Option<&'static Format>,
     /// Remove the numbered images of an earlier film from the folder that this film does not replace. Without this they are an error.
@@ -244,10 +244,10 @@ pub struct RenderArguments {
     /// A contact sheet of COLUMNS times ROWS images, evenly from --from to --to. Each has --size (by default 320x240).
     #[arg(long, value_name = "COLUMNSxROWS", conflicts_with_all = ["at", "keyframe", "fps"], value_parser = grid)]
     pub sheet: Option<Grid>,
-    /// Show what moves as it is in the N keyframes of the list before (warm) and the N after (cool), translucent, up to 20.
+    /// Show ghosts: moving nodes as in the N keyframes before (orange) and after (blue), translucent. At most 20.
     #[arg(long, value_name = "N", requires = "file", value_parser = clap::value_parser!(u8).range(0..=i64::from(MOST_GHOSTS)))]
     pub ghosts: Option<u8>,
-    /// Which eye sees it: one of the scene's, by its path, or turntable, which goes once around the world's centre in a film [default: the scene's first].
+    /// The eye: the path of one of the scene's, or turntable, which circles the world's centre once [default: the scene's first].
     #[arg(long, value_name = "EYE|turntable")]
     pub camera: Option<String>,
     /// What is behind everything.
@@ -262,13 +262,13 @@ pub struct RenderArguments {
     /// Samples a pixel, 1 or 4 [default: 4; 1 on a software adapter].
     #[arg(long, value_name = "1|4", value_parser = samples())]
     pub samples: Option<u32>,
-    /// Interpolate so, whatever the file says.
+    /// The interpolation to use instead of the file's.
     #[arg(long, value_name = "NAME", value_parser = interpolation())]
     pub interpolation: Option<Interpolation>,
-    /// Instead of colours write which node each pixel shows, in a 16-bit grey PNG: 0 is none, else the node's place in the scene file's pre-order, plus 1.
+    /// Write node indices instead of colours, as a 16-bit grey PNG: 0 for background, else the node's pre-order index plus 1.
     #[arg(long, conflicts_with_all = ["fps", "sheet", "ghosts", "samples"])]
     pub id: bool,
-    /// Also write a JSON file that says with which adapter, driver and versions, and each written file's SHA-256.
+    /// Also write a JSON file with adapter, driver, versions and the SHA-256 of each written file.
     #[arg(long, value_name = "FILE")]
     pub manifest: Option<PathBuf>,
 }
@@ -285,10 +285,10 @@ impl RenderArguments {
 pub struct VerifyArguments {
     /// The folder with pictures.json and the references.
     pub folder: PathBuf,
-    /// Take what is drawn now as the references.
+    /// Replace the references by the pictures drawn now.
     #[arg(long)]
     pub update: bool,
-    /// Where to write what was drawn, and the differences [default: DIR/actual].
+    /// The folder for drawn pictures and differences [default: DIR/actual].
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
 }
@@ -296,16 +296,16 @@ pub struct VerifyArguments {
 /// Arguments of `compare`.
 #[derive(Debug, Args)]
 pub struct CompareArguments {
-    /// The one image.
+    /// The first image.
     #[arg(value_name = "A.png")]
     pub first: PathBuf,
-    /// The other image, of the same size.
+    /// The second image, of the same size.
     #[arg(value_name = "B.png")]
     pub second: PathBuf,
-    /// The largest score, 0 to 1, that counts as the same.
+    /// The largest score that counts as equal, 0 to 1.
     #[arg(long, value_name = "T", default_value_t = DEFAULT_TOLERANCE, value_parser = tolerance)]
     pub tolerance: f32,
-    /// Write a PNG of the differences: black where there is none, brighter where there is more.
+    /// Write a PNG of the differences: black where equal, brighter for larger differences.
     #[arg(short, long, value_name = "DIFF.png")]
     pub output: Option<PathBuf>,
     /// Print the result as JSON.
@@ -337,7 +337,7 @@ pub struct ScriptArguments {
 pub struct DiagnoseArguments {
     /// The keyframes that the program played, of at most 1 GiB.
     pub keyframes: PathBuf,
-    /// What it showed, as CSV of at most 64 MiB.
+    /// The samples that it showed, as CSV of at most 64 MiB.
     #[arg(value_name = "SAMPLES.csv")]
     pub samples: PathBuf,
     /// Print JSON: best, also, residual, candidates.
@@ -352,10 +352,10 @@ pub struct DiffArguments {
     pub a: PathBuf,
     /// Keyframes to compare them with.
     pub b: PathBuf,
-    /// How far translations may be apart, in scene units.
+    /// The tolerance of translations, in scene units.
     #[arg(long, value_name = "UNITS", default_value_t = 1e-3, value_parser = tolerance_of_poses)]
     pub tolerance_translation: f64,
-    /// How far rotations may be apart, in degrees.
+    /// The tolerance of rotations, in degrees.
     #[arg(long, value_name = "DEGREES", default_value_t = 0.1, value_parser = tolerance_of_poses)]
     pub tolerance_rotation: f64,
     /// Frames a second to compare, 1 to 1000. The end is always compared.
@@ -364,7 +364,7 @@ pub struct DiffArguments {
     /// Print JSON.
     #[arg(long)]
     pub json: bool,
-    /// Interpolate both so, whatever the files say.
+    /// The interpolation to use for both instead of those of the files.
     #[arg(long, value_name = "NAME", value_parser = interpolation())]
     pub interpolation: Option<Interpolation>,
 }
@@ -390,7 +390,7 @@ fn tolerance_of_poses(text: &str) -> Result<f64, String> {
     tolerance.ok_or_else(|| format!("{text:?} is not a finite number of at least 0"))
 }
 
-/// Key times in the order in which they were asked for.
+/// Key times in the given order.
 #[derive(Clone, Debug, PartialEq)]
 pub struct KeyTimes(pub Vec<f64>);
 

@@ -1,4 +1,4 @@
-//! `inbetween check`: whether keyframe files are good.
+//! `inbetween check`: checks keyframe files.
 
 use std::path::Path;
 

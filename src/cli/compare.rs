@@ -1,4 +1,4 @@
-//! `inbetween compare`: whether two images look the same.
+//! `inbetween compare`: compares two images.
 
 use super::arguments::CompareArguments;
 use super::{CliError, Ended, output};

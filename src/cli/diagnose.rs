@@ -1,4 +1,4 @@
-//! `inbetween diagnose`: which known mistake explains what a student's own program showed.
+//! `inbetween diagnose`: names the known mistake that explains a student's samples.
 
 use std::fmt::Write as _;
 
@@ -11,7 +11,7 @@ use crate::scene::SceneGraph;
 use crate::text::counted;
 use crate::text_layouts::read_keyframes;
 
-/// How many runners-up are named to people.
+/// The number of runners-up in the text output.
 const RUNNERS_UP: usize = 3;
 
 /// Prints the diagnosis, as sentences or as JSON.
@@ -51,7 +51,7 @@ fn to_json(diagnosis: &Diagnosis) -> String {
     )
 }
 
-/// The diagnosis for people: what explains the samples, what to change, and the runners-up.
+/// The diagnosis as text: explanation, advice and runners-up.
 fn sentences(diagnosis: &Diagnosis) -> String {
     let best = diagnosis.best();
     let rows = counted(diagnosis.rows, "row");

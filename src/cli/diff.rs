@@ -97,7 +97,7 @@ struct DifferenceReport<'a> {
 }
 
 impl DifferenceReport<'_> {
-    /// What exceeds its tolerance first: key time, node, and which part.
+    /// The first difference beyond its tolerance: key time, node and part.
     fn first_exceeded(&self) -> Option<(f64, &str, &'static str)> {
         let parts = self
             .difference

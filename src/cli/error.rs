@@ -13,7 +13,7 @@ use crate::script::DiskStop;
 use crate::storage::StorageError;
 use crate::window::WindowError;
 
-/// How a command ends that has done what it should.
+/// How a successful command ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ended {
     /// All is well: status 0.
@@ -25,10 +25,10 @@ pub enum Ended {
 const BAD_INPUT: u8 = 1;
 const MISUSE: u8 = 2;
 const NO_DRAWING: u8 = 3;
-/// As shells have it for a program that SIGINT ended.
+/// The exit status that shells use for a program that SIGINT ended.
 const INTERRUPTED: u8 = 130;
 
-/// Why a command was not done.
+/// Why a command failed.
 #[derive(Debug)]
 pub enum CliError {
     /// Wrong usage; also help and version. clap prints these in a form of its own.

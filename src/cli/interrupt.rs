@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Whether someone has asked for the end.
+/// Whether an interrupt was requested.
 #[derive(Clone)]
 pub struct Interrupt(Arc<AtomicBool>);
 
@@ -12,12 +12,12 @@ impl Interrupt {
     pub fn listen() -> Self {
         let asked = Arc::new(AtomicBool::new(false));
         let told = Arc::clone(&asked);
-        // Where someone listens already, the process ends at once, as without this.
+        // If a handler exists already, Ctrl+C ends the process at once, as usual.
         let _ = ctrlc::set_handler(move || told.store(true, Ordering::Relaxed));
         Self(asked)
     }
 
-    /// Whether someone has asked for the end.
+    /// Whether an interrupt was requested.
     pub fn is_asked(&self) -> bool {
         self.0.load(Ordering::Relaxed)
     }

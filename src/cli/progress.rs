@@ -1,4 +1,4 @@
-//! A line that says how much of long work is done, on a terminal only.
+//! A progress line, on a terminal only.
 
 use std::io::{self, IsTerminal as _, Write as _};
 

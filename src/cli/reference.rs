@@ -46,7 +46,7 @@ fn section(text: &mut String, title: &str, command: &Command) {
     text.push('\n');
 }
 
-/// What every command has is listed once, for the program.
+/// Options of all commands are listed once, for the program.
 fn is_own(argument: &Arg, title: &str) -> bool {
     let is_common = argument.is_global_set() || matches!(argument.get_id().as_str(), "help" | "version");
     !argument.is_hide_set() && (title == "inbetween" || !is_common)

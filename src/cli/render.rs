@@ -39,8 +39,8 @@ pub fn run(arguments: &RenderArguments, scene: Option<&Path>) -> Result<(), CliE
     painter.set_background(arguments.background);
     let done = draw(arguments, scene, output, &mut painter);
     if done.is_ok() {
-        // The system takes back in no time what a driver takes milliseconds to give back, and the process ends after this. Where
-        // something went wrong the driver may be at work still, and must be waited for.
+        // Skip the driver's clean-up, which takes milliseconds, because the process ends after this. After an error
+        // the driver may still be busy, and must be waited for.
         mem::forget(painter);
     }
     done
@@ -72,7 +72,7 @@ fn draw(
         removes_stale: arguments.clean,
     };
     let planned = request.plan()?;
-    // Hashing costs time.
+    // Hashing is slow: only do it for a manifest.
     let mut manifest = arguments.manifest.is_some().then(|| Manifest::new(painter));
     let mut written = |path: &Path, bytes: &[u8]| {
         if let Some(manifest) = &mut manifest {

@@ -41,7 +41,7 @@ pub fn run(arguments: &VerifyArguments, scene: Option<&Path>) -> Result<Ended, C
     Ok(if bad == 0 { Ended::Well } else { Ended::Beyond })
 }
 
-/// Does something with each picture while the progress is shown.
+/// Calls a function for each picture and shows the progress.
 fn each(shots: &[Shot], mut line: impl FnMut(&Shot) -> Result<String, CliError>) -> Result<Vec<String>, CliError> {
     let mut progress = Progress::new("picture", shots.len());
     let mut lines = Vec::with_capacity(shots.len());

@@ -7,7 +7,7 @@ use super::{CliError, scene};
 use crate::editor::{Command, FileCommand};
 use crate::storage;
 
-/// Opens the window on a scene, with a keyframe file, which is loaded if it is named and exists. What is wrong with it the window says.
+/// Opens the window on a scene, with a keyframe file, which is loaded if it is named and exists. The window reports errors of the file.
 ///
 /// # Errors
 /// [`CliError`]: a bad scene, no display, no GPU adapter.

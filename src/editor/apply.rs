@@ -23,8 +23,8 @@ const MS_STEP: u32 = 100;
 pub(super) type CommandResult = Result<Option<Message>, CommandError>;
 
 impl Editor {
-    /// Runs a command, and returns the effect that the host must perform. Its message, or its refusal, is [`Editor::message`] afterwards. A drag's
-    /// movements have no message and leave the status line alone. Every other command without a message clears it.
+    /// Runs a command, and returns the effect that the host must perform. Afterwards, [`Editor::message`] is its message or its refusal.
+    /// Movements of a drag have no message and leave the status line alone. Every other command without a message clears it.
     ///
     /// # Errors
     /// Why the command was refused. The document is then unchanged, except that a running drag may have been committed.
@@ -139,7 +139,7 @@ impl Editor {
             Edit::Faster => Ok(Some(self.set_ms(self.document.ms_between_keyframes.saturating_sub(MS_STEP)))),
             Edit::Slower => Ok(Some(self.set_ms(self.document.ms_between_keyframes.saturating_add(MS_STEP)))),
             Edit::SetMsBetweenKeyframes(ms) => Ok(Some(self.set_ms(ms))),
-            Edit::SetTranslation(rbt, translation) => self.place(
+            Edit::SetTranslation(rbt, translation) => self.change_node(
                 rbt,
                 |parent_from_node| Rbt { translation, ..parent_from_node },
                 texts::ACT_MOVE_A_NODE,
@@ -147,18 +147,23 @@ impl Editor {
             ),
             Edit::SetRotation(rbt, rotation) => {
                 let rotation = unit(rotation).ok_or(CommandError::NotAValue { what: texts::VALUE_ROTATION })?;
-                self.place(rbt, |parent_from_node| Rbt { rotation, ..parent_from_node }, texts::ACT_TURN_A_NODE, None)
+                self.change_node(
+                    rbt,
+                    |parent_from_node| Rbt { rotation, ..parent_from_node },
+                    texts::ACT_TURN_A_NODE,
+                    None,
+                )
             }
             Edit::RotateChosen { axis_in_node, radians } => {
                 let chosen = self.session.chosen.ok_or_else(|| self.nothing_chosen())?;
                 let turn = unit(Quat::from_axis_angle(axis_in_node, radians))
                     .ok_or(CommandError::NotAValue { what: texts::VALUE_ROTATION })?;
                 let turned = |from: Rbt| Rbt { rotation: from.rotation * turn, ..from }.renormalized();
-                self.place(chosen, turned, texts::ACT_TURN_A_NODE, None)
+                self.change_node(chosen, turned, texts::ACT_TURN_A_NODE, None)
             }
             Edit::TranslateChosen(by) => {
                 let chosen = self.session.chosen.ok_or_else(|| self.nothing_chosen())?;
-                self.place(
+                self.change_node(
                     chosen,
                     |from| Rbt { translation: from.translation + by, ..from },
                     texts::ACT_MOVE_A_NODE,
@@ -167,7 +172,7 @@ impl Editor {
             }
             Edit::Wheel(motion) => {
                 let moved = self.moved(motion);
-                self.place(self.node_at_hand(), |_| moved, texts::ACT_MOVE_ALONG_THE_VIEW, Some(Run::Wheel))
+                self.change_node(self.dragged_node(), |_| moved, texts::ACT_MOVE_ALONG_THE_VIEW, Some(Run::Wheel))
             }
         }
     }
@@ -314,7 +319,7 @@ impl Editor {
         }
     }
 
-    pub(super) fn place(
+    pub(super) fn change_node(
         &mut self,
         rbt: RbtIndex,
         change: impl FnOnce(Rbt) -> Rbt,
@@ -324,7 +329,7 @@ impl Editor {
         if rbt.get() >= self.document.scene.rbt_count() {
             return Err(CommandError::NotInScene { what: texts::VALUE_NODE });
         }
-        let placed = change(self.pose_at_hand().get(rbt));
+        let placed = change(self.edited_pose().get(rbt));
         if !placed.is_finite() {
             return Err(CommandError::NotAValue { what: texts::VALUE_POSITION });
         }

@@ -133,7 +133,8 @@ pub enum Edit {
     Timeline(TimelineEdit),
     /// Edits control nodes and timed keys, which are part of the scene.
     Scene(SceneEdit),
-    /// Moves the dragged node (the chosen one, or the eye) along the view, with respect to its auxiliary frame. Consecutive ones are one undo step.
+    /// Moves the dragged node (the chosen one, or the eye) along the view, with respect to its auxiliary frame.
+    /// Consecutive ones are one undo step.
     Wheel(Rbt),
 }
 
@@ -278,7 +279,7 @@ pub enum FileCommand {
     Screenshot(Option<PathBuf>),
     /// Makes a film of what the keyframes play, beside whatever else goes on.
     Export(Box<ExportOptions>),
-    /// Ends the export that is under way; what is not finished is not kept.
+    /// Cancels the running export and removes its partial file.
     CancelExport,
     /// Asks the system where an export is to go.
     ChooseExport {
@@ -339,7 +340,7 @@ pub enum Effect {
     },
     /// Make a film of the document as it is now and hand the outcome to [`super::Editor::exported`].
     Export(Box<ExportOptions>),
-    /// End the export that is under way.
+    /// Cancel the running export.
     CancelExport,
     /// Ask where an export is to go.
     ChooseExport {

@@ -33,7 +33,7 @@ impl Editor {
                     Some(_) if motion.translation == glam::Vec3::ZERO => texts::ACT_TURN_A_NODE,
                     Some(_) => texts::ACT_MOVE_A_NODE,
                 };
-                self.place(self.node_at_hand(), |_| moved, label, None)?;
+                self.change_node(self.dragged_node(), |_| moved, label, None)?;
             }
             GestureCommand::Commit => {
                 self.commit_gesture();

@@ -1,4 +1,4 @@
-//! Hotkeys: keys with modifiers, and the bindings of the table of commands that they mean.
+//! Hotkeys: keys with modifiers, and the lookup of the binding that a key press triggers.
 
 mod changes;
 
@@ -18,7 +18,7 @@ pub enum Key {
     Space,
     /// Escape.
     Escape,
-    /// F1 and on.
+    /// F1.
     F1,
     /// F2.
     F2,
@@ -66,7 +66,7 @@ pub enum Key {
     Down,
 }
 
-/// Keys that type no character, with their names for people; scripts and the settings write them in any case.
+/// Keys that type no character, with their displayed names; scripts and settings accept them in any case.
 pub const NAMED_KEYS: [(Key, &str); 25] = [
     (Key::Space, "Space"),
     (Key::Escape, "Esc"),
@@ -135,13 +135,13 @@ pub fn bindings() -> Vec<Binding> {
 }
 
 impl Binding {
-    /// Its keys for people: `c or Space`.
+    /// Its hotkeys as text: `c or Space`.
     #[must_use]
     pub fn keys(&self) -> String {
         self.chords.iter().map(Chord::label).collect::<Vec<_>>().join(" or ")
     }
 
-    /// The key that a menu shows.
+    /// The hotkey that a menu shows.
     #[must_use]
     pub fn menu_key(&self) -> String {
         self.chords.first().map(Chord::label).unwrap_or_default()
@@ -149,7 +149,7 @@ impl Binding {
 }
 
 impl Chord {
-    /// The chord for people: `Ctrl+Shift+Z`, `>`, `n`.
+    /// The chord as text: `Ctrl+Shift+Z`, `>`, `n`.
     #[must_use]
     pub fn label(&self) -> String {
         let Modifiers { shift, ctrl, alt } = self.modifiers;
@@ -219,9 +219,9 @@ impl Key {
     }
 }
 
-/// The binding that a press means: by what it types first, then by its place on the board.
+/// The binding of a key press: by the typed character first, then by the key's position on a US keyboard.
 ///
-/// A repeated press means only what repeats.
+/// A repeated press triggers only bindings that repeat.
 #[must_use]
 pub fn binding_for(table: &[Binding], press: KeyPress) -> Option<&Binding> {
     [press.typed, press.on_us_layout]
@@ -241,7 +241,7 @@ pub fn press_from_word(word: &str) -> Option<KeyPress> {
     Some(KeyPress { typed: Some(key), on_us_layout: None, modifiers, is_repeat: false })
 }
 
-/// The table as Markdown, for the README.
+/// The table of hotkeys as Markdown, for the manual.
 #[must_use]
 pub fn markdown() -> String {
     let mut text = String::from("| key | does |\n|---|---|\n");

@@ -36,7 +36,7 @@ enum Style {
     Node,
     /// The sky camera about the world's centre: the world seems to be dragged, so the motion is inverted.
     Orbit,
-    /// The eye by its own frame: turns are inverted, so that what is under the pointer stays there.
+    /// The eye by its own frame. Turns are inverted, so that the point under the pointer stays under it.
     Ego,
 }
 
@@ -88,7 +88,7 @@ impl Manipulation {
 impl Editor {
     /// The node that a drag moves: the chosen one, or the eye.
     #[must_use]
-    pub fn node_at_hand(&self) -> RbtIndex {
+    pub fn dragged_node(&self) -> RbtIndex {
         self.session.chosen.unwrap_or_else(|| self.eye())
     }
 
@@ -103,7 +103,7 @@ impl Editor {
     }
 
     fn style(&self) -> Style {
-        if self.node_at_hand() != self.eye() {
+        if self.dragged_node() != self.eye() {
             Style::Node
         } else if self.session.eye == 0
             && self.session.chosen.is_none()
@@ -123,7 +123,7 @@ impl Editor {
             Style::Node => Some(
                 self.document
                     .scene
-                    .world_from_rbt(&self.displayed_pose(), self.seconds(), self.node_at_hand())
+                    .world_from_rbt(&self.displayed_pose(), self.seconds(), self.dragged_node())
                     .translation,
             ),
             Style::Orbit => Some(Vec3::ZERO),
@@ -144,8 +144,8 @@ impl Editor {
 
     /// The dragged node after a motion with respect to its auxiliary frame: a new `parent_from_node`.
     pub(super) fn moved(&self, motion: Rbt) -> Rbt {
-        let pose = &self.pose_at_hand();
-        let object = self.node_at_hand();
+        let pose = &self.edited_pose();
+        let object = self.dragged_node();
         let seconds = self.seconds();
         let world_from_parent = Rbt::from_affine(&self.document.scene.world_from_parent(pose, seconds, object));
         let world_from_object = self.document.scene.world_from_rbt(pose, seconds, object);

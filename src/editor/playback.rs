@@ -163,7 +163,7 @@ pub enum Playback {
     Playing(Position),
     /// The sample at a position was frozen into the scene; playing can go on from there.
     Paused(Position),
-    /// The sample at an elapsed time is shown, which someone scrubbed to.
+    /// The sample at a scrubbed elapsed time is shown.
     Scrubbed(BigRational),
 }
 

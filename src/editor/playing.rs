@@ -207,8 +207,8 @@ impl Editor {
         range.pose_at(self.playhead()?, self.document.interpolation).ok()
     }
 
-    /// The pose that an edit of the scene starts from: what is on screen while nothing plays.
-    pub(super) fn pose_at_hand(&self) -> Pose {
+    /// The pose that an edit of the scene starts from: the displayed pose while nothing plays.
+    pub(super) fn edited_pose(&self) -> Pose {
         if self.is_scrubbed() { self.displayed_pose() } else { self.document.live_pose.clone() }
     }
 

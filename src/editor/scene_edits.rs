@@ -17,10 +17,10 @@ pub struct TrackPath {
     pub channel: Channel,
 }
 
-/// A key at its own time, or where one could be.
+/// The track and the time of a timed key, which need not exist.
 #[derive(Clone, Debug, PartialEq)]
 pub struct KeyAt {
-    /// What it is a key of.
+    /// The track.
     pub track: TrackPath,
     /// Its time in seconds.
     pub seconds: f64,
@@ -37,9 +37,9 @@ impl KeyAt {
 /// Edits of control nodes and of timed keys. Nodes are named by their paths, which hold when other nodes come and go.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SceneEdit {
-    /// Adds keys with the values that are there at their times; a key that stands there already stays. They are selected then.
+    /// Adds keys with the values shown at their times, and selects them. Existing keys stay.
     AddKeys(Vec<KeyAt>),
-    /// Gives the key of a node at a time a value; where there is none it is added.
+    /// Sets the value of the key at a time. A missing key is added.
     SetKey {
         /// The node's path.
         node: Arc<str>,
@@ -48,7 +48,7 @@ pub enum SceneEdit {
         /// The value, which says the channel too.
         value: KeyValue,
     },
-    /// Moves keys in time; keys that they come to stand on give way. Within a drag, keys and times are those of its beginning.
+    /// Moves keys in time. They replace keys at their new times. Within a drag, keys and times refer to its beginning.
     MoveKeys {
         /// Which keys.
         keys: Vec<KeyAt>,
@@ -57,11 +57,11 @@ pub enum SceneEdit {
     },
     /// Deletes keys.
     DeleteKeys(Vec<KeyAt>),
-    /// Puts a new control node, which has no keys yet, above the node with this path. Nothing moves by that.
+    /// Inserts a control node without keys above the node with this path. Nothing moves.
     PutControlAbove(Arc<str>),
     /// The same above the chosen node.
     PutControlAboveChosen,
-    /// Removes a control node; what stood below it stands in its place.
+    /// Removes a control node. Its children take its place.
     RemoveControl(Arc<str>),
     /// Gives a control node another name.
     RenameControl(Arc<str>, String),
@@ -105,7 +105,7 @@ impl Editor {
         self.document.scene.find(path).ok_or_else(|| CommandError::NoSuchNode { path: path.to_owned() })
     }
 
-    /// Puts another scene in place, as one step; during a drag it is a part of it.
+    /// Replaces the scene as one undo step, or as part of the current drag.
     fn put_scene(&mut self, label: Phrase, scene: SceneGraph) {
         self.record(label, None, |document| document.scene = Arc::new(scene));
     }
@@ -138,7 +138,7 @@ impl Editor {
         if keys.is_empty() {
             return Err(CommandError::NoKeys);
         }
-        // Within a drag all is counted from its beginning, so that what was passed over is as it was.
+        // A drag always starts from its first state, so that keys that were only passed over are restored.
         let base = Arc::clone(&self.gesture.as_ref().map_or(&self.document, |gesture| &gesture.before).scene);
         let mut scene = (*base).clone();
         for (id, track, times) in by_track(&base, keys)? {
@@ -173,7 +173,7 @@ impl Editor {
         Ok(None)
     }
 
-    /// Drops what the scene no longer has from the selection.
+    /// Removes keys from the selection that the scene no longer has.
     pub(super) fn fit_keys_to_scene(&mut self) {
         let scene = &self.document.scene;
         self.session.selected_keys.retain(|key| {

@@ -14,7 +14,7 @@ use crate::words::{Message, Phrase, texts};
 /// The longest name of a keyframe, in characters.
 const LONGEST_NAME: usize = 100;
 
-/// What was copied.
+/// The clipboard.
 #[derive(Clone, Debug, Default)]
 pub struct Clipboard {
     keyframes: Vec<Keyframe>,
@@ -23,9 +23,9 @@ pub struct Clipboard {
 }
 
 impl Editor {
-    /// The keyframes that an edit of the timeline is for: the selected ones, or the current one; in order.
+    /// The indices that a timeline edit applies to, in order: the selected keyframes, or the current one.
     #[must_use]
-    pub fn keyframes_at_hand(&self) -> Vec<usize> {
+    pub fn edited_keyframes(&self) -> Vec<usize> {
         if self.session.selected.is_empty() {
             self.document.keyframes.current().map(KeyframeIndex::get).into_iter().collect()
         } else {
@@ -74,18 +74,18 @@ impl Editor {
                 Ok(Some(texts::keyframes_pasted(count, at)))
             }
             TimelineEdit::DuplicateKeyframes => {
-                let copies = self.copies_at_hand()?;
+                let copies = self.copies_of_edited()?;
                 let (count, at) = self.insert_after_hand(texts::ACT_DUPLICATION_OF_KEYFRAMES, copies);
                 Ok(Some(texts::keyframes_duplicated(count, at)))
             }
             TimelineEdit::ReverseKeyframes => self.reverse_keyframes(),
             TimelineEdit::PastePose => self.paste_pose(),
             TimelineEdit::SetTranslationInKeyframe(keyframe, rbt, translation) => {
-                self.place_in_keyframe(keyframe, rbt, |from| Rbt { translation, ..from })
+                self.change_node_in_keyframe(keyframe, rbt, |from| Rbt { translation, ..from })
             }
             TimelineEdit::SetRotationInKeyframe(keyframe, rbt, rotation) => {
                 let rotation = unit(rotation).ok_or(CommandError::NotAValue { what: texts::VALUE_ROTATION })?;
-                self.place_in_keyframe(keyframe, rbt, |from| Rbt { rotation, ..from })
+                self.change_node_in_keyframe(keyframe, rbt, |from| Rbt { rotation, ..from })
             }
         }
     }
@@ -95,8 +95,8 @@ impl Editor {
         self.document.keyframes.get(index).ok_or(CommandError::NoSuchKeyframe { index: index.get(), count })
     }
 
-    fn copies_at_hand(&self) -> Result<Vec<Keyframe>, CommandError> {
-        let indices = self.keyframes_at_hand();
+    fn copies_of_edited(&self) -> Result<Vec<Keyframe>, CommandError> {
+        let indices = self.edited_keyframes();
         if indices.is_empty() {
             return Err(self.no_keyframe());
         }
@@ -117,7 +117,7 @@ impl Editor {
         Ok(None)
     }
 
-    /// Drops what the list no longer has from the selection and the range to play.
+    /// Removes indices beyond the list from the selection and the played range.
     pub(super) fn fit_session_to_list(&mut self) {
         let count = self.document.keyframes.len();
         self.session.selected.retain(|index| index.get() < count);
@@ -128,7 +128,7 @@ impl Editor {
     }
 
     pub(super) fn copy_keyframes(&mut self) -> CommandResult {
-        self.clipboard.keyframes = self.copies_at_hand()?;
+        self.clipboard.keyframes = self.copies_of_edited()?;
         Ok(Some(texts::keyframes_copied(texts::count_keyframes(self.clipboard.keyframes.len()))))
     }
 
@@ -175,7 +175,7 @@ impl Editor {
     }
 
     fn set_easing(&mut self, easing: Easing) -> CommandResult {
-        let indices = self.keyframes_at_hand();
+        let indices = self.edited_keyframes();
         if indices.is_empty() {
             return Err(self.no_keyframe());
         }
@@ -190,7 +190,7 @@ impl Editor {
         Ok(Some(texts::easing_is(easing.name())))
     }
 
-    /// Puts another order of keyframes in place as one step, with `current` copied to the scene and `selected` selected.
+    /// Replaces the keyframes as one undo step, with `current` copied to the scene and `selected` selected.
     fn rearrange(
         &mut self,
         label: Phrase,
@@ -212,8 +212,8 @@ impl Editor {
         if to > count {
             return Err(CommandError::NoSuchKeyframe { index: to, count });
         }
-        let indices = self.keyframes_at_hand();
-        let moved = self.copies_at_hand()?;
+        let indices = self.edited_keyframes();
+        let moved = self.copies_of_edited()?;
         let mut keyframes = self.without(&indices);
         let at = to - indices.iter().filter(|&&index| index < to).count();
         let selected = at..at + moved.len();
@@ -231,7 +231,7 @@ impl Editor {
     }
 
     fn delete_keyframes(&mut self, label: Phrase) -> CommandResult {
-        let indices = self.keyframes_at_hand();
+        let indices = self.edited_keyframes();
         let Some(&first) = indices.first() else { return Err(CommandError::NothingToDelete) };
         let keyframes = self.without(&indices);
         let current = (!keyframes.is_empty()).then(|| first.saturating_sub(1));
@@ -241,7 +241,7 @@ impl Editor {
 
     /// Inserts keyframes after the selected ones. Returns their number and the index of the first.
     fn insert_after_hand(&mut self, label: Phrase, inserted: Vec<Keyframe>) -> (Message, usize) {
-        let at = self.keyframes_at_hand().last().map_or(0, |last| last + 1);
+        let at = self.edited_keyframes().last().map_or(0, |last| last + 1);
         let mut keyframes = self.document.keyframes.as_slice().to_vec();
         let selected = at..at + inserted.len();
         keyframes.splice(at..at, inserted);
@@ -255,7 +255,7 @@ impl Editor {
             return Err(self.no_keyframe());
         }
         let all = self.session.selected.len() < 2;
-        let indices: Vec<usize> = if all { (0..count).collect() } else { self.keyframes_at_hand() };
+        let indices: Vec<usize> = if all { (0..count).collect() } else { self.edited_keyframes() };
         let mut keyframes = self.document.keyframes.as_slice().to_vec();
         for (&index, &from) in indices.iter().zip(indices.iter().rev()) {
             keyframes[index] = self.document.keyframes.as_slice()[from].clone();
@@ -302,7 +302,7 @@ impl Editor {
         Ok(Some(texts::pose_pasted(source_path, chosen_path)))
     }
 
-    fn place_in_keyframe(
+    fn change_node_in_keyframe(
         &mut self,
         index: KeyframeIndex,
         rbt: RbtIndex,

@@ -1,4 +1,4 @@
-//! What is wrong with a file, and why work on files was not done.
+//! Errors with file names.
 
 use std::fmt::Display;
 use std::path::Path;
@@ -9,7 +9,7 @@ use crate::export::ExportError;
 use crate::render::GpuError;
 use crate::storage::StorageError;
 
-/// What is wrong with a file: a sentence for each problem, each with the file's name.
+/// The problems of a file: a sentence for each, with the file's name.
 #[derive(Debug, Error)]
 #[error("{}", .sentences.join("\n"))]
 pub struct FileError {
@@ -57,7 +57,7 @@ impl FileError {
     }
 }
 
-/// Why work on files and pictures was not done.
+/// Why work on files or pictures failed.
 #[derive(Debug, Error)]
 pub enum WorkError {
     /// A file is bad, or could not be read or written.

@@ -32,7 +32,7 @@ const SCREENSHOT_FILE: &str = "inbetween-0001.png";
 /// Reads a script.
 ///
 /// # Errors
-/// The first line that makes no sense, or the bound that is hit.
+/// The first line that cannot be parsed, or the limit that is exceeded.
 pub fn read_script(bytes: &[u8], scene: &SceneGraph) -> Result<Vec<Line>, String> {
     let lines = script::parse(bytes, scene)
         .map_err(|problems| problems.first().map(ToString::to_string).unwrap_or_default())?;
@@ -42,7 +42,7 @@ pub fn read_script(bytes: &[u8], scene: &SceneGraph) -> Result<Vec<Line>, String
     Ok(lines)
 }
 
-/// A command of a script that was run, and the state after it.
+/// A command that was run, and the state after it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Traced {
     /// The command, as the script has it.
@@ -51,7 +51,7 @@ pub struct Traced {
     pub state: State,
 }
 
-/// What a script left.
+/// The result of a script.
 pub struct Ran {
     /// Each command that was run.
     pub trace: Vec<Traced>,
@@ -70,7 +70,7 @@ impl Ran {
 /// Runs a script with `keyframes` as the keyframe file, if there is one.
 ///
 /// # Errors
-/// A path out of the folder, or a bound that is hit: a sentence with the line.
+/// The script used a path outside of the folder, or exceeded a limit: a sentence with the line.
 pub fn run(lines: &[Line], scene: &SceneGraph, keyframes: Option<&[u8]>) -> Result<Ran, String> {
     let editor = Editor::new(Arc::new(scene.clone()), PathBuf::from(KEYFRAME_FILE));
     let files = keyframes.map(|bytes| (KEYFRAME_FILE.to_owned(), bytes.to_owned())).into_iter().collect();

@@ -1,21 +1,21 @@
-//! What is graded, and what came of it.
+//! Graded items and their verdicts.
 
 use crate::interpolation::Interpolation;
 
 /// One thing that a rubric gives points for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ItemKind {
-    /// The keyframes can be read.
+    /// Whether the keyframes can be read.
     Readable,
-    /// There are as many keyframes as in the reference.
+    /// Whether the number of keyframes equals the reference's.
     KeyframeCount,
-    /// The keyframe of this index is the reference's.
+    /// Whether the keyframe with this index equals the reference's.
     Keyframe(usize),
-    /// It plays as the reference.
+    /// Whether playback equals the reference's.
     Playback(Interpolation),
-    /// It begins and ends where it should.
+    /// Whether playback has the right range.
     RangeAndEnd,
-    /// The hotkey script does what it should.
+    /// Whether the hotkey script leads to the right states.
     Script,
 }
 
@@ -34,7 +34,7 @@ impl ItemKind {
         }
     }
 
-    /// The name for people.
+    /// The displayed name.
     #[must_use]
     pub fn title(self) -> String {
         match self {
@@ -44,35 +44,35 @@ impl ItemKind {
     }
 }
 
-/// Whether something is as it should be, and why.
+/// The verdict on an item, with its reason.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Verdict {
-    /// Whether it is.
+    /// Whether the requirement is met.
     pub is_met: bool,
-    /// Why, or why not: sentences.
+    /// The reason, in sentences.
     pub reason: String,
 }
 
 impl Verdict {
-    /// It is as it should be.
+    /// The requirement is met.
     pub fn met(reason: impl Into<String>) -> Self {
         Self { is_met: true, reason: reason.into() }
     }
 
-    /// It is not, or that cannot be told.
+    /// The requirement is not met, or cannot be checked.
     pub fn unmet(reason: impl Into<String>) -> Self {
         Self { is_met: false, reason: reason.into() }
     }
 }
 
-/// One thing that was graded.
+/// A graded item.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Item {
     /// What it is.
     pub kind: ItemKind,
-    /// The points that it got.
+    /// The points given.
     pub points: f64,
-    /// The points that it could get.
+    /// The maximum of points.
     pub out_of: f64,
     /// Why: sentences.
     pub reason: String,

@@ -1,4 +1,4 @@
-//! The marks of a submission: points with reasons, and what its samples show.
+//! The marks of a submission: points with reasons, and the diagnosis of its samples.
 
 use super::item::{Item, ItemKind};
 use super::parsed::Parsed;
@@ -32,7 +32,7 @@ impl Marks {
         let mut notes: Vec<String> = parsed.problem.iter().cloned().collect();
         match &parsed.keyframes {
             Ok(read) => notes.extend(read.inferred.clone()),
-            // Where reading gives no points, no item says what is wrong.
+            // If reading is not graded, report the read error as a note.
             Err(problem) if rubric.points.readable == 0.0 && notes.is_empty() => notes.push(problem.clone()),
             Err(_) => {}
         }

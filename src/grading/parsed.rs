@@ -1,4 +1,4 @@
-//! A submission's files, sorted by what they are and parsed, each once.
+//! Classifies and parses the files of a submission, each once.
 
 use serde_json::Value;
 
@@ -19,7 +19,7 @@ pub const MOST_SAMPLES: usize = 4;
 /// The most keyframes in a submission.
 const MOST_KEYFRAMES: usize = 2_000;
 
-/// What a file holds, or why it cannot be read.
+/// The parsed content of a file, or why it cannot be read.
 #[derive(Clone, Debug)]
 pub struct ParsedFile<T> {
     /// Its path in the submission.
@@ -48,7 +48,7 @@ pub struct ParsedKeyframes {
 /// A submission, parsed.
 #[derive(Clone, Debug)]
 pub struct Parsed {
-    /// Why its files could not be read at all.
+    /// Why none of its files could be read.
     pub problem: Option<String>,
     /// The keyframes of the first file that holds some; without such a file, those that the script makes.
     pub keyframes: Result<ParsedKeyframes, String>,
@@ -64,7 +64,7 @@ pub struct Parsed {
     pub trace: Option<ParsedFile<Vec<Value>>>,
 }
 
-/// What a file of a submission is.
+/// The kind of a submission's file.
 enum Kind {
     Samples,
     Trace,
@@ -76,7 +76,7 @@ enum Kind {
 
 const KEYFRAME_ENDINGS: [&str; 10] = ["json", "txt", "csv", "dat", "key", "keys", "kf", "anim", "py", "out"];
 
-/// Sorts a file: samples by their header, scripts and traces by their first line or their name.
+/// Determines the kind of a file: samples by their header, scripts and traces by their first line or their name.
 fn kind_of(member: &Member, scene: &SceneGraph) -> Kind {
     let name = member.name.rsplit('/').next().unwrap_or_default().to_ascii_lowercase();
     let ending = name.rsplit_once('.').map_or("", |(_, ending)| ending);
@@ -98,7 +98,7 @@ fn kind_of(member: &Member, scene: &SceneGraph) -> Kind {
 }
 
 impl Parsed {
-    /// Sorts and parses the files of a submission, or notes why they could not be had.
+    /// Classifies and parses the files of a submission, or records why they cannot be read.
     #[must_use]
     pub fn new(members: Result<Vec<Member>, String>, scene: &SceneGraph) -> Self {
         let (members, problem) = match members {
@@ -132,7 +132,7 @@ impl Parsed {
             }
         }
         let keyframes = keyframes_of(&keyframe_files, script.as_ref(), scene);
-        // Where the files could not be had, that is why there are no keyframes.
+        // If the files cannot be read, that is the reason for missing keyframes.
         let keyframes = keyframes.map_err(|found| problem.clone().unwrap_or(found));
         let first_keyframe_file = keyframe_files.into_iter().next().map(|member| member.bytes);
         Self { problem, keyframes, first_keyframe_file, samples, samples_count, script, trace }
@@ -146,7 +146,7 @@ fn samples_of(bytes: &[u8], scene: &SceneGraph) -> Result<SampleRows, String> {
     SampleRows::from_csv(bytes, scene.rbt_count()).map_err(|error| error.to_string())
 }
 
-/// The first file that holds keyframes, or else those that the script makes; otherwise what is wrong with the first.
+/// The keyframes of the first file that has some, or those that the script makes; otherwise the error of the first file.
 fn keyframes_of(
     files: &[Member],
     script: Option<&ParsedFile<Vec<Line>>>,

@@ -58,7 +58,7 @@ pub fn pictures_of(
     Ok(pictures)
 }
 
-/// Which playbacks are shown: those that lost points, or else the last one that is graded.
+/// The playbacks to draw: those that lost points, or else the last graded one.
 fn shown_playbacks(marks: &Marks, rubric: &Rubric) -> Vec<Interpolation> {
     let graded = rubric.items().filter_map(|(kind, _)| match kind {
         ItemKind::Playback(interpolation) => Some(interpolation),
@@ -71,7 +71,7 @@ fn shown_playbacks(marks: &Marks, rubric: &Rubric) -> Vec<Interpolation> {
     if wrong.is_empty() { vec![graded.last().copied().unwrap_or(Interpolation::CatmullRom)] } else { wrong }
 }
 
-/// What the student's program showed, where samples tell; else how the keyframes play here.
+/// The poses of the student's samples if there are any; otherwise the keyframes as this program plays them.
 fn of_playback(
     marks: &Marks,
     interpolation: Interpolation,
@@ -107,7 +107,7 @@ fn of_playback(
     Ok(pictures)
 }
 
-/// Keyframes as they play here.
+/// Keyframes as this program plays them.
 fn played(list: &KeyframeList, interpolation: Interpolation, rubric: &Rubric) -> Option<ShownPoses> {
     let (range, reference) = (PlayRange::new(list).ok()?, PlayRange::new(&rubric.reference).ok()?);
     let played = |range| Played { range, interpolation, ms_between_keyframes: rubric.ms_between_keyframes };
@@ -143,7 +143,7 @@ fn draw(pose: &Pose, right: &Pose, scene: &SceneGraph, painter: &mut Painter) ->
     Ok(painter.image(&frame)?)
 }
 
-/// Where two pictures of one size differ: the brighter the more, on black.
+/// The absolute difference of two pictures of equal size, on black.
 fn apart(a: &Image, b: &Image) -> Image {
     let pixels = a.rgba.chunks_exact(4).zip(b.rgba.chunks_exact(4));
     let rgba = pixels

@@ -1,4 +1,4 @@
-//! `report.html`: one page that needs nothing else, for people.
+//! `report.html`: one self-contained page.
 
 use std::fmt::Write as _;
 
@@ -128,7 +128,7 @@ fn push_submission(text: &mut String, index: usize, marks: &Marks, pictures: &[R
         number(marks.points()),
         number(marks.out_of())
     );
-    // What an item says already is not said twice.
+    // Skip notes that repeat an item's reason.
     for note in marks.notes.iter().filter(|note| marks.items.iter().all(|item| item.reason != **note)) {
         let _ = writeln!(text, "<p class=\"note\">{}</p>", escaped(note));
     }

@@ -1,4 +1,4 @@
-//! The rubric: what is graded, and for how many points; JSON or TOML.
+//! The rubric: graded items and their points, as JSON or TOML.
 
 use std::path::Path;
 
@@ -53,7 +53,7 @@ const fn default_fps() -> u32 {
     10
 }
 
-/// Points for each thing that is graded; what is not named gives none and is left out.
+/// Points for each item. Items without points are not graded.
 #[derive(Clone, Copy, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Points {
@@ -73,14 +73,14 @@ pub struct Points {
     pub script: f64,
 }
 
-/// A rubric with all that it names.
+/// A rubric and the files that it names.
 #[derive(Clone, Debug)]
 pub struct Rubric {
-    /// What the report is headed by.
+    /// The title of the report.
     pub title: String,
     /// The points.
     pub points: Points,
-    /// What difference passes.
+    /// The tolerances.
     pub tolerances: Tolerances,
     /// Frames a second at which playback is compared.
     pub fps: u32,
@@ -92,7 +92,7 @@ pub struct Rubric {
     pub script: Option<RubricScript>,
 }
 
-/// A hotkey script with what it should do.
+/// A hotkey script with its expected trace.
 #[derive(Clone, Debug)]
 pub struct RubricScript {
     /// Its lines.
@@ -102,7 +102,7 @@ pub struct RubricScript {
 }
 
 impl Rubric {
-    /// What is graded, and for how many points each, in the order of results.
+    /// The graded items with their points, in the order of results.
     pub fn items(&self) -> impl Iterator<Item = (ItemKind, f64)> + use<> {
         let points = self.points;
         let before = [(ItemKind::Readable, points.readable), (ItemKind::KeyframeCount, points.keyframe_count)];
@@ -129,7 +129,7 @@ fn parse(path: &Path, bytes: &[u8]) -> Result<RubricText, String> {
     };
     let text = std::str::from_utf8(bytes).map_err(|error| placed(error.valid_up_to(), "not UTF-8"))?;
     toml::from_str(text).map_err(|error| {
-        // The parser's sentences may have lines; what is missing is missing at the end.
+        // The parser's messages may have several lines. A missing field is reported at the end of the text.
         let what = error.message().lines().collect::<Vec<_>>().join(", ");
         let is_missing = what.starts_with("missing field") && error.span().is_none_or(|span| span.start == 0);
         let at = if is_missing { bytes.len() } else { error.span().map_or(bytes.len(), |span| span.start) };
@@ -138,7 +138,7 @@ fn parse(path: &Path, bytes: &[u8]) -> Result<RubricText, String> {
 }
 
 impl RubricText {
-    /// The first thing that is wrong with what the rubric says.
+    /// The first invalid value of the rubric, as a sentence.
     fn problem(&self) -> Option<String> {
         if self.format != "inbetween.rubric" {
             return Some(format!("format is {:?}, expected \"inbetween.rubric\"", self.format));
@@ -149,7 +149,7 @@ impl RubricText {
         if !(1..=1000).contains(&self.fps) {
             return Some(format!("fps is {}, expected a whole number from 1 to 1000", self.fps));
         }
-        // Taken apart, so that no field is forgotten.
+        // Destructured, so that a new field cannot be forgotten.
         let Points {
             readable,
             keyframe_count,

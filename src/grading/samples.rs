@@ -1,4 +1,4 @@
-//! What the samples of a submission show.
+//! Diagnosis of a submission's samples.
 
 use super::parsed::{MOST_SAMPLES, Parsed, ParsedFile};
 use super::rubric::Rubric;
@@ -6,14 +6,14 @@ use super::shown::{ShownPoses, thinned};
 use crate::diagnosis::{Diagnosis, EQUAL_RESIDUALS, SampleRows, Sequence, diagnose};
 use crate::interpolation::Interpolation;
 
-/// What one file of samples shows.
+/// The diagnosis of one file of samples.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SamplesShow {
     /// The file.
     pub file: String,
     /// Which playback they are of.
     pub interpolation: Interpolation,
-    /// What explains them, or why that cannot be told.
+    /// The explanation, or why there is none.
     pub diagnosis: Result<Diagnosis, String>,
     /// The poses that pictures are of.
     pub shown: Option<ShownPoses>,
@@ -21,7 +21,7 @@ pub struct SamplesShow {
 
 /// Diagnoses the samples of a submission.
 pub fn samples_show(parsed: &Parsed, rubric: &Rubric) -> Vec<SamplesShow> {
-    // A program showed its own keyframes or the reference's: the samples tell.
+    // A program may have played its own keyframes or the reference's: try both.
     let own = parsed.keyframes.as_ref().ok();
     let own_sequence = own.and_then(|own| Some((Sequence::new(own.list.as_slice()).ok()?, own.ms_between_keyframes)));
     let reference = Sequence::new(rubric.reference.as_slice()).ok().map(|right| (right, rubric.ms_between_keyframes));
@@ -39,13 +39,13 @@ pub fn samples_show(parsed: &Parsed, rubric: &Rubric) -> Vec<SamplesShow> {
     parsed.samples.iter().map(one).collect()
 }
 
-/// A note where not all files of samples are looked at.
+/// A note if there are more files of samples than are read.
 pub fn note_of_too_many(parsed: &Parsed) -> Option<String> {
     let count = parsed.samples_count;
     (count > MOST_SAMPLES).then(|| format!("{count} files of samples, and only the first {MOST_SAMPLES} are looked at"))
 }
 
-/// The playback that a file's name tells.
+/// The interpolation that a file's name suggests.
 fn playback_named(name: &str) -> Option<Interpolation> {
     let name = name.to_ascii_lowercase();
     if name.contains("catmull") || name.contains("spline") {

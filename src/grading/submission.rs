@@ -14,7 +14,7 @@ const MOST_FILES: usize = 200;
 const LARGEST_FILE_BYTES: u64 = 16 << 20;
 /// The most bytes of a submission, unpacked: 64 MiB.
 const MOST_BYTES: u64 = 64 << 20;
-/// How deep folders in a submission go.
+/// The maximum depth of folders in a submission.
 const DEEPEST: usize = 8;
 
 /// One student's entry, not yet read.
@@ -45,7 +45,7 @@ pub fn find(arguments: &[PathBuf]) -> Result<Vec<Submission>, FileError> {
     let mut found: Vec<Submission> = Vec::new();
     for path in arguments {
         let bad = |error| FileError::storage(path, error);
-        // A link that the user names is followed.
+        // Follow a link that the user named.
         if storage::list(path, 0).is_err() {
             storage::kind(path).map_err(bad)?;
             let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
@@ -133,7 +133,7 @@ impl Files {
         if count > entries.len() {
             return Err(format!("more than {MOST_FILES} files, which is the bound for a submission"));
         }
-        // Links in a submission have nowhere to lead that is not read anyway.
+        // Skip links: files inside the submission are read anyway, and others must not be.
         for entry in entries.into_iter().filter(|entry| !entry.name.starts_with('.')) {
             let name = format!("{above}{}", entry.name);
             match entry.kind {
@@ -159,7 +159,7 @@ impl Files {
             let entry = archive.by_index(index).map_err(broken)?;
             let name = entry.name().map_err(broken)?.into_owned();
             let is_plain = |part: &str| !part.starts_with('.') || part == "." || part == "..";
-            // Names are labels: nothing is unpacked to the disk.
+            // Names are used as labels only: nothing is unpacked to the disk.
             let is_hidden = name.split('/').any(|part| !is_plain(part) || part == "__MACOSX");
             if entry.is_dir() || entry.is_symlink() || is_hidden {
                 continue;

@@ -9,7 +9,7 @@ use crate::text::str_without_byte_order_mark;
 /// Reads a trace: an object of JSON on each line, as `script --trace` prints them. At most one line more than can be right is read.
 ///
 /// # Errors
-/// What is wrong: a sentence with the line.
+/// A sentence with the line.
 pub fn objects(bytes: &[u8]) -> Result<Vec<Value>, String> {
     let text = std::str::from_utf8(bytes).map_err(|error| format!("not UTF-8 at byte {}", error.valid_up_to()))?;
     let lines = (1..).zip(str_without_byte_order_mark(text).lines()).filter(|(_, line)| !line.trim().is_empty());
@@ -19,7 +19,7 @@ pub fn objects(bytes: &[u8]) -> Result<Vec<Value>, String> {
     values.collect()
 }
 
-/// What a run left, as a trace that was read would have it.
+/// The result of a run in the form of a trace.
 pub fn objects_of(run: &[Traced]) -> Vec<Value> {
     let object =
         |traced: &Traced| traced.state.fields().into_iter().map(|(name, value)| (name.to_owned(), value)).collect();

@@ -1,4 +1,4 @@
-//! Whether each thing that a rubric grades is as it should be.
+//! Verdicts on the items of a rubric.
 
 use super::folder;
 use super::item::{ItemKind, Verdict};
@@ -18,7 +18,7 @@ const MOST_FRAMES: usize = 20_000;
 
 const UNREADABLE: &str = "The keyframes cannot be read.";
 
-/// All that verdicts look at.
+/// Everything that verdicts depend on.
 pub struct Marker<'a> {
     /// The rubric.
     pub rubric: &'a Rubric,
@@ -31,7 +31,7 @@ pub struct Marker<'a> {
 }
 
 impl Marker<'_> {
-    /// The verdict on one thing.
+    /// The verdict on one item.
     pub fn verdict(&self, kind: ItemKind) -> Verdict {
         match kind {
             ItemKind::Readable => self.readable(),
@@ -184,7 +184,7 @@ impl Marker<'_> {
     }
 }
 
-/// What samples of a playback show of it.
+/// The verdict on a playback by its samples.
 fn playback_shown(show: &SamplesShow, interpolation: Interpolation) -> Verdict {
     let right = match interpolation {
         Interpolation::Linear => CORRECT,

@@ -45,7 +45,7 @@ pub struct Shot {
     /// Width and height in pixels.
     #[serde(default = "usual_size")]
     pub size: [u32; 2],
-    /// Interpolate so, whatever the file says.
+    /// The interpolation to use instead of the file's.
     interpolation: Option<String>,
     /// Samples a pixel, 1 or 4.
     #[serde(default = "usual_samples")]

@@ -1,4 +1,4 @@
-//! The host of a script that is run for its user: it reads and writes files, and takes pictures.
+//! The host of `inbetween script`: it reads and writes files and takes screenshots.
 
 use std::fmt::Display;
 use std::path::{Path, PathBuf};

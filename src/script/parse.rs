@@ -21,12 +21,12 @@ pub struct Line {
     pub action: Action,
 }
 
-/// What a line does.
+/// The action of a line.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Action {
-    /// Asks this of the editor.
+    /// Applies a command.
     Apply(Command),
-    /// Lets so much time pass for the animation clock.
+    /// Advances the animation clock by a time.
     Wait(Duration),
 }
 
@@ -57,14 +57,14 @@ pub fn parse(bytes: &[u8], scene: &SceneGraph) -> Result<Vec<Line>, Vec<ScriptEr
     if problems.is_empty() { Ok(lines) } else { Err(problems) }
 }
 
-/// What reading a line needs to know.
+/// The state of the parser.
 struct Parser<'s> {
     /// The scene as it is after the lines so far.
     scene: Cow<'s, SceneGraph>,
 }
 
 impl Parser<'_> {
-    /// The line's text without its comment, and what it does; nothing where nothing is left.
+    /// A line's text without its comment, and its action; `None` for a blank line.
     fn line<'t>(&mut self, line: &'t str) -> Result<Option<(&'t str, Action)>, LineProblem> {
         let text = self.text_with_number_signs(line.trim());
         let text = text.unwrap_or_else(|| line.split('#').next().unwrap_or_default().trim());
@@ -76,7 +76,7 @@ impl Parser<'_> {
         Ok(Some((text, action)))
     }
 
-    /// The text without its comment of a line that may hold what elsewhere starts one.
+    /// The text without its comment, for lines whose arguments may contain `#`.
     fn text_with_number_signs<'t>(&self, line: &'t str) -> Option<&'t str> {
         let (name, _) = name_and_rest(line);
         let form = line_of(name)?;
@@ -89,7 +89,7 @@ impl Parser<'_> {
         }
     }
 
-    /// A path may hold what elsewhere starts a comment: the longest reading that names a node counts.
+    /// A node path may contain `#`: take the longest reading that names a node.
     fn longest_path<'t>(&self, form: &commands::Line, line: &'t str) -> Option<&'t str> {
         let ends = line.match_indices('#').map(|(end, _)| end).skip(1).chain([line.len()]);
         let readings: Vec<&str> = ends.map(|end| line[..end].trim_end()).filter(|text| text.contains('#')).collect();
@@ -133,7 +133,8 @@ impl Parser<'_> {
         command.ok_or_else(|| LineProblem::Usage { usage: form.usage, found: text.to_owned() })
     }
 
-    /// From here on the lines speak of the scene as an action leaves it. What cannot be is a message when the line runs.
+    /// Applies an action to the parser's copy of the scene, so that later lines may name nodes it creates. A refused
+    /// edit is reported when the line runs.
     fn follow(&mut self, action: &Action) {
         let Action::Apply(Command::Edit(Edit::Scene(edit))) = action else { return };
         let changed = match edit {
@@ -176,7 +177,7 @@ fn by_name(name: &str) -> Result<Command, LineProblem> {
     binding.map(|binding| binding.command.clone()).ok_or_else(|| LineProblem::Name { name: name.to_owned() })
 }
 
-/// The text up to the end of the string in double quotes that begins at a byte, if only a comment stands after it.
+/// The text up to the end of the quoted string that starts at byte `at`, if only a comment follows.
 fn text_to_end_of_quotes(line: &str, at: usize) -> Option<&str> {
     let (length, _) = quoted_prefix(&line[at..])?;
     let (text, rest) = line.split_at(at + length);

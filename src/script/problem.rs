@@ -1,4 +1,4 @@
-//! What is wrong with a line of a script, in a sentence.
+//! Problems of script lines, as messages.
 
 use thiserror::Error;
 
@@ -18,10 +18,10 @@ pub struct ScriptError {
 /// What is wrong with a line.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum LineProblem {
-    /// The bytes are no text.
+    /// Not UTF-8.
     #[error("not UTF-8")]
     NotUtf8,
-    /// The first word is no command.
+    /// The first word is not a command.
     #[error("{word:?} is not a command; the commands are {}", names_sentence())]
     Unknown {
         /// The word.
@@ -38,7 +38,7 @@ pub enum LineProblem {
     /// The words after the command have no meaning.
     #[error(transparent)]
     Argument(#[from] ArgumentError),
-    /// The time is none.
+    /// Not a time.
     #[error("{word:?} is not a time; expected as in 500ms or 2s, at least 0")]
     Time {
         /// The word as written.

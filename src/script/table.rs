@@ -1,10 +1,10 @@
-//! The lists of all lines that a script can have.
+//! Tables of all script lines, for the help and the manual.
 
 use std::fmt::Write as _;
 
 use crate::editor::commands::{self, listed};
 
-/// Lines that are the script's own: the first word, how they are written, and what they do.
+/// Lines that are no commands of the editor: first word, usage and description.
 pub(super) const OWN_LINES: [(&str, &str, &str); 4] = [
     ("key", "key K", "a hotkey: the character itself, or a name such as `space`, `home`, `ctrl+d`"),
     (
@@ -20,7 +20,7 @@ pub(super) const OWN_LINES: [(&str, &str, &str); 4] = [
     ("wait", "wait TIME", "so much time for the animation clock: `500ms`, `2s`"),
 ];
 
-/// How every line is written and what it does, those of commands first.
+/// First word, usage and description of every line; those of commands come first.
 fn lines() -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
     commands::lines().map(|line| (line.name, line.usage, line.does)).chain(OWN_LINES)
 }

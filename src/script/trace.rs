@@ -1,4 +1,4 @@
-//! What a script leaves behind: an object of JSON for each line, and the state at the end.
+//! The output of a script: a JSON object for each line, and the state at the end.
 
 use std::fmt::Write as _;
 
@@ -10,7 +10,7 @@ use crate::interpolation::Interpolation;
 use crate::json::{push_quoted, push_rbts, push_strings};
 use crate::keyframe::KeyframeIndex;
 
-/// What a trace says of the editor after a line.
+/// The state of the editor in a trace.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct State {
     /// How many keyframes there are.
@@ -68,12 +68,12 @@ impl State {
     }
 }
 
-/// What a line did.
+/// A line of a trace.
 #[derive(Clone, Debug)]
 pub struct TraceLine<'a> {
     /// The line.
     pub line: &'a Line,
-    /// What was said; empty where nothing was.
+    /// The message in English; empty if there is none.
     pub message: String,
     /// The state after it.
     pub state: State,

@@ -155,7 +155,7 @@ fn quit(ui: &mut Ui, shown: PanelInput<'_>, output: &mut UiOutput) -> bool {
         let mut answer = |ui: &mut Ui, label: &str, is_primary: bool, answer: QuitAnswer| {
             let button = if is_primary { primary(ui, label) } else { egui::Button::new(label) };
             let response = ui.add(button);
-            // Return answers what is proposed, and Tab goes on from there.
+            // Focus the default answer, so that Return chooses it.
             if is_primary && ui.memory(|memory| memory.focused().is_none()) {
                 response.request_focus();
             }

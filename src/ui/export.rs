@@ -40,7 +40,7 @@ pub struct ExportDialog {
     has_begun: bool,
 }
 
-/// The export that is under way.
+/// The running export.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Exporting {
     /// Where it goes.

@@ -21,7 +21,7 @@ pub fn show(ui: &mut Ui, editor: &Editor, angles: &mut ShownAngles, keymap: &Key
     let words = Words::of(ui);
     let tokens = Tokens::of(ui);
     let scene = editor.scene();
-    let rbt = editor.node_at_hand();
+    let rbt = editor.dragged_node();
     let node = scene.node(scene.rbt_node(rbt));
     ui.horizontal(|ui| {
         ui.label(RichText::new(&node.name).strong().size(14.0));

@@ -16,7 +16,7 @@ const LINE: f32 = 26.0;
 /// How many rows show at once.
 const ROWS: f32 = 12.0;
 
-/// What is typed, and where in the list we are.
+/// The typed text and the current row.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Palette {
     typed: String,
@@ -141,7 +141,7 @@ fn entries(shown: PanelInput<'_>, words: Words) -> Vec<Entry> {
     rows.chain(chosen).collect()
 }
 
-/// The entries that fit what is typed, the best first; equally good ones in the table's order.
+/// The entries that match the typed text, best match first; equal matches in the table's order.
 fn found<'a>(entries: &'a [Entry], typed: &str) -> Vec<&'a Entry> {
     let mut found: Vec<(u32, &Entry)> = entries
         .iter()
@@ -154,7 +154,7 @@ fn found<'a>(entries: &'a [Entry], typed: &str) -> Vec<&'a Entry> {
     found.into_iter().map(|(_, entry)| entry).collect()
 }
 
-/// How badly a name fits what is typed, 0 for best; `None` where it does not: its letters must come in this order, spaces aside.
+/// The penalty of a match, 0 for the best; `None` for no match. The typed letters must occur in this order; spaces are ignored.
 fn misfit(name: &str, typed: &str) -> Option<u32> {
     let (name, typed) = (name.to_lowercase(), typed.trim().to_lowercase());
     if typed.is_empty() {

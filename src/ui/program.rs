@@ -13,7 +13,7 @@ use crate::editor::keymap::{Chord, Keymap, KeymapError, chords_of_table};
 use crate::settings::{Settings, ThemeChoice};
 use crate::words::{Argument, Message, texts};
 
-/// After so many frames without a button held, a panel has the size that its drag gave it.
+/// The number of frames after a drag until a panel's size is final.
 const SETTLED: u8 = 2;
 
 impl Panels {
@@ -91,7 +91,7 @@ impl Panels {
     }
 
     /// Applies the settings that egui's context holds: language, theme and scale.
-    pub(super) fn dress(&self, context: &egui::Context) {
+    pub(super) fn apply_settings_to(&self, context: &egui::Context) {
         let words = Words::new(self.settings.language);
         let theme = match self.settings.theme {
             ThemeChoice::System => egui::ThemePreference::System,

@@ -24,7 +24,7 @@ pub struct Statistics {
 }
 
 impl Statistics {
-    /// All of it, for people.
+    /// The statistics as one line of text.
     #[must_use]
     pub fn sentence(&self, words: Words) -> String {
         let whole = |number: f64| format!("{number:.0}");

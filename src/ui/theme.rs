@@ -1,4 +1,4 @@
-//! Colours and measures: every one that a widget uses, by name, for dark and for light.
+//! Design tokens: named colours for the dark and the light theme, and named measures.
 
 use egui::epaint::Shadow;
 
@@ -38,17 +38,17 @@ const fn shown(colour: Colour) -> Color32 {
 /// What each colour is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Tokens {
-    /// Behind everything: fields, what is not played.
+    /// The background of fields and of the unplayed part of the timeline.
     pub window: Color32,
     /// Panels, menus, dialogs.
     pub panel: Color32,
-    /// What can be pressed.
+    /// Buttons.
     pub raised: Color32,
-    /// What the pointer is over.
+    /// The widget under the pointer.
     pub hovered: Color32,
     /// Lines between areas and around fields.
     pub line: Color32,
-    /// Borders of what the pointer is over.
+    /// The border of the widget under the pointer.
     pub strong_line: Color32,
     /// Text.
     pub text: Color32,
@@ -56,11 +56,11 @@ pub struct Tokens {
     pub dim: Color32,
     /// The current keyframe, the playhead, the selection.
     pub accent: Color32,
-    /// Behind what is selected.
+    /// The background of selected items.
     pub accent_fill: Color32,
-    /// Messages that say what was done.
+    /// Messages of success.
     pub information: Color32,
-    /// Messages that say what was refused.
+    /// Messages of refusals and failures.
     pub error: Color32,
     /// The curves of x, y and z.
     pub axes: [Color32; 3],

@@ -1,6 +1,6 @@
 //! The timeline: a ruler, a row for all nodes and one for each, and a diamond for every keyframe; beside it, graphs.
 //!
-//! Areas, hits and what a drag asks for are worked out apart from painting. Only what is in sight is looked at.
+//! Layout, hit tests and drags are computed apart from painting. Only the visible part is computed.
 
 mod columns;
 mod curves;
@@ -37,11 +37,11 @@ use hit::{Hit, Layout, RADIUS, Target};
 use paint::Look;
 use rename::Renaming;
 use rows::{Rows, has_key_rows};
-use scale::{MOST_POINTS, Scale, View};
+use scale::{MOST_POINTS, Scale, VisibleTime};
 use timed_key_view::KeyView;
 use timed_keys::Keys;
 
-/// Which side of the timeline is shown.
+/// The tabs of the timeline.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 enum Tab {
     /// Diamonds.
@@ -51,7 +51,7 @@ enum Tab {
     Graphs,
 }
 
-/// What is asked of the timeline by a key, a menu or the list of commands.
+/// A request to the timeline from a hotkey, a menu or the command list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ask {
     /// A field for the current keyframe's name.
@@ -69,15 +69,15 @@ pub struct Timeline {
     columns: Columns,
     rows: Rows,
     /// The visible part of time; `None` until the user zooms or pans.
-    view: Option<View>,
+    view: Option<VisibleTime>,
     /// The visible part of time until then. It stays the same during a drag, so that nothing moves under the pointer.
-    untouched: Option<View>,
-    /// For how many keyframes and what width that is.
+    untouched: Option<VisibleTime>,
+    /// The number of keyframes and the width that this view was made for.
     fitted_to: (usize, f32),
     scroll: f32,
     drag: Option<Drag>,
     hovered: Option<Hit>,
-    /// Where a selection with Shift begins.
+    /// The index at which a selection with Shift begins.
     anchor: Option<usize>,
     renaming: Option<Renaming>,
     asked: Option<Ask>,
@@ -90,13 +90,13 @@ pub struct Timeline {
 }
 
 impl Timeline {
-    /// Whether Escape is for the timeline: a drag goes on, which it ends.
+    /// Whether Escape belongs to the timeline, because it cancels a running drag.
     #[must_use]
     pub const fn takes_escape(&self) -> bool {
         self.drag.is_some() || self.graphs.is_dragging() || self.keys.is_dragging()
     }
 
-    /// Does what is asked when the timeline is shown next.
+    /// Stores a request, which is carried out when the timeline is next shown.
     pub const fn ask(&mut self, ask: Ask) {
         self.asked = Some(ask);
     }
@@ -217,7 +217,7 @@ impl Timeline {
         if is_still && self.fitted_to != fitted_to {
             // More keyframes, or another width: a view that was never zoomed fits itself again. A change of durations does not move it.
             self.fitted_to = fitted_to;
-            let fresh = View::at_first(first, last, width);
+            let fresh = VisibleTime::at_first(first, last, width);
             let same_zoom = self.untouched.filter(|view| view.points_per_unit == fresh.points_per_unit);
             self.untouched = Some(same_zoom.unwrap_or(fresh));
         }
@@ -245,7 +245,7 @@ impl Timeline {
         Scale {
             left: layout.tracks.left(),
             right: layout.tracks.right(),
-            view: view.unwrap_or_else(|| View::at_first(first, last, layout.tracks.width())),
+            view: view.unwrap_or_else(|| VisibleTime::at_first(first, last, layout.tracks.width())),
         }
     }
 
@@ -255,10 +255,10 @@ impl Timeline {
         self.scroll = self.scroll.clamp(0.0, most);
     }
 
-    /// Changes what is in sight, from what it is.
-    fn set_view(&mut self, change: impl FnOnce(View) -> View, width: f32, columns: &Columns) {
+    /// Changes the visible part of time by a function.
+    fn set_view(&mut self, change: impl FnOnce(VisibleTime) -> VisibleTime, width: f32, columns: &Columns) {
         let (first, last) = columns.ends();
-        let view = self.view.or(self.untouched).unwrap_or_else(|| View::at_first(first, last, width));
+        let view = self.view.or(self.untouched).unwrap_or_else(|| VisibleTime::at_first(first, last, width));
         let (first, last) = columns.all();
         self.view = Some(change(view).kept_near(first, last, width));
     }
@@ -280,7 +280,7 @@ impl Timeline {
         let width = layout.tracks.width();
         if zoom != 1.0 {
             let (first, last) = columns.all();
-            let least = (View::fitting(first, last, width).points_per_unit / 2.0).min(MOST_POINTS);
+            let least = (VisibleTime::fitting(first, last, width).points_per_unit / 2.0).min(MOST_POINTS);
             self.set_view(|view| view.zoomed(f64::from(zoom), at.x - layout.tracks.left(), least), width, columns);
         } else if scrolled != egui::Vec2::ZERO {
             if modifiers.shift || is_over_names {
@@ -303,21 +303,21 @@ impl Timeline {
     /// Brings the whole list into sight.
     fn fit_all(&mut self, layout: &Layout, columns: &Columns) {
         let (first, last) = columns.all();
-        self.view = Some(View::fitting(first, last, layout.tracks.width()));
+        self.view = Some(VisibleTime::fitting(first, last, layout.tracks.width()));
     }
 
     /// Scrolls the selected keyframes into sight; a single one with its neighbours.
     fn fit_selection(&mut self, editor: &Editor, layout: &Layout, columns: &Columns) {
         if let Some((first, last)) = timed_key_view::ends_of_selection(editor) {
-            self.view = Some(View::fitting(first, last.max(first + 0.1), layout.tracks.width()));
+            self.view = Some(VisibleTime::fitting(first, last.max(first + 0.1), layout.tracks.width()));
             return;
         }
-        let indices = editor.keyframes_at_hand();
+        let indices = editor.edited_keyframes();
         let (Some(&first), Some(&last)) = (indices.first(), indices.last()) else { return };
         let last_place = columns.len().saturating_sub(1);
         let (first, last) =
             if first == last { (first.saturating_sub(1), (last + 1).min(last_place)) } else { (first, last) };
-        self.view = Some(View::fitting(columns.time(first), columns.time(last), layout.tracks.width()));
+        self.view = Some(VisibleTime::fitting(columns.time(first), columns.time(last), layout.tracks.width()));
     }
 }
 
@@ -358,7 +358,7 @@ fn missing(ui: &Ui, look: &Look<'_>, bindings: &[Binding]) {
     painter.text(at, Align2::LEFT_CENTER, text, FontId::proportional(12.0), look.tokens.dim);
 }
 
-/// Makes the diamonds of the summary row known to the keyboard and to screen readers. The pointer meets the tracks instead.
+/// Adds the diamonds of the summary row as widgets for the keyboard and screen readers. The mouse is handled by the tracks.
 fn diamonds(timeline: &mut Timeline, ui: &Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     let Target { layout, scale, columns, .. } = *look.target;
     let y = layout.summary.center().y;
@@ -396,7 +396,7 @@ fn diamonds(timeline: &mut Timeline, ui: &Ui, look: &Look<'_>, commands: &mut Ve
     }
 }
 
-/// The key of a command, or its name where it has none.
+/// The hotkey of a command, or its name if it has no hotkey.
 fn key_of(bindings: &[Binding], command: &Command) -> String {
     let binding = binding_of(bindings, command);
     binding

@@ -1,4 +1,4 @@
-//! The export that is under way: on a thread and a device of its own, so that the window goes on meanwhile.
+//! The running export: on a thread and a device of its own, so that the window goes on meanwhile.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
@@ -14,10 +14,10 @@ use crate::film::{ExportEnd, ExportOptions};
 use crate::ui::Exporting;
 use crate::words::{Message, texts};
 
-/// How often the window hears of progress, at most.
+/// The shortest time between two progress events.
 const MOST_NEWS: usize = 200;
 
-/// An export that is under way.
+/// A running export.
 #[derive(Debug)]
 pub struct Export {
     thread: JoinHandle<()>,
@@ -26,7 +26,7 @@ pub struct Export {
 }
 
 impl Export {
-    /// Ends it, and waits until nothing of it is left half done.
+    /// Cancels it, and waits until its partial files are removed.
     pub fn end(self) {
         self.is_ending.store(true, Ordering::Relaxed);
         // A thread that panicked has ended as well.

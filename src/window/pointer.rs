@@ -18,7 +18,7 @@ pub enum Button {
 /// What a press or movement does.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Action {
-    /// Choose what is there.
+    /// Choose the node under the pointer.
     Pick(Vec2),
     /// The first movement of a drag: begin, then move.
     Begin,
@@ -80,7 +80,7 @@ impl Pointer {
         actions
     }
 
-    /// Forgets what is held, as when the window loses the focus.
+    /// Releases all buttons, as when the window loses the focus.
     pub fn let_go(&mut self) -> Option<Action> {
         let was_dragging = self.is_dragging;
         *self = Self { at_px: self.at_px, ..Self::default() };

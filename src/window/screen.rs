@@ -15,7 +15,7 @@ pub struct Screen {
     configuration: wgpu::SurfaceConfiguration,
     is_configured: bool,
     scene_format: wgpu::TextureFormat,
-    /// Another way, where there is one that is quicker.
+    /// Shared memory, if it is available.
     shared: Option<Shared>,
 }
 

@@ -1,5 +1,5 @@
-//! Pictures that the CPU drew, in memory that an X server reads: where a driver sends each of them through a socket, that is a quarter
-//! of a picture's time. Elsewhere than on Linux, and where the server is another machine's, there is no such way.
+//! Presents CPU-drawn pictures through memory shared with an X server (MIT-SHM). A driver that sends them through a socket needs a quarter
+//! of a picture's time for it. Only available on Linux and with a local X server.
 
 #[cfg(not(target_os = "linux"))]
 mod nowhere;

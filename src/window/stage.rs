@@ -66,7 +66,7 @@ pub struct WindowSurface {
     thumbnails: Option<(Renderer, Offscreen)>,
 }
 
-/// PanelPainter that were laid out and wait to be painted, all of them, over the scene.
+/// Panels that were laid out and wait to be painted over the scene. All of them must be painted.
 pub struct LaidOut {
     /// What the panels ask for.
     pub output: UiOutput,
@@ -131,7 +131,8 @@ impl WindowSurface {
         self.screen.outdate();
     }
 
-    /// Lays out the panels, with the input that came since. Over the scene the pointer is `cursor`, where that is given. `None` where the window has no size. What comes back must be painted.
+    /// Lays out the panels with the input since the last time; the result must be painted. `None` if the window has no size. `cursor`
+    /// replaces the pointer's shape over the scene.
     pub fn lay_out(&mut self, ui: &mut Panels, editor: &Editor, cursor: Option<egui::CursorIcon>) -> Option<LaidOut> {
         let size = self.window.inner_size();
         if size.width == 0 || size.height == 0 {

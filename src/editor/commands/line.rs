@@ -1,4 +1,4 @@
-//! Script lines of commands: how they are read and written.
+//! Script lines of commands: parsing and printing.
 
 use std::sync::Arc;
 
@@ -25,13 +25,13 @@ pub struct Arguments<'a> {
 /// Why the arguments of a line mean nothing.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum ArgumentError {
-    /// A number is none, or not finite.
+    /// Not a number, or not finite.
     #[error("{word:?} is not a finite number")]
     Number {
         /// The word as written.
         word: String,
     },
-    /// A number is none, or out of its range.
+    /// Not a number, or out of range.
     #[error("{word:?} is not a {what}; expected a {kind} from {low} to {high}")]
     Range {
         /// The word as written.
@@ -45,7 +45,7 @@ pub enum ArgumentError {
         /// The largest valid value.
         high: f64,
     },
-    /// A word is none of those that can stand there.
+    /// Not one of the allowed words.
     #[error("{word:?} is not {what}; expected {expected}")]
     Choice {
         /// The word as written.
@@ -55,7 +55,7 @@ pub enum ArgumentError {
         /// What can stand there.
         expected: String,
     },
-    /// The axis is none of the three.
+    /// Not `x`, `y` or `z`.
     #[error("{word:?} is not an axis; expected x, y or z")]
     Axis {
         /// The word as written.
@@ -116,7 +116,7 @@ pub enum Ending {
     QuotedWords,
 }
 
-/// What a line does.
+/// The action of a line.
 #[derive(Clone, Debug)]
 enum Form {
     /// It is a word that means this command.

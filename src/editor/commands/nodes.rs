@@ -1,4 +1,4 @@
-//! Commands that place and turn nodes, one by one or by drags.
+//! Commands that move and rotate nodes: by values or by drags.
 
 use glam::{Quat, Vec3};
 
@@ -47,7 +47,7 @@ fn chosen() -> Vec<Row> {
                 let axes = [("x", Vec3::X), ("y", Vec3::Y), ("z", Vec3::Z)];
                 let (about, _) = axes.into_iter().find(|(_, axis)| is_axis(*axis))?;
                 let degrees = number_text(by.to_degrees());
-                // Not every angle in radians is one in degrees.
+                // Some angles in radians have no exact value in degrees.
                 let is_exact = radians(&degrees).is_ok_and(|read| read.to_bits() == by.to_bits());
                 is_exact.then(|| format!("{about} {degrees}"))
             },

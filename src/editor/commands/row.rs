@@ -5,12 +5,12 @@ use crate::editor::keymap::Chord;
 use crate::editor::{Command, Editor};
 use crate::words::{Phrase, texts};
 
-/// What a command changes.
+/// The kind of state that a command changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Changes {
     /// The document, which undo restores.
     Document,
-    /// How the document is looked at, selected and played; undo leaves it alone.
+    /// The session: view, selection, playback. Undo leaves it alone.
     Session,
     /// Files, or what happens outside the editor: its effect is an [`crate::editor::Effect`].
     Files,
@@ -27,7 +27,7 @@ pub enum Group {
     Timeline,
     /// Playing.
     Playing,
-    /// Looking and handling.
+    /// View, selection and camera.
     View,
     /// Files and undo.
     File,
@@ -83,7 +83,7 @@ impl Menu {
     pub const ALL: [Self; 5] = [Self::File, Self::Edit, Self::View, Self::Animation, Self::Help];
 }
 
-/// What the window shows that the editor does not know of: some ticks of menus depend on it.
+/// Window state that the editor does not know but that ticks in menus depend on.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct WindowState {
     /// Whether the log of messages is shown.
@@ -95,7 +95,7 @@ pub struct WindowState {
 /// The section of a menu that most items stand in.
 const USUAL_SECTION: u8 = 5;
 
-/// How a command stands in menus, in the list of commands and in the help, with its default hotkeys.
+/// How a command appears in menus, in the command list and in the help, and its default hotkeys.
 #[derive(Clone, Debug)]
 pub struct Binding {
     /// Its stable id in kebab-case, as in `keyframe-new`: what settings and scripts call it.
@@ -176,15 +176,15 @@ pub struct Row {
     pub changes: Changes,
     /// Its script lines, the preferred one first; where it has none, `do` and the id of a binding.
     pub lines: Vec<Line>,
-    /// How it stands in lists: once for a command without parameters, and once for each value of one with parameters that is offered.
+    /// Its entries in menus and lists: one for a command without parameters, and one for each offered value of a command with parameters.
     pub bindings: Vec<Binding>,
-    /// Whether it can do what it is for, as far as playing does not refuse it.
+    /// Whether it is enabled, apart from the refusal while playing.
     pub can: fn(&Editor, &Command) -> bool,
-    /// What it is called where playing refuses it, as in "delete a keyframe"; `None` where playing does not.
+    /// The action that is refused while playing, as in "delete a keyframe"; `None` if it is allowed.
     pub refused_while_playing: Option<Phrase>,
-    /// Whether a drag makes it again and again, so that during one it is a part of it.
+    /// Whether a drag sends it repeatedly. During a drag it is then part of the drag's undo step.
     pub is_continuous: bool,
-    /// Whether it first leaves a scrubbed key time.
+    /// Whether it ends a scrub first.
     pub ends_scrub: bool,
     owns: Option<fn(&Command) -> bool>,
 }

@@ -148,7 +148,7 @@ fn many_keys() -> Vec<Row> {
                         let keys = vec![KeyAt::new(&node, channel(channel_word)?, from)];
                         Ok(Some(edit(SceneEdit::MoveKeys { by: seconds(to)? - from, keys })))
                     },
-                    // A difference is not always one of two times, so that it is written as it is.
+                    // A difference of times may not be representable as two times, so write the difference itself.
                     |_, _| None,
                 )
                 .ending(Ending::NodePath),

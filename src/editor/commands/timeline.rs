@@ -218,7 +218,7 @@ fn nodes() -> Vec<Row> {
     ]
 }
 
-/// What the timeline's panel does for itself, and control nodes, whose keys it shows.
+/// Commands of the timeline panel itself, and those of control nodes, whose keys it shows.
 fn window() -> Vec<Row> {
     let control = binding("control-node-above", Command::Edit(Edit::Scene(SceneEdit::PutControlAboveChosen)), &[]);
     let rename = binding("keyframe-rename", Command::Window(WindowCommand::RenameCurrent), &["F2"]);

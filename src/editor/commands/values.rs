@@ -1,4 +1,4 @@
-//! Words of script lines as values, and values as words. What is written reads back to the same bits.
+//! Parsing and printing of values in script lines. A printed value reads back to the same bits.
 
 use std::fmt;
 use std::ops::RangeInclusive;
@@ -75,7 +75,7 @@ impl Arguments<'_> {
     }
 }
 
-/// A word that means something by itself, such as `loop`.
+/// A keyword, such as `loop`.
 pub(super) fn one_of<T>(word: &str, what: &'static str, all: impl Iterator<Item = (T, &'static str)>) -> Value<T> {
     let mut names = Vec::new();
     for (value, name) in all {

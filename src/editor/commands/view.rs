@@ -1,4 +1,4 @@
-//! Commands of looking and handling.
+//! Commands of view, camera and ghosts.
 
 use super::line::{ArgumentError, Ending, Line};
 use super::row::{Binding, Changes, Group, Menu, Row};

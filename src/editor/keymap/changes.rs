@@ -1,4 +1,4 @@
-//! The table of bindings with a user's changes: no two bindings share a key.
+//! The keymap: the table of bindings with the user's changes. No two bindings share a hotkey.
 
 use std::collections::BTreeMap;
 
@@ -8,22 +8,22 @@ use super::{Binding, Chord, bindings};
 use crate::editor::{Command, commands};
 use crate::words::{Message, Phrase, Severity, display_by_message, texts};
 
-/// Why a change of keys is not made.
+/// Why a change of hotkeys is refused.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 pub enum KeymapError {
-    /// Another binding has the key.
+    /// Another binding has the hotkey.
     Clash {
-        /// The key, for people.
+        /// The hotkey as text.
         chord: String,
-        /// Whose it is.
+        /// The name of that binding.
         other: Phrase,
     },
     /// There is no such binding.
     NoSuchBinding {
-        /// What was asked for.
+        /// The id that was given.
         name: String,
     },
-    /// A text is no key.
+    /// A text is not a hotkey.
     NoKey {
         /// The text.
         chord: String,
@@ -58,7 +58,7 @@ impl Default for Keymap {
 }
 
 impl Keymap {
-    /// The table with the keys of some bindings changed, and what of that could not be done: those keep the table's keys.
+    /// The table with some hotkeys changed, and the changes that were refused. Their bindings keep the default hotkeys.
     ///
     /// Bindings are named by their ids; English names, as older settings have them, are understood too.
     #[must_use]
@@ -71,7 +71,7 @@ impl Keymap {
                 errors.push(error);
             }
         }
-        // Changes may trade keys with each other, so that clashes are looked for when all are made.
+        // Changes may swap hotkeys, so check for clashes after all of them are applied.
         while let Some((id, error)) = keymap.clash_of(changes.keys()) {
             errors.push(error);
             keymap.put(id, chords_of_table(id));
@@ -90,13 +90,13 @@ impl Keymap {
         Ok(())
     }
 
-    /// The binding of an id, if it may have other keys.
+    /// The binding of an id, if its hotkeys can be changed.
     fn changeable(&self, id: &str) -> Result<&Binding, KeymapError> {
         let binding = self.get(id).filter(|binding| can_change(binding));
         binding.ok_or_else(|| KeymapError::NoSuchBinding { name: name_of(id).to_owned() })
     }
 
-    /// A binding that does not have the table's keys and shares one with another.
+    /// A changed binding that shares a hotkey with another one.
     fn clash_of<'a>(&self, mut ids: impl Iterator<Item = &'a String>) -> Option<(&'static str, KeymapError)> {
         ids.find_map(|id| {
             let binding = self.get(id).filter(|binding| binding.chords != chords_of_table(binding.id))?;
@@ -104,7 +104,7 @@ impl Keymap {
         })
     }
 
-    /// Why the binding of an id cannot have these keys: another has one of them.
+    /// Why the binding of an id cannot have these hotkeys: another binding has one of them.
     #[must_use]
     pub fn clash(&self, id: &str, chords: &[Chord]) -> Option<KeymapError> {
         chords.iter().find_map(|chord| {
@@ -114,7 +114,7 @@ impl Keymap {
         })
     }
 
-    /// Gives the binding of an id other keys.
+    /// Sets the hotkeys of the binding with this id.
     ///
     /// # Errors
     /// [`KeymapError`]; nothing has changed then.
@@ -133,7 +133,7 @@ impl Keymap {
         }
     }
 
-    /// What differs from the table, as the settings keep it: the keys of bindings by their ids.
+    /// The differences from the table, as settings store them: hotkeys by the ids of bindings.
     #[must_use]
     pub fn changes(&self) -> BTreeMap<String, Vec<String>> {
         self.0
@@ -156,8 +156,8 @@ impl Keymap {
     }
 }
 
-/// Changes of keys with ids in place of the English names that older settings have. Where both stand there, the id counts; what names
-/// no binding stays as it is.
+/// Replaces English names, which older settings have, by ids. If a map has both, the id wins. A name without a
+/// binding is kept as it is.
 #[must_use]
 pub fn by_id(changes: &BTreeMap<String, Vec<String>>) -> BTreeMap<String, Vec<String>> {
     let id_of = |name: &str| table().find(|binding| binding.title().english() == name).map(|binding| binding.id);
@@ -172,13 +172,13 @@ pub fn by_id(changes: &BTreeMap<String, Vec<String>>) -> BTreeMap<String, Vec<St
     renamed
 }
 
-/// Whether a binding may have other keys: Escape always cancels.
+/// Whether the hotkeys of a binding can be changed: Escape always cancels.
 #[must_use]
 pub fn can_change(binding: &Binding) -> bool {
     binding.command != Command::Cancel
 }
 
-/// The keys that the table gives the binding of an id.
+/// The default hotkeys of the binding with this id.
 #[must_use]
 pub fn chords_of_table(id: &str) -> Vec<Chord> {
     table().find(|binding| binding.id == id).map(|binding| binding.chords.clone()).unwrap_or_default()

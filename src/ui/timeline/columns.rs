@@ -1,4 +1,4 @@
-//! When each keyframe of a list is reached, and which of them are in sight: found by halving, so that the others cost nothing.
+//! The times of keyframes, and the range that is in sight. Lookups use binary search, so their cost hardly depends on the list's length.
 
 use std::ops::{Range, RangeInclusive};
 
@@ -9,7 +9,7 @@ use crate::keyframe::{Keyframe, KeyframeList};
 pub struct Columns {
     list: KeyframeList,
     times: Vec<f64>,
-    /// From the first to the last key at its own time.
+    /// The times of the first and the last timed key.
     keys: Option<(f64, f64)>,
 }
 
@@ -30,7 +30,7 @@ impl Columns {
         }
     }
 
-    /// Takes in the first and the last time at which other keys stand.
+    /// Sets the times of the first and the last timed key.
     pub const fn set_keys(&mut self, keys: Option<(f64, f64)>) {
         self.keys = keys;
     }
@@ -111,7 +111,7 @@ impl Columns {
         start..end.max(start)
     }
 
-    /// The place in the list that a time has between its keyframes.
+    /// The index at which a keyframe with this time would be inserted.
     #[must_use]
     pub fn insertion(&self, time: f64) -> usize {
         self.times.partition_point(|&own| own <= time)
@@ -128,8 +128,8 @@ impl Columns {
             .min_by(|a, b| distance(a).total_cmp(&distance(b)))
     }
 
-    /// The keyframes of a stretch of time, those together that are reached within one and the same step of `step`. As many groups as the
-    /// stretch has steps, however long the list is.
+    /// The keyframes of a time range, grouped by steps of length `step`. The number of groups is bounded by the number of
+    /// steps, not by the length of the list.
     pub fn groups(&self, times: RangeInclusive<f64>, step: f64) -> impl Iterator<Item = Range<usize>> + '_ {
         let within = self.within(&times);
         let mut next = within.start;
@@ -140,7 +140,7 @@ impl Columns {
             let start = next;
             let bucket_end = ((self.times[start] / step).floor() + 1.0) * step;
             let rest = &self.times[start + 1..within.end];
-            // Most often the next one stands alone, so that the search is over at once.
+            // Usually a group has one keyframe. Check that before searching.
             let together = match rest.first() {
                 Some(&time) if time < bucket_end => rest.partition_point(|&time| time < bucket_end),
                 _ => 0,

@@ -1,4 +1,4 @@
-//! Curves of one node over time, worked out apart from painting.
+//! Curves of one node over time, without painting.
 
 use std::ops::RangeInclusive;
 
@@ -10,10 +10,10 @@ use crate::pose::RbtIndex;
 use crate::rbt::Rbt;
 use crate::words::{Phrase, texts};
 
-/// Half the time, in units, over which a speed is taken.
+/// Half the time interval of the difference quotient for speeds, in units.
 const HALF_STEP: f64 = 0.004;
 
-/// What a graph shows.
+/// The quantity that a graph shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
     /// x, y and z in the parent's space.
@@ -40,7 +40,7 @@ impl Quantity {
         }
     }
 
-    /// What stands behind its numbers.
+    /// The unit that follows its numbers.
     pub const fn unit(self) -> &'static str {
         match self {
             Self::Translation => "",
@@ -108,7 +108,7 @@ impl<'a> Movement<'a> {
         }
     }
 
-    /// Times to look at in a stretch, so far apart, and each keyframe's own where they are not closer than that.
+    /// Sample times of a range with the given step, and the times of keyframes that are not closer together than that.
     pub fn times(&self, seen: &RangeInclusive<f64>, step: f64) -> Vec<f64> {
         let (first, last) = (self.columns.time(1), self.columns.time(self.list.len() - 2));
         let (from, to) = (seen.start().max(first), seen.end().min(last));
@@ -116,7 +116,7 @@ impl<'a> Movement<'a> {
         if from > to {
             return times;
         }
-        // Steps of their own, so that the curve does not swim while it is panned.
+        // Samples are multiples of the step, so that the curve does not flicker while it is panned.
         let mut next = (from / step).floor() * step;
         let keyframes = self.columns.within(&(from..=to));
         let own = if keyframes.len() < 400 { keyframes } else { 0..0 };

@@ -1,4 +1,4 @@
-//! What drags, clicks and the wheel do on the timeline.
+//! Drags, clicks and the wheel on the timeline.
 
 use egui::{CursorIcon, Modifiers, PointerButton, Pos2, Rect, Response, Ui};
 
@@ -7,7 +7,7 @@ use super::hit::{Hit, Target};
 use crate::editor::{Command, Edit, Editor, GestureCommand, PlaybackCommand, SelectionCommand, TimelineEdit};
 use crate::keyframe::{DURATION_RANGE, KeyframeIndex};
 
-/// Nearer than this to one unit, in points, a dragged interval lasts just that.
+/// The distance in points within which a dragged interval snaps to one unit.
 pub(super) const SNAP: f32 = 4.0;
 
 /// A drag that goes on.
@@ -23,18 +23,18 @@ pub enum Drag {
     Retime(Retime),
     /// Moves the beginning of what plays, or its end.
     Range { is_start: bool, before: Option<(usize, usize)> },
-    /// Moves what is in sight.
+    /// Pans the view.
     Pan,
 }
 
-/// How a selection takes in more keyframes.
+/// How keyframes are added to a selection.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mode {
     /// They replace it.
     Replace,
     /// They are added.
     Add,
-    /// They change sides.
+    /// Selected ones are deselected, and the other way round.
     Toggle,
 }
 
@@ -76,7 +76,7 @@ pub fn combined(before: &[KeyframeIndex], taken: std::ops::Range<usize>, mode: M
     selected
 }
 
-/// Whether moving these keyframes to before a place changes anything.
+/// Whether moving these keyframes to before an index changes the list.
 #[must_use]
 pub fn moves_anything(indices: &[usize], to: usize) -> bool {
     let (Some(&first), Some(&last)) = (indices.first(), indices.last()) else { return false };
@@ -160,7 +160,7 @@ impl Timeline {
         let presses = response.is_pointer_button_down_on() && ui.input(|input| input.pointer.primary_pressed());
         let hit = target.at(at);
         if presses && self.drag.is_none() {
-            // What moves in time follows from the first touch; all else waits until it cannot be a click any more.
+            // The playhead follows at once. Other drags start after the pointer has moved too far for a click.
             match hit {
                 Hit::Ruler => self.drag = Some(Drag::Scrub),
                 Hit::RangeStart | Hit::RangeEnd => {
@@ -249,7 +249,7 @@ impl Timeline {
                     commands.push(Command::Edit(Edit::Timeline(edit)));
                 };
                 if was_ripple_free != asked.1 {
-                    // The neighbour gets back what it had; ripple-free takes it from there again.
+                    // Restore the neighbour's duration first; a ripple-free change then starts from it.
                     set(retime.index, retime.before.0, false);
                     if let Some(neighbour) = retime.before.1 {
                         set(retime.index + 1, neighbour, false);
@@ -266,7 +266,7 @@ impl Timeline {
             Some(Drag::Move { .. }) => {
                 let Some(at) = at else { return };
                 let to = target.columns.insertion(target.scale.time_at(at.x));
-                if moves_anything(&editor.keyframes_at_hand(), to) {
+                if moves_anything(&editor.edited_keyframes(), to) {
                     commands.push(Command::Edit(Edit::Timeline(TimelineEdit::MoveKeyframes(to))));
                 }
             }
@@ -352,7 +352,7 @@ impl Timeline {
     }
 }
 
-/// What brings the playhead under the pointer, unless it is there.
+/// The command that moves the playhead to the pointer, unless it is there.
 fn scrubbing(target: &Target<'_>, editor: &Editor, x: f32, to_keyframes: bool) -> Option<Command> {
     let time = target.scale.time_at(x);
     if target.range.is_none() {
@@ -366,7 +366,7 @@ fn scrubbing(target: &Target<'_>, editor: &Editor, x: f32, to_keyframes: bool) -
     (!is_there).then_some(Command::Playback(PlaybackCommand::Scrub(key_time)))
 }
 
-/// What brings an end of the played range to the keyframe under the pointer, unless it is there.
+/// The command that moves an end of the played range to the keyframe under the pointer, unless it is there.
 fn ranging(target: &Target<'_>, x: f32, is_start: bool) -> Option<Command> {
     let (first, last) = target.range?;
     let most = target.columns.len().checked_sub(2)?;

@@ -81,7 +81,7 @@ impl Graphs {
         self.dragged.is_some()
     }
 
-    /// Takes in what the pointer does to dots. Says whether it is theirs.
+    /// Handles the pointer over dots. Returns whether it was used.
     pub fn pointer(
         &mut self,
         ui: &Ui,
@@ -155,7 +155,7 @@ impl Graphs {
             .map(|(axis, _)| Dot { index, axis })
     }
 
-    /// Says what the pointer is over. Says whether it said something.
+    /// Shows a tooltip for the dot or warning under the pointer. Returns whether there is one.
     pub fn tip(&self, response: &Response, look: &Look<'_>) -> bool {
         let Some(at) = response.hover_pos() else { return false };
         let Some(rbt) = look.editor.session().chosen else { return false };
@@ -180,7 +180,7 @@ impl Graphs {
         true
     }
 
-    /// Shows which graphs there are, to be shown and hidden.
+    /// Shows the legend, whose entries show and hide graphs.
     pub fn legend(&mut self, ui: &Ui, look: &Look<'_>) {
         let (column, tokens) = (look.target.layout.labels, look.tokens);
         let painter = ui.painter().with_clip_rect(column.intersect(ui.clip_rect()));

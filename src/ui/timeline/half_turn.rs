@@ -18,7 +18,7 @@ pub fn degrees_between(from: Quat, to: Quat) -> f32 {
     (2.0 * turn.xyz().length().atan2(turn.w.abs())).to_degrees()
 }
 
-/// Whether an interval shows what is between its keyframes: it is played, and does not hold.
+/// Whether an interval is interpolated: it is in the played range and its easing is not `hold`.
 fn blends(keyframes: &[Keyframe], index: usize) -> bool {
     index > 0 && index + 2 < keyframes.len() && keyframes[index].easing != Easing::Hold
 }

@@ -16,7 +16,7 @@ pub const RULER: f32 = 36.0;
 pub const RADIUS: f32 = 6.0;
 /// Half a diamond on a node's row, at most.
 pub const SMALL_RADIUS: f32 = 4.5;
-/// Closer together than this, diamonds merge.
+/// The distance between diamonds below which they merge.
 pub const LEAST_GAP: f32 = 6.0;
 /// From a diamond's middle to the grip of the interval that ends there.
 const GRIP: f32 = 13.0;
@@ -50,7 +50,7 @@ pub struct Layout {
     pub tracks: Rect,
     /// Pictures of keyframes; empty where there is no room for them.
     pub strip: Rect,
-    /// The row that stands for all nodes.
+    /// The summary row of all nodes.
     pub summary: Rect,
     /// The rows of nodes.
     pub nodes: Rect,
@@ -284,7 +284,7 @@ mod tests {
     use super::*;
     use crate::keyframe::{Keyframe, KeyframeList};
     use crate::pose::Pose;
-    use crate::ui::timeline::scale::View;
+    use crate::ui::timeline::scale::VisibleTime;
 
     fn check(at: Pos2, expected: Hit) {
         let list = KeyframeList::new((0..6).map(|_| Keyframe::new(Pose::new(Vec::new()))).collect());
@@ -292,7 +292,7 @@ mod tests {
         columns.update(&list);
         let layout = Layout::of(Rect::from_min_size(Pos2::ZERO, vec2(1000.0, 160.0)), true);
         // Keyframe k stands at 200 + 100 k.
-        let view = View { start: -1.0 - (200.0 - f64::from(LABELS)) / 100.0, points_per_unit: 100.0 };
+        let view = VisibleTime { start: -1.0 - (200.0 - f64::from(LABELS)) / 100.0, points_per_unit: 100.0 };
         let scale = Scale { left: layout.tracks.left(), right: layout.tracks.right(), view };
         let target = Target {
             layout: &layout,

@@ -70,10 +70,10 @@ impl Timeline {
     ) {
         let keyframe_index = KeyframeIndex::new(index);
         let Some(keyframe) = editor.document().keyframes.get(keyframe_index) else { return };
-        let at_hand = editor.keyframes_at_hand().len();
+        let edited = editor.edited_keyframes().len();
         let words = Words::of(ui);
-        let heading = if at_hand > 1 {
-            words.message(texts::count_keyframes(at_hand))
+        let heading = if edited > 1 {
+            words.message(texts::count_keyframes(edited))
         } else {
             words.message(texts::keyframe_number(index.to_string()))
         };

@@ -19,7 +19,7 @@ const SECONDS_APART: f64 = 72.0;
 /// How many keyframes of a merged group are looked at for a difference.
 const LOOKED_AT: usize = 16;
 
-/// What painting needs to know beside the target.
+/// Everything that painting needs.
 #[derive(Clone, Copy)]
 pub struct Look<'a> {
     /// All state.
@@ -30,7 +30,7 @@ pub struct Look<'a> {
     pub tokens: &'a Tokens,
     /// The current language's words.
     pub words: Words,
-    /// What the pointer is over.
+    /// The widget under the pointer.
     pub hovered: Option<Hit>,
 }
 
@@ -43,7 +43,7 @@ fn keyframes<'a>(look: &Look<'a>) -> &'a [Keyframe] {
     look.editor.document().keyframes.as_slice()
 }
 
-/// Fills the ground: lighter where keyframes are played. Nothing is filled twice.
+/// Fills the background, lighter in the played range. Each pixel is filled once.
 pub fn ground(painter: &Painter, look: &Look<'_>) {
     let area = look.target.layout.scaled();
     let (played, outside) = (look.tokens.panel, look.tokens.window);
@@ -197,7 +197,7 @@ fn radius(look: &Look<'_>, most: f32) -> f32 {
     (gap.max(LEAST_GAP) * 0.45).clamp(2.7, most)
 }
 
-/// The row that stands for all nodes: the intervals with their easings and grips, and a diamond for each keyframe.
+/// The summary row of all nodes: the intervals with their easings and grips, and a diamond for each keyframe.
 pub fn summary(painter: &Painter, look: &Look<'_>, drag: Option<&Drag>) {
     let Target { layout, scale, columns, .. } = look.target;
     let tokens = look.tokens;
@@ -326,7 +326,7 @@ pub fn playhead(painter: &Painter, look: &Look<'_>) {
     painter.add(Shape::convex_polygon(corners, colour, Stroke::NONE));
 }
 
-/// What the drag that goes on would do.
+/// The preview of the current drag.
 pub fn dragging(painter: &Painter, look: &Look<'_>, drag: &Drag, surrounded: Option<Rect>, at: Pos2) {
     let Target { layout, scale, columns, .. } = look.target;
     let tokens = look.tokens;
@@ -372,7 +372,7 @@ fn insertion(painter: &Painter, look: &Look<'_>, grabbed: usize, at: Pos2) {
     let Target { layout, scale, columns, .. } = look.target;
     let tokens = look.tokens;
     let to = columns.insertion(scale.time_at(at.x));
-    let indices = look.editor.keyframes_at_hand();
+    let indices = look.editor.edited_keyframes();
     if super::drag::moves_anything(&indices, to) {
         let (first, last) = columns.ends();
         let (before, after) = (to.checked_sub(1), (to < columns.len()).then_some(to));

@@ -11,14 +11,14 @@ pub const MARGIN: f64 = 24.0;
 
 /// The visible part of time.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct View {
+pub struct VisibleTime {
     /// The time at the left edge.
     pub start: f64,
     /// Points for one unit of time.
     pub points_per_unit: f64,
 }
 
-impl View {
+impl VisibleTime {
     /// All of `first..=last`, with a margin at both sides.
     #[must_use]
     pub fn fitting(first: f64, last: f64, width: f32) -> Self {
@@ -89,7 +89,7 @@ pub struct Scale {
     /// The right edge, in points.
     pub right: f32,
     /// What is in sight.
-    pub view: View,
+    pub view: VisibleTime,
 }
 
 impl Scale {
@@ -147,7 +147,7 @@ mod tests {
     use super::*;
 
     fn scale() -> Scale {
-        Scale { left: 100.0, right: 900.0, view: View { start: -1.0, points_per_unit: 80.0 } }
+        Scale { left: 100.0, right: 900.0, view: VisibleTime { start: -1.0, points_per_unit: 80.0 } }
     }
 
     #[test]
@@ -174,7 +174,7 @@ mod tests {
     #[test]
     fn all_that_is_fitted_is_in_sight() {
         for (first, last) in [(-1.0, 4.0), (-1.0, 9998.0), (2.0, 2.0)] {
-            let scale = Scale { left: 0.0, right: 800.0, view: View::fitting(first, last, 800.0) };
+            let scale = Scale { left: 0.0, right: 800.0, view: VisibleTime::fitting(first, last, 800.0) };
             assert!((scale.x_of(first) - 24.0).abs() < 0.1);
             assert!(scale.x_of(last) <= 776.1);
         }
@@ -182,7 +182,7 @@ mod tests {
 
     #[test]
     fn panning_ends_where_nothing_is_left_to_see() {
-        let view = View { start: 0.0, points_per_unit: 100.0 };
+        let view = VisibleTime { start: 0.0, points_per_unit: 100.0 };
         let far = view.panned(-1e7).kept_near(-1.0, 4.0, 800.0);
         let scale = Scale { left: 0.0, right: 800.0, view: far };
         assert!((0.0..=800.0).contains(&scale.x_of(4.0)), "{far:?}");
@@ -193,7 +193,7 @@ mod tests {
 
     #[test]
     fn a_time_is_brought_into_sight() {
-        let view = View { start: 0.0, points_per_unit: 100.0 };
+        let view = VisibleTime { start: 0.0, points_per_unit: 100.0 };
         assert_eq!(view.showing(4.0, 800.0), view);
         let shown = view.showing(40.0, 800.0);
         assert!(shown.start < 40.0 && shown.start + 8.0 > 40.0);

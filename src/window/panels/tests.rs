@@ -14,7 +14,7 @@ use crate::ui::{Panels, theme};
 const SIZE_PX: [u32; 2] = [1024, 640];
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
-/// PanelPainter without a window.
+/// Panels without a window.
 struct Bench {
     gpu: Gpu,
     context: Context,
@@ -22,11 +22,11 @@ struct Bench {
     ui: Panels,
 }
 
-/// PanelPainter as they were laid out once.
+/// The panels of one layout.
 struct Layout {
     shapes: Vec<ClippedShape>,
     textures: TexturesDelta,
-    layout: WindowLayout,
+    window: WindowLayout,
 }
 
 impl Drop for Layout {
@@ -65,7 +65,7 @@ impl Bench {
         Layout {
             shapes: std::mem::take(&mut shown.shapes),
             textures: std::mem::take(&mut shown.textures_delta),
-            layout,
+            window: layout,
         }
     }
 
@@ -73,7 +73,7 @@ impl Bench {
     fn picture(&self, panels: &mut PanelPainter, layout: &Layout) -> Vec<u8> {
         let Gpu { device, queue, .. } = &self.gpu;
         let mut textures = layout.textures.clone();
-        panels.update(&self.gpu, &self.context, layout.shapes.clone(), &mut textures, layout.layout);
+        panels.update(&self.gpu, &self.context, layout.shapes.clone(), &mut textures, layout.window);
         let [width, height] = SIZE_PX;
         let texture = device.create_texture(&wgpu::TextureDescriptor {
             label: None,
@@ -148,7 +148,7 @@ fn session() -> Vec<Step> {
     steps
 }
 
-/// What was filled before and kept looks the same to the byte as what is all filled anew.
+/// Incremental redraws give the same bytes as full redraws.
 #[track_caller]
 fn check(pixels_per_point: f32, can_copy: bool) {
     let mut bench = Bench::new();
@@ -198,6 +198,6 @@ fn playing_fills_little() {
     bench.editor.tick(1);
     let after = bench.lay_out(Vec::new(), 1.0, true);
     let area: f32 = damage::between(&before.shapes, &after.shapes, 1.0).iter().map(|area| area.area()).sum();
-    let window = after.layout.window().area();
+    let window = after.window.window().area();
     assert!(area > 0.0 && area < 0.05 * window, "{:.1} % of the window", 100.0 * area / window);
 }

@@ -1,4 +1,4 @@
-//! No memory is shared.
+//! The stub for systems without shared memory.
 
 use std::convert::Infallible;
 
@@ -6,7 +6,7 @@ use winit::window::Window;
 
 use crate::render::Gpu;
 
-/// There is none here.
+/// Never exists on this system.
 pub struct Shared(Infallible);
 
 impl Shared {

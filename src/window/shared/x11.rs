@@ -1,4 +1,4 @@
-//! Through memory that is handed to the X server, on a connection of its own.
+//! Shared memory with the X server, on a connection of its own.
 
 use std::io;
 
@@ -48,7 +48,7 @@ pub struct Shared {
     buffers: Option<Buffers>,
 }
 
-/// What pictures of one size need.
+/// The buffers for pictures of one size.
 struct Buffers {
     texture: wgpu::Texture,
     back: ReadBack,
@@ -174,7 +174,7 @@ impl Memory {
         ftruncate(&file, len as u64).map_err(io::Error::from)?;
         fcntl_add_seals(&file, SealFlags::SHRINK | SealFlags::SEAL).map_err(io::Error::from)?;
         #[expect(unsafe_code, reason = "memory that is shared can be had in no other way")]
-        // SAFETY: nobody can make the file shorter, and nobody else has it but the server, which is told to map it to read only.
+        // SAFETY: the file cannot be shortened, and only the server has it too, which is told to map it read-only.
         let bytes = unsafe { MmapMut::map_mut(&file) }?;
         let segment = server.generate_id()?;
         server.shm_attach_fd(segment, file, true)?.check()?;
