@@ -1,6 +1,6 @@
 //! Colours: sRGB as files and people write it, linear light as it is drawn with, the curve between them, and the named colours.
 //!
-//! The curve is that of IEC 61966-2-1. `shaders/common.wgsl` has a copy of one direction; a test here holds the two together.
+//! The curve is that of IEC 61966-2-1. `shaders/common.wgsl` has a copy of one direction; a test here compares the two.
 
 use glam::Vec3;
 
@@ -52,7 +52,7 @@ impl Colour {
     pub const EARLIER: Self = Self::from_rgb(0xe0, 0x8a, 0x4b);
     /// Ghosts of later keyframes: cool.
     pub const LATER: Self = Self::from_rgb(0x4b, 0xa3, 0xd9);
-    /// Ghosts of a comparison: the other of the two interpolations. Also what the window says for information.
+    /// Ghosts of a comparison: the other of the two interpolations. Also the colour of information messages in the window.
     pub const BLUE: Self = Self::from_rgb(0x5a, 0xa9, 0xe6);
     /// Ghosts of a comparison: blended quaternions (nlerp).
     pub const GREEN: Self = Self::from_rgb(0x63, 0xc0, 0x8a);

@@ -1,7 +1,7 @@
 //! Rigid body transforms: the values that nodes hold and keyframes record.
 //!
-//! An [`Rbt`] is a rotation followed by a translation, `x ↦ R x + t` (Gortler, *Foundations of 3D Computer Graphics*,
-//! chapter 8). This module knows nothing of scenes, of time or of files.
+//! An [`Rbt`] is a rotation followed by a translation, `x ↦ R x + t` (Gortler, *Foundations of 3D Computer Graphics*, chapter 8). This
+//! module does not know scenes, time or files.
 
 use glam::{Affine3A, Quat, Vec3};
 

@@ -1,4 +1,4 @@
-//! The fast blends beside the simple ones.
+//! The SIMD blends compared with the simple functions.
 
 use glam::{DQuat, Quat, Vec3};
 use proptest::prelude::*;
@@ -119,10 +119,10 @@ proptest! {
                 let step = |p: Quat, q: Quat| slerp_f64(p, q, alpha);
                 let (ab, bc, cd) = (step(a, b), step(b, c), step(c, d));
                 let (abc, bcd) = (slerp_of(ab, bc, alpha), slerp_of(bc, cd, alpha));
-                // Where one of the six blends is next to half a turn, rounding decides which way round it goes.
-                let is_luck = [(a, b), (b, c), (c, d)].iter().any(|&(p, q)| quarter(p.as_dquat(), q.as_dquat()))
+                // If one of the six blends is close to half a turn, rounding decides its direction.
+                let is_half_turn = [(a, b), (b, c), (c, d)].iter().any(|&(p, q)| quarter(p.as_dquat(), q.as_dquat()))
                     || quarter(ab, bc) || quarter(bc, cd) || quarter(abc, bcd);
-                if !is_luck {
+                if !is_half_turn {
                     let off = angle(blended.rotation.as_dquat(), slerp_of(abc, bcd, alpha));
                     prop_assert!(off < 5e-7, "{off} rad off at {alpha} with {level:?}");
                 }

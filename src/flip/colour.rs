@@ -55,7 +55,7 @@ pub fn hunt_lab_from_linear(linear: [f32; 3]) -> [f32; 3] {
     [lightness, 0.01 * lightness * 500.0 * (x - y), 0.01 * lightness * 200.0 * (y - z)]
 }
 
-/// The distance HyAB: lightness by itself, colour as the crow flies.
+/// The HyAB distance: the absolute difference of lightness plus the Euclidean distance of a and b.
 pub fn hyab(from: [f32; 3], to: [f32; 3]) -> f32 {
     (from[0] - to[0]).abs() + (from[1] - to[1]).hypot(from[2] - to[2])
 }

@@ -1,4 +1,4 @@
-//! FLIP's second half: where edges and points differ, errors are noticed sooner.
+//! FLIP's feature metric: differences of edges and points amplify the error.
 
 use super::filter::{Plane, kernel};
 use super::pixel_error::PIXELS_PER_DEGREE;

@@ -126,7 +126,9 @@ impl Kind {
             Self::LineHidden => stroke("hidden_line_vertex", "line_fragment", Less),
             Self::LineOnTop => stroke("line_vertex", "line_fragment", Always),
             Self::Dot => stroke("dot_vertex", "dot_fragment", Always),
-            Self::MaskAll => shape(Source::Silhouette, "position_vertex", Some("mask_fragment"), (Always, false), false),
+            Self::MaskAll => {
+                shape(Source::Silhouette, "position_vertex", Some("mask_fragment"), (Always, false), false)
+            }
             Self::MaskVisible => {
                 shape(Source::Silhouette, "position_vertex", Some("mask_fragment"), (GreaterEqual, false), false)
             }
