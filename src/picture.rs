@@ -1,6 +1,6 @@
 //! A finished picture on the CPU, and PNG encoding and decoding.
 //!
-//! Pixels and bytes only: nothing here draws or touches a file.
+//! Pixels and bytes only: this module does not draw or open files.
 
 mod read;
 

@@ -1,4 +1,4 @@
-//! The scene: a graph of RBT nodes, control nodes and shape nodes, its file, and the scenes that are built in.
+//! The scene: a graph of RBT nodes, control nodes and shape nodes, its file, and the built-in scenes.
 //!
 //! A scene has topology, shapes, the rest pose and the timed keys. The current transforms of RBT nodes are in a [`crate::pose::Pose`].
 

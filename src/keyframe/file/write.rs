@@ -1,4 +1,4 @@
-//! The text of a keyframe file, made piece by piece on all cores.
+//! Writes the text of a keyframe file, piece by piece on all cores.
 
 use std::fmt::{self, Write as _};
 use std::ops::Range;
