@@ -265,7 +265,7 @@ impl Robot<'_> {
         if found.len() > MOST_JOINTS {
             return Found::Nothing;
         }
-        let mut walk = Walk { robot: self, found: &found, wanted: &wanted, order: Vec::new(), tries: 0 };
+        let mut walk = OrderSearch { robot: self, found: &found, wanted: &wanted, order: Vec::new(), tries: 0 };
         if walk.go_on(&mut vec![None]) {
             return Found::Order(walk.order);
         }
@@ -298,7 +298,7 @@ impl Robot<'_> {
 }
 
 /// Searches for an order in which the rows are a pre-order walk of the robot.
-struct Walk<'a> {
+struct OrderSearch<'a> {
     robot: &'a Robot<'a>,
     found: &'a [[i8; 3]],
     wanted: &'a [[i8; 3]],
@@ -306,7 +306,7 @@ struct Walk<'a> {
     tries: usize,
 }
 
-impl Walk<'_> {
+impl OrderSearch<'_> {
     /// Finds joints for the remaining rows. `above` are the ancestors of the current row; `None` is the robot itself.
     fn go_on(&mut self, above: &mut Vec<Option<usize>>) -> bool {
         let row = self.order.len();
