@@ -23,7 +23,7 @@ pub struct Played<'a> {
 }
 
 impl Played<'_> {
-    /// The key time that is shown at a time in milliseconds from the start, at most the end's.
+    /// The key time at a time in milliseconds from the start; at most the last key time.
     #[must_use]
     pub fn key_time_at(&self, ms: &BigRational) -> f64 {
         self.range.timing().key_time_at(&(ms / whole(self.ms_between_keyframes as usize)))

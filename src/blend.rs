@@ -6,8 +6,8 @@
 //! spline by less than 5e-7, and are as near to unit length. On processors without fused multiplication and addition it is 3.5e-7, near
 //! half a turn.
 //!
-//! The widest instructions that the processor has are chosen when the program runs. Those with fused multiplication and addition
-//! (AVX2, AVX-512, NEON) agree with each other to the bit.
+//! The widest instruction set of the processor is chosen at run time. The sets with fused multiplication and addition (AVX2, AVX-512, NEON)
+//! agree with each other to the bit.
 
 #![expect(clippy::inline_always, reason = "what is not inlined is compiled for the oldest processor")]
 

@@ -81,7 +81,7 @@ pub struct Arcball {
 
 impl Arcball {
     /// The rotation, in axes of the eye, for a drag from one pixel to another: `(0, v₂)(0, −v₁)` for the two points on the ball, which
-    /// turns by twice the angle between them. Outside the ball its silhouette counts.
+    /// turns by twice the angle between them. A pixel outside the ball stands for the nearest point of its silhouette.
     #[must_use]
     pub fn rotation(&self, from_px: Vec2, to_px: Vec2) -> Quat {
         let (from, to) = (self.on_ball(from_px), self.on_ball(to_px));

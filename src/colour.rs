@@ -1,6 +1,6 @@
-//! Colours: sRGB as files and people write it, linear light as it is drawn with, the curve between them, and the named colours.
+//! Colours: sRGB for files and people, linear light for drawing, the conversion between them, and named colours.
 //!
-//! The curve is that of IEC 61966-2-1. `shaders/common.wgsl` has a copy of one direction; a test here holds the two together.
+//! The curve is that of IEC 61966-2-1. `shaders/common.wgsl` has a copy of one direction; a test here compares the two.
 
 use glam::Vec3;
 
@@ -14,13 +14,13 @@ const OFFSET: f32 = 0.055;
 const SCALE: f32 = 1.055;
 const GAMMA: f32 = 2.4;
 
-/// The linear light of a channel in sRGB; both from 0 to 1.
+/// The linear light of an sRGB channel; both from 0 to 1.
 #[must_use]
 pub fn linear_from_srgb(channel: f32) -> f32 {
     if channel <= LINE_BELOW_SRGB { channel / SLOPE } else { ((channel + OFFSET) / SCALE).powf(GAMMA) }
 }
 
-/// A channel in sRGB of its linear light; both from 0 to 1.
+/// The sRGB value of a channel in linear light; both from 0 to 1.
 #[must_use]
 pub fn srgb_from_linear(channel: f32) -> f32 {
     if channel <= LINE_BELOW_LINEAR { channel * SLOPE } else { SCALE * channel.powf(1.0 / GAMMA) - OFFSET }
@@ -52,7 +52,7 @@ impl Colour {
     pub const EARLIER: Self = Self::from_rgb(0xe0, 0x8a, 0x4b);
     /// Ghosts of later keyframes: cool.
     pub const LATER: Self = Self::from_rgb(0x4b, 0xa3, 0xd9);
-    /// Ghosts of a comparison: the other of the two interpolations. Also what the window says for information.
+    /// Ghosts of a comparison: the other of the two interpolations. Also the colour of information messages in the window.
     pub const BLUE: Self = Self::from_rgb(0x5a, 0xa9, 0xe6);
     /// Ghosts of a comparison: blended quaternions (nlerp).
     pub const GREEN: Self = Self::from_rgb(0x63, 0xc0, 0x8a);

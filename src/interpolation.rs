@@ -1,9 +1,9 @@
 //! Interpolation of translations, rotations and rigid body transforms: pure functions, no time, no lists.
 //!
-//! The fraction `alpha` runs over [0, 1] between two values. Rotations are interpolated by
-//! `slerp(q0, q1, α) = (cn(q1 q0⁻¹))^α q0` and smooth motion by Catmull-Rom splines through Bézier control points
-//! (Gortler, *Foundations of 3D Computer Graphics*, chapters 7 and 9). Rotations are unit quaternions; either sign of one means the
-//! same rotation, and no function here depends on it, except at exactly half a turn, where either way round is right.
+//! The fraction `alpha` runs over [0, 1] between two values. Rotations are interpolated by `slerp(q0, q1, α) = (cn(q1 q0⁻¹))^α q0` and
+//! smooth motion by Catmull-Rom splines through Bézier control points (Gortler, *Foundations of 3D Computer Graphics*, chapters 7 and 9).
+//! Rotations are unit quaternions; either sign of one means the same rotation, and no function here depends on it, except at exactly half a
+//! turn, where both directions are right.
 
 use glam::{Quat, Vec3};
 
@@ -21,10 +21,10 @@ pub enum Interpolation {
 }
 
 impl Interpolation {
-    /// Every interpolation, in the order in which the hotkey goes through them.
+    /// Every interpolation, in the order of the hotkey.
     pub const ALL: [Self; 2] = [Self::Linear, Self::CatmullRom];
 
-    /// The names in files, as a sentence about a wrong one lists them: `"linear" or "catmull-rom"`.
+    /// The names in files, as a list for error messages: `"linear" or "catmull-rom"`.
     #[must_use]
     pub fn names_quoted() -> Argument {
         words::one_of(&Self::ALL.map(|interpolation| words::quoted(interpolation.name())))
@@ -109,9 +109,9 @@ pub struct ControlPoints<V> {
 
 /// The divisors d in tangent = (next − previous) / d: 6 at both ends if all intervals have one length.
 ///
-/// For intervals of lengths p, q, r, the middle one being the curve's, the velocity at its start is `(c2 − c0)/(p + q)` and at its end
-/// `(c3 − c1)/(q + r)`; a cubic Bézier curve of length q leaves its start with `3 (d − c1)/q`. So `d = (c2 − c0) q/(3 (p + q)) + c1`,
-/// and the speed in seconds is the same on both sides of every keyframe.
+/// The curve spans the middle one of three intervals of lengths p, q, r. The velocity at its start is `(c2 − c0)/(p + q)` and at its end
+/// `(c3 − c1)/(q + r)`; a cubic Bézier curve of length q leaves its start with `3 (d − c1)/q`. So `d = (c2 − c0) q/(3 (p + q)) + c1`, and
+/// the speed in seconds is the same on both sides of every keyframe.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TangentDivisors {
     /// At the start of the curve.
@@ -124,7 +124,7 @@ impl TangentDivisors {
     /// For intervals of one length.
     pub const UNIFORM: Self = Self { start: 6.0, end: 6.0 };
 
-    /// For three intervals of these lengths, all above 0, the middle one being the curve's.
+    /// The divisors for a curve in the middle one of three intervals of these lengths, all above 0.
     #[must_use]
     #[expect(clippy::cast_possible_truncation, reason = "tangents need no more than f32")]
     pub fn of([before, own, after]: [f64; 3]) -> Self {

@@ -116,18 +116,18 @@ pub fn push_f32s(text: &mut String, numbers: &[f32]) {
 
 /// A buffer for the text of one transform. Its parts have lengths known to the compiler where possible.
 #[derive(Debug)]
-pub struct RbtText {
+pub struct RbtBuffer {
     bytes: [u8; Self::MOST_BYTES],
     len: usize,
 }
 
-impl Default for RbtText {
+impl Default for RbtBuffer {
     fn default() -> Self {
         Self { bytes: [0; Self::MOST_BYTES], len: 0 }
     }
 }
 
-impl RbtText {
+impl RbtBuffer {
     /// Enough for seven numbers, the names and the text before them.
     const MOST_BYTES: usize = 256;
 
@@ -180,7 +180,7 @@ impl RbtText {
     }
 }
 
-impl fmt::Write for RbtText {
+impl fmt::Write for RbtBuffer {
     fn write_str(&mut self, part: &str) -> fmt::Result {
         self.put_digits(part.as_bytes());
         Ok(())
@@ -220,8 +220,8 @@ mod tests {
         let numbers = [-f32::MIN_POSITIVE, f32::MAX, -0.0, 1.0, 123_456.79, -1e12, -0.000_123_456_79];
         let [x, y, z, i, j, k, w] = numbers;
         let rbt = Rbt::new(glam::Vec3::new(x, y, z), glam::Quat::from_xyzw(i, j, k, w));
-        let mut room = RbtText::default();
-        let text = room.of(b"a", &rbt);
+        let mut buffer = RbtBuffer::default();
+        let text = buffer.of(b"a", &rbt);
         let mut plain = "a{ \"translation\": ".to_owned();
         push_f32s(&mut plain, &numbers[..3]);
         plain.push_str(", \"rotation\": ");

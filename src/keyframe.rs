@@ -1,4 +1,4 @@
-//! Keyframes: the list that hotkeys manage, the pose at a key time, and the file.
+//! Keyframes: the list, the pose at a key time, and the file format.
 
 mod animation;
 mod easing;

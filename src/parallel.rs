@@ -1,4 +1,4 @@
-//! Work on all cores, with results in the order of the work.
+//! A parallel map with results in the order of the items.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;

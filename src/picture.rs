@@ -1,6 +1,6 @@
 //! A finished picture on the CPU, and PNG encoding and decoding.
 //!
-//! Pixels and bytes only: nothing here draws or touches a file.
+//! Pixels and bytes only: this module does not draw or open files.
 
 mod read;
 
@@ -34,7 +34,7 @@ impl Image {
     ///
     /// # Errors
     ///
-    /// [`png::EncodingError`] where the sides and the bytes do not agree, or a side is 0.
+    /// [`png::EncodingError`] if the sides and the bytes do not agree, or a side is 0.
     pub fn to_png(&self) -> Result<Vec<u8>, png::EncodingError> {
         self.rows().to_png()
     }
@@ -73,7 +73,7 @@ impl Rows<'_> {
         Image { width: self.width, height: self.height, rgba }
     }
 
-    /// Packs the pixels tightly, three bytes each where all are opaque, else four; says whether all are.
+    /// Packs the pixels tightly, three bytes each if all are opaque, otherwise four. Returns whether all are.
     pub(crate) fn pack(&self, packed: &mut Vec<u8>) -> bool {
         packed.resize(3 * self.width as usize * self.height as usize, 0);
         let (mut least_opacity, mut read) = (u8::MAX, 0);
@@ -96,29 +96,29 @@ impl Rows<'_> {
         is_opaque
     }
 
-    /// The picture as a PNG: 8 bits a channel, not interlaced, marked as sRGB; without an alpha channel where all is opaque.
-    /// The same picture always gives the same bytes.
+    /// The picture as a PNG: 8 bits a channel, not interlaced, marked as sRGB; without an alpha channel if all is opaque. The same picture
+    /// always gives the same bytes.
     ///
     /// # Errors
     ///
-    /// [`png::EncodingError`] where the sides and the bytes do not agree, or a side is 0.
+    /// [`png::EncodingError`] if the sides and the bytes do not agree, or a side is 0.
     pub fn to_png(&self) -> Result<Vec<u8>, png::EncodingError> {
-        let mut room = PngRoom::default();
-        self.to_png_in(&mut room)?;
-        Ok(room.into_png())
+        let mut memory = PngMemory::default();
+        self.to_png_in(&mut memory)?;
+        Ok(memory.into_png())
     }
 
-    /// Like [`Rows::to_png`], but reuses the memory of `room`.
+    /// Like [`Rows::to_png`], but reuses the memory of `memory`.
     ///
     /// # Errors
     ///
     /// As [`Rows::to_png`].
-    pub fn to_png_in<'a>(&self, room: &'a mut PngRoom) -> Result<&'a [u8], png::EncodingError> {
-        let PngRoom { packed, bytes } = room;
+    pub fn to_png_in<'a>(&self, memory: &'a mut PngMemory) -> Result<&'a [u8], png::EncodingError> {
+        let PngMemory { packed, bytes } = memory;
         let is_opaque = self.pack(packed);
         let pixels = self.width as usize * self.height as usize;
         bytes.clear();
-        bytes.reserve(PngRoom::usual_bytes(pixels));
+        bytes.reserve(PngMemory::usual_bytes(pixels));
         let mut encoder = png::Encoder::new(&mut *bytes, self.width, self.height);
         set_up_png(&mut encoder, is_opaque);
         let mut writer = encoder.write_header()?;
@@ -131,12 +131,12 @@ impl Rows<'_> {
 /// Memory for encoding PNGs one after the other. Allocating it anew takes a quarter of the encoding time, because the system provides each
 /// page on its first write.
 #[derive(Debug, Default)]
-pub struct PngRoom {
+pub struct PngMemory {
     packed: Vec<u8>,
     bytes: Vec<u8>,
 }
 
-impl PngRoom {
+impl PngMemory {
     /// Memory for pictures of this size. All pages are written to once.
     #[must_use]
     pub fn new(width: u32, height: u32) -> Self {
@@ -163,7 +163,7 @@ impl PngRoom {
     }
 }
 
-/// The settings for all PNGs, single pictures and films: 8 bits a channel, marked as sRGB; without an alpha channel where all is opaque.
+/// The settings for all PNGs, single pictures and films: 8 bits a channel, marked as sRGB; without an alpha channel if all is opaque.
 pub fn set_up_png<W: Write>(encoder: &mut png::Encoder<'_, W>, is_opaque: bool) {
     encoder.set_color(if is_opaque { png::ColorType::Rgb } else { png::ColorType::Rgba });
     encoder.set_depth(png::BitDepth::Eight);
@@ -183,9 +183,9 @@ mod tests {
             let pixel = |index: u32| [index as u8, (index / 7) as u8, 90, opacity];
             Image { width, height, rgba: (0..width * height).flat_map(pixel).collect() }
         };
-        let mut room = PngRoom::new(8, 8);
+        let mut memory = PngMemory::new(8, 8);
         for image in [image(30, 20, 255), image(30, 20, 40), image(5, 3, 255), image(64, 31, 0), image(30, 20, 255)] {
-            assert_eq!(image.rows().to_png_in(&mut room).expect("a PNG"), image.to_png().expect("a PNG"));
+            assert_eq!(image.rows().to_png_in(&mut memory).expect("a PNG"), image.to_png().expect("a PNG"));
         }
     }
 }

@@ -96,7 +96,7 @@ impl Pose {
         if self.len != len || Arc::get_mut(&mut self.blocks).is_none() {
             *self = Self::identity(len);
         }
-        let blocks = Arc::get_mut(&mut self.blocks).expect("nobody shares it");
+        let blocks = Arc::get_mut(&mut self.blocks).expect("it was made anew if it was shared");
         write(blocks);
         if let Some(last) = blocks.last_mut() {
             for lane in (len - 1) % LANES + 1..LANES {

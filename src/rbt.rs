@@ -1,13 +1,13 @@
 //! Rigid body transforms: the values that nodes hold and keyframes record.
 //!
-//! An [`Rbt`] is a rotation followed by a translation, `x ↦ R x + t` (Gortler, *Foundations of 3D Computer Graphics*,
-//! chapter 8). This module knows nothing of scenes, of time or of files.
+//! An [`Rbt`] is a rotation followed by a translation, `x ↦ R x + t` (Gortler, *Foundations of 3D Computer Graphics*, chapter 8). This
+//! module does not know scenes, time or files.
 
 use glam::{Affine3A, Quat, Vec3};
 
 /// A rigid body transform `target_from_source`: rotates, then translates.
 ///
-/// The name of a value says its spaces, as in `world_from_node`. Lengths are in scene units.
+/// The name of a value states its spaces, as in `world_from_node`. Lengths are in scene units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rbt {
     /// Where the source's origin lies, in target space.
@@ -57,7 +57,7 @@ impl Rbt {
         self.rotation * vector_in_source
     }
 
-    /// The same transform with a rotation of unit length, against the drift of many products.
+    /// The same transform with a rotation of unit length, to remove the drift of many products.
     #[must_use]
     pub fn renormalized(self) -> Self {
         Self { rotation: self.rotation.normalize(), ..self }

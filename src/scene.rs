@@ -1,6 +1,6 @@
-//! The scene: a graph of RBT nodes, control nodes and shape nodes, its file, and the scenes that are built in.
+//! The scene: a graph of RBT nodes, control nodes and shape nodes, its file, and the built-in scenes.
 //!
-//! Topology, shapes, the rest pose and the timed keys live here; where RBT nodes are is a [`crate::pose::Pose`].
+//! A scene has topology, shapes, the rest pose and the timed keys. The current transforms of RBT nodes are in a [`crate::pose::Pose`].
 
 mod builder;
 mod built_in;

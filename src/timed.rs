@@ -1,4 +1,4 @@
-//! Timed keys: values at any number of seconds, interpolated between the neighbours.
+//! Timed keys: values at any time in seconds, interpolated between neighbours.
 //!
 //! Timed keys drive parts of a scene independently of the keyframe list. Time is elapsed seconds on the animation clock.
 
@@ -76,7 +76,7 @@ impl Interpolate for Quat {
     }
 }
 
-/// The timed keys of one value, sorted by time; never empty. Cloning shares them.
+/// The timed keys of one value, sorted by time; never empty. Clones share storage.
 #[derive(Clone, Debug)]
 pub struct Track<V> {
     seconds: Arc<[f64]>,

@@ -6,7 +6,7 @@ use std::path::Path;
 use inbetween::export::{Animation, Drawing, Moments, Painter, Size, Source, Span, Stage, Viewpoint, write_folder};
 use inbetween::frame::Frame;
 use inbetween::keyframe::keyframes_from_json;
-use inbetween::picture::PngRoom;
+use inbetween::picture::PngMemory;
 use inbetween::render::Gpu;
 use inbetween::scene::{DEFAULT_SCENE, built_in_scene};
 
@@ -37,7 +37,7 @@ pub fn frames(report: &mut Report) {
     let mut write = || {
         let mut watch = |_, _| true;
         let mut drawing = Drawing { stage: &stage, moments: &moments, painter: &mut ours, watch: &mut watch };
-        write_folder(folder.path(), "png", |_| Box::new(PngRoom::default()), &mut drawing, &mut |_, _| written += 1)
+        write_folder(folder.path(), "png", |_| Box::new(PngMemory::default()), &mut drawing, &mut |_, _| written += 1)
             .expect("the frames can be written");
     };
     let mut draw = || {

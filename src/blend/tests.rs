@@ -1,4 +1,4 @@
-//! The fast blends beside the simple ones.
+//! The SIMD blends compared with the simple functions.
 
 use glam::{DQuat, Quat, Vec3};
 use proptest::prelude::*;
@@ -24,7 +24,7 @@ fn levels() -> Vec<Level> {
     all
 }
 
-/// How far rotations may be off, in radians: a little farther where products are rounded before they are added.
+/// The largest error of rotations in radians; larger without fused multiplication and addition.
 fn bound(level: Level) -> f64 {
     #[cfg(target_arch = "x86_64")]
     if matches!(level, Level::Sse2(_) | Level::Sse4_2(_)) {
@@ -37,11 +37,11 @@ fn bound(level: Level) -> f64 {
 fn any_rbt() -> impl Strategy<Value = Rbt> {
     (prop::array::uniform3(-10.0f32..10.0), prop::array::uniform4(-1.0f32..1.0))
         .prop_filter("a rotation needs a direction", |(_, q)| q.iter().map(|c| c * c).sum::<f32>() > 0.01)
-        // As near to unit length as f32 can be: what a rotation is off by is the blend's own then.
+        // Normalised in f32, so that the measured error is the blend's own.
         .prop_map(|(t, q)| Rbt::new(Vec3::from(t), Quat::from_array(q).as_dquat().normalize().as_quat()))
 }
 
-/// A second transform for a first: any, the same, its negative, half a turn away, or next to it.
+/// A second transform for a first: any, equal, negated, half a turn away, or close to half a turn.
 fn partner(from: Rbt) -> impl Strategy<Value = Rbt> {
     let near = from.rotation;
     prop_oneof![
@@ -119,10 +119,10 @@ proptest! {
                 let step = |p: Quat, q: Quat| slerp_f64(p, q, alpha);
                 let (ab, bc, cd) = (step(a, b), step(b, c), step(c, d));
                 let (abc, bcd) = (slerp_of(ab, bc, alpha), slerp_of(bc, cd, alpha));
-                // Where one of the six blends is next to half a turn, rounding decides which way round it goes.
-                let is_luck = [(a, b), (b, c), (c, d)].iter().any(|&(p, q)| quarter(p.as_dquat(), q.as_dquat()))
+                // If one of the six blends is close to half a turn, rounding decides its direction.
+                let is_half_turn = [(a, b), (b, c), (c, d)].iter().any(|&(p, q)| quarter(p.as_dquat(), q.as_dquat()))
                     || quarter(ab, bc) || quarter(bc, cd) || quarter(abc, bcd);
-                if !is_luck {
+                if !is_half_turn {
                     let off = angle(blended.rotation.as_dquat(), slerp_of(abc, bcd, alpha));
                     prop_assert!(off < 5e-7, "{off} rad off at {alpha} with {level:?}");
                 }
@@ -204,7 +204,7 @@ fn nodes_are_placed_below_their_parents_to_the_bit_as_by_the_simple_product() {
         for (rbt, alone) in pose.iter().zip(&alone) {
             assert!(alone.get().abs_diff_eq(rbt.to_affine(), 1e-6), "{level:?}: {alone:?} is not {rbt:?}");
         }
-        // Below an earlier node, now near and now far; some of them first and the others after that.
+        // Parents are earlier nodes, some near and some far. The nodes are composed in two calls.
         let parents: Vec<u32> =
             (0..count as u32).map(|index| if index % 7 == 0 { u32::MAX } else { index / 3 }).collect();
         let mut placed = vec![AlignedAffine::IDENTITY; count];

@@ -1,4 +1,4 @@
-//! Why there is no film or picture: one error, with its cause.
+//! The error of exports, with its cause.
 
 use std::path::PathBuf;
 

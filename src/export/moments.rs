@@ -1,4 +1,4 @@
-//! Which moments are rendered: of an animation, of a scene that moves by itself, or of a still scene with a turntable camera.
+//! The moments that are rendered: of an animation, of a scene with timed keys, or of a still scene with a turntable camera.
 
 use std::path::Path;
 

@@ -5,7 +5,7 @@ use glam::Vec2;
 use super::ExportError;
 use crate::film::StillEncoder;
 use crate::frame::Frame;
-use crate::picture::PngRoom;
+use crate::picture::PngMemory;
 use crate::render::{Background, Drawn, Gpu, GpuError, Image, Offscreen, Renderer, default_samples};
 
 /// Width and height of a picture in pixels.
@@ -85,7 +85,7 @@ impl Painter {
     /// # Errors
     /// [`ExportError`]
     pub fn png(&mut self, frame: &Frame) -> Result<Vec<u8>, ExportError> {
-        self.encoded(frame, |size| Box::new(PngRoom::new(size[0], size[1])))
+        self.encoded(frame, |size| Box::new(PngMemory::new(size[0], size[1])))
     }
 
     /// Draws a frame and encodes it. The encoder is made while the GPU draws.

@@ -1,4 +1,4 @@
-//! When frames are: key times and milliseconds from the start of playing.
+//! The times of frames: key time, and milliseconds from the start of playing.
 
 use num_traits::ToPrimitive as _;
 

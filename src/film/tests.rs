@@ -1,4 +1,4 @@
-//! Films of a few made pictures, read back.
+//! Films of generated pictures, decoded again.
 
 use std::io::Cursor;
 

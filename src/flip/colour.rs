@@ -38,14 +38,14 @@ pub fn ycxcz_from_linear(linear: [f32; 3]) -> [f32; 3] {
     [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
 }
 
-/// The inverse of [`ycxcz_from_linear`], kept within the colours that a screen shows.
+/// The inverse of [`ycxcz_from_linear`], clamped to the range of a screen.
 pub fn linear_from_ycxcz([luminance, cx, cz]: [f32; 3]) -> [f32; 3] {
     let y = (luminance + 16.0) / 116.0;
     let (x, z) = (y + cx / 500.0, y - cz / 200.0);
     times(&LINEAR_FROM_XYZ, [x * WHITE[0], y * WHITE[1], z * WHITE[2]]).map(|channel| channel.clamp(0.0, 1.0))
 }
 
-/// CIELAB with the Hunt effect: the darker, the less colour is seen.
+/// CIELAB with the Hunt effect: dark colours appear less colourful.
 pub fn hunt_lab_from_linear(linear: [f32; 3]) -> [f32; 3] {
     const DELTA: f32 = 6.0 / 29.0;
     let bent = |t: f32| if t > DELTA * DELTA * DELTA { t.cbrt() } else { t / (3.0 * DELTA * DELTA) + 4.0 / 29.0 };
@@ -55,7 +55,7 @@ pub fn hunt_lab_from_linear(linear: [f32; 3]) -> [f32; 3] {
     [lightness, 0.01 * lightness * 500.0 * (x - y), 0.01 * lightness * 200.0 * (y - z)]
 }
 
-/// The distance HyAB: lightness by itself, colour as the crow flies.
+/// The HyAB distance: the absolute difference of lightness plus the Euclidean distance of a and b.
 pub fn hyab(from: [f32; 3], to: [f32; 3]) -> f32 {
     (from[0] - to[0]).abs() + (from[1] - to[1]).hypot(from[2] - to[2])
 }

@@ -1,14 +1,14 @@
-//! FLIP's second half: where edges and points differ, errors are noticed sooner.
+//! FLIP's feature metric: differences of edges and points amplify the error.
 
 use super::filter::{Plane, kernel};
 use super::pixel_error::PIXELS_PER_DEGREE;
 
-/// The width of a feature that is seen best, in degrees.
+/// The width of the most visible features, in degrees.
 const FEATURE_WIDTH: f32 = 0.082;
 /// How much a difference of features matters.
 const FEATURE_EXPONENT: f32 = 0.5;
 
-/// How strongly edges and points stand out in a plane of luminances from 0 to 1: two planes, 0 to √2.
+/// The strength of edges and of points in a plane of luminances (0 to 1): two planes, 0 to √2.
 struct Features {
     edges: Vec<f32>,
     points: Vec<f32>,

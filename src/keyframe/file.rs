@@ -1,4 +1,4 @@
-//! The keyframe file: JSON text to a list and back, to the byte.
+//! The keyframe file: reading and writing its JSON text.
 //!
 //! [`fast`] reads the usual form of a file on all cores and gives up on anything else. [`strict`] then reads the file and reports every
 //! error.

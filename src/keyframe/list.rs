@@ -32,7 +32,7 @@ pub struct Keyframe {
     pub pose: Pose,
     /// The name that a user gave it, if any; never empty.
     pub name: Option<Arc<str>>,
-    /// The length of the interval that begins here, in units of the ms between keyframes: above 0, 1 unless said otherwise.
+    /// The length of the interval that begins here, in units of the ms between keyframes: above 0; 1 by default.
     pub duration: f64,
     /// The easing of the interval that begins here.
     pub easing: Easing,

@@ -13,7 +13,7 @@ use super::list::Keyframe;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Timing {
     intervals: usize,
-    /// The elapsed time at each played keyframe but the first; `None` if every interval lasts one unit.
+    /// The elapsed time at each played keyframe except the first; `None` if every interval lasts one unit.
     ends: Option<Vec<BigRational>>,
 }
 

@@ -28,9 +28,9 @@ pub enum GpuError {
     },
     /// The picture has no pixels, or more in a row or column than the adapter can draw.
     Size {
-        /// Width asked for, in pixels.
+        /// The requested width, in pixels.
         width: u32,
-        /// Height asked for, in pixels.
+        /// The requested height, in pixels.
         height: u32,
         /// The longest side that the adapter can draw, in pixels.
         limit: u32,

@@ -1,4 +1,4 @@
-//! A frame as the bytes that one upload carries to the GPU: globals, then instances by mesh, then strokes.
+//! Packs a frame into the bytes of one upload to the GPU: globals, then instances by mesh, then strokes.
 
 use std::f32::consts::TAU;
 use std::ops::Range;

@@ -1,4 +1,4 @@
-//! The sun's box: which part of the world the shadow map covers.
+//! The sun's box: the part of the world that the shadow map covers.
 //!
 //! The box is fitted to the shapes that cast a shadow into the view. Its size and centre change in steps, so that shadows do not shimmer
 //! and the map is not drawn again for small movements. It depends on the frame alone.

@@ -1,4 +1,4 @@
-//! The renderer: a frame into any texture view.
+//! The renderer: draws a frame into any texture view.
 
 mod outline;
 

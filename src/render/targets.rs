@@ -1,4 +1,4 @@
-//! The textures a picture needs beside its target, kept while its size stays the same.
+//! The textures that a picture needs besides its target, reused while the size stays the same.
 
 use crate::render::pipelines::{DEPTH_FORMAT, Kind, MASK_FORMAT, Pipelines};
 

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use super::file::SceneError;
-use super::graph::{Index, Node, NodeId, NodeKind, SceneGraph};
+use super::graph::{Common, Node, NodeId, NodeKind, SceneGraph};
 use super::shape::PlacedShape;
 use super::tracks::Tracks;
 use super::walk::Walk;
@@ -126,7 +126,7 @@ impl SceneBuilder {
         while !self.open.is_empty() {
             self.close();
         }
-        let index = Index {
+        let common = Common {
             name: name.to_owned(),
             rbt_nodes: self.rbt_nodes,
             by_path: self.by_path,
@@ -135,6 +135,6 @@ impl SceneBuilder {
             eyes,
             vertical_fov_degrees,
         };
-        SceneGraph::of_parts(self.nodes.into_iter().map(Arc::new).collect(), Arc::new(index))
+        SceneGraph::of_parts(self.nodes.into_iter().map(Arc::new).collect(), Arc::new(common))
     }
 }

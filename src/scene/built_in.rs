@@ -1,4 +1,4 @@
-//! The scenes that are part of the program: data files under `assets/scenes/`, read when asked for.
+//! The scenes that are part of the program: data files under `assets/scenes/`, parsed on request.
 
 use super::file::scene_from_json;
 use super::graph::SceneGraph;

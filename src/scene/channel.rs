@@ -69,7 +69,7 @@ struct Row {
     value: fn(Vec4) -> KeyValue,
     /// The numbers of a track for an allowed value. Normalises -0.0 to 0.0 so that equal values give equal bytes.
     checked: fn(NodeChecks<'_>, KeyValue) -> Result<Option<Vec4>, SceneError>,
-    /// The value of a script's word, and of the numbers between its commas.
+    /// Parses the value of a script's word; the second argument has the numbers between its commas.
     parse: fn(&str, &[f32]) -> Option<KeyValue>,
     /// The numbers as a scene file writes them.
     json: fn(Vec4) -> String,
@@ -202,7 +202,7 @@ impl Channel {
         self.row().expected
     }
 
-    /// The value that a script's word means: numbers with commas between them, or six hexadecimal digits. Its range is not checked.
+    /// Parses the value of a script's word: numbers with commas between them, or six hexadecimal digits. Its range is not checked.
     #[must_use]
     pub fn parse(self, word: &str) -> Option<KeyValue> {
         let numbers: Option<Vec<f32>> = word.split(',').map(|number| number.parse().ok()).collect();

@@ -91,13 +91,13 @@ impl Node {
 #[derive(Clone, Debug)]
 pub struct SceneGraph {
     nodes: Vec<Arc<Node>>,
-    index: Arc<Index>,
+    common: Arc<Common>,
     last_second: Option<f64>,
 }
 
 /// The data of a scene besides its nodes. It is shared by scenes that differ only in timed keys.
 #[derive(Debug, PartialEq)]
-pub(super) struct Index {
+pub(super) struct Common {
     pub(super) name: String,
     pub(super) rbt_nodes: Vec<NodeId>,
     pub(super) by_path: HashMap<String, NodeId>,
@@ -111,7 +111,7 @@ impl PartialEq for SceneGraph {
     /// Fast if the two share storage.
     fn eq(&self, other: &Self) -> bool {
         let same = |(a, b): (&Arc<Node>, &Arc<Node>)| Arc::ptr_eq(a, b) || a == b;
-        (Arc::ptr_eq(&self.index, &other.index) || self.index == other.index)
+        (Arc::ptr_eq(&self.common, &other.common) || self.common == other.common)
             && self.nodes.len() == other.nodes.len()
             && self.nodes.iter().zip(&other.nodes).all(same)
     }
@@ -121,7 +121,7 @@ impl SceneGraph {
     /// The scene's name, as keyframe files carry it.
     #[must_use]
     pub fn name(&self) -> &str {
-        &self.index.name
+        &self.common.name
     }
 
     /// Every node, parents before children.
@@ -138,19 +138,19 @@ impl SceneGraph {
     /// Whether poses and keyframe files are interchangeable between the two scenes: the same RBT nodes with the same paths.
     #[must_use]
     pub fn has_rbts_of(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.index, &other.index) || self.rbt_paths().eq(other.rbt_paths())
+        Arc::ptr_eq(&self.common, &other.common) || self.rbt_paths().eq(other.rbt_paths())
     }
 
     /// This scene with one node replaced. The new node has the same name, kind and parent; only its keys differ.
     pub(super) fn with_kind(&self, id: NodeId, kind: NodeKind) -> Self {
         let mut nodes = self.nodes.clone();
         nodes[id.get()] = Arc::new(Node { kind, ..(*self.nodes[id.get()]).clone() });
-        Self::of_parts(nodes, Arc::clone(&self.index))
+        Self::of_parts(nodes, Arc::clone(&self.common))
     }
 
-    pub(super) fn of_parts(nodes: Vec<Arc<Node>>, index: Arc<Index>) -> Self {
+    pub(super) fn of_parts(nodes: Vec<Arc<Node>>, common: Arc<Common>) -> Self {
         let last_second = nodes.iter().filter_map(|node| node.last_second()).reduce(f64::max);
-        Self { nodes, index, last_second }
+        Self { nodes, common, last_second }
     }
 
     /// A node with its data.
@@ -168,18 +168,18 @@ impl SceneGraph {
     /// How many RBT nodes there are: the length of every pose.
     #[must_use]
     pub fn rbt_count(&self) -> usize {
-        self.index.rbt_nodes.len()
+        self.common.rbt_nodes.len()
     }
 
     /// The RBT nodes, in the order of poses and files.
     pub fn rbt_indices(&self) -> impl Iterator<Item = RbtIndex> + use<> {
-        (0..self.index.rbt_nodes.len()).map(RbtIndex::new)
+        (0..self.common.rbt_nodes.len()).map(RbtIndex::new)
     }
 
     /// The id of an RBT node.
     #[must_use]
     pub fn rbt_node(&self, rbt: RbtIndex) -> NodeId {
-        self.index.rbt_nodes[rbt.get()]
+        self.common.rbt_nodes[rbt.get()]
     }
 
     /// The path of an RBT node.
@@ -190,13 +190,13 @@ impl SceneGraph {
 
     /// The paths of all RBT nodes, in the order of poses and files.
     pub fn rbt_paths(&self) -> impl Iterator<Item = &str> {
-        self.index.rbt_nodes.iter().map(|&id| self.node(id).path.as_str())
+        self.common.rbt_nodes.iter().map(|&id| self.node(id).path.as_str())
     }
 
     /// The node with this path.
     #[must_use]
     pub fn find(&self, path: &str) -> Option<NodeId> {
-        self.index.by_path.get(path).copied()
+        self.common.by_path.get(path).copied()
     }
 
     /// The RBT node with this path; `None` if there is none or it is of another kind.
@@ -211,26 +211,26 @@ impl SceneGraph {
     /// The pose that the scene was built with.
     #[must_use]
     pub fn rest_pose(&self) -> &Pose {
-        &self.index.rest
+        &self.common.rest
     }
 
     /// The RBT nodes that the camera can be attached to, in the order in which the hotkey goes through them; never empty. The first is the
     /// sky camera.
     #[must_use]
     pub fn eyes(&self) -> &[RbtIndex] {
-        &self.index.eyes
+        &self.common.eyes
     }
 
     /// Vertical field of view of every eye, in radians.
     #[must_use]
     pub fn vertical_fov(&self) -> f32 {
-        self.index.vertical_fov_degrees.to_radians()
+        self.common.vertical_fov_degrees.to_radians()
     }
 
     /// The same in degrees, as scene files have it.
     #[must_use]
     pub fn vertical_fov_degrees(&self) -> f32 {
-        self.index.vertical_fov_degrees
+        self.common.vertical_fov_degrees
     }
 
     /// Whether any node has timed keys.
@@ -260,7 +260,7 @@ impl SceneGraph {
             NodeKind::Control(tracks) => tracks.parent_from_node(seconds),
             NodeKind::Rbt(_) | NodeKind::Shape(_) => Affine3A::IDENTITY,
         };
-        self.index.walk.world_from_nodes(pose, keys_of, into);
+        self.common.walk.world_from_nodes(pose, keys_of, into);
     }
 
     /// The id of a node by its index in the pre-order walk; `None` past the last.

@@ -1,4 +1,4 @@
-//! Shapes: the geometry under RBT nodes, as dimensions and a colour. No meshes here; those are the renderer's.
+//! Shapes: the geometry under RBT nodes, as dimensions and a colour. The meshes are in the renderer.
 
 use glam::{Affine3A, Quat, Vec3, Vec4};
 use serde::Deserialize;

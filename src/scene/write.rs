@@ -63,7 +63,7 @@ fn push_node(text: &mut String, scene: &SceneGraph, id: NodeId, depth: usize) {
     match &node.kind {
         NodeKind::Rbt(rbt) => {
             let rest = scene.rest_pose().get(*rbt);
-            push_place(&mut fields, rest.translation, rest.rotation);
+            push_transform(&mut fields, rest.translation, rest.rotation);
         }
         NodeKind::Shape(placed) => push_shape(&mut fields, placed, depth + 1),
         NodeKind::Control(tracks) => {
@@ -106,7 +106,7 @@ pub(super) fn numbers(numbers: &[f32]) -> String {
 }
 
 /// Translation and rotation, unless they are the identity.
-fn push_place(fields: &mut Vec<String>, translation: Vec3, rotation: Quat) {
+fn push_transform(fields: &mut Vec<String>, translation: Vec3, rotation: Quat) {
     if translation != Vec3::ZERO {
         fields.push(format!("\"translation\": {}", numbers(&translation.to_array())));
     }
@@ -118,7 +118,7 @@ fn push_place(fields: &mut Vec<String>, translation: Vec3, rotation: Quat) {
 fn push_shape(fields: &mut Vec<String>, placed: &PlacedShape, depth: usize) {
     fields.push(format!("\"shape\": {}", shape(&placed.shape)));
     let placement = placed.placement();
-    push_place(fields, placement.translation, placement.rotation);
+    push_transform(fields, placement.translation, placement.rotation);
     if placement.scale != Vec3::ONE {
         fields.push(format!("\"scale\": {}", scale_json(placement.scale)));
     }

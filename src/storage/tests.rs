@@ -1,4 +1,4 @@
-//! Files written beside, in place and into; drafts of killed programs; stamps.
+//! Files that are replaced, overwritten and written to directly; drafts of killed programs; stamps.
 
 use std::fs;
 use std::io::Write as _;

@@ -228,7 +228,7 @@ fn robots(scene: &SceneGraph) -> Vec<Robot<'_>> {
     robots
 }
 
-/// The signs of an offset, 0 for coordinates that are small beside the largest.
+/// The signs of an offset; 0 for coordinates that are small compared with the largest.
 fn signs(offset: Vec3) -> [i8; 3] {
     let zero = offset.abs().max_element() * ZERO_FRACTION;
     offset.to_array().map(|coordinate| {
@@ -265,14 +265,14 @@ impl Robot<'_> {
         if found.len() > MOST_JOINTS {
             return Found::Nothing;
         }
-        let mut walk = Walk { robot: self, found: &found, wanted: &wanted, order: Vec::new(), tries: 0 };
+        let mut walk = OrderSearch { robot: self, found: &found, wanted: &wanted, order: Vec::new(), tries: 0 };
         if walk.go_on(&mut vec![None]) {
             return Found::Order(walk.order);
         }
         self.by_signs(&found, &wanted).map_or(Found::Nothing, Found::ByOrder)
     }
 
-    /// Joints to rows by their signs; joints with the same signs in the order of their parents' rows.
+    /// Assigns joints to rows by their signs. Joints with equal signs are in the order of their parents' rows.
     fn by_signs(&self, found: &[[i8; 3]], wanted: &[[i8; 3]]) -> Option<Vec<usize>> {
         let mut row_of: Vec<Option<usize>> = vec![None; wanted.len()];
         let depth = |joint: usize| std::iter::successors(Some(joint), |&joint| self.parents[joint]).count();
@@ -297,8 +297,8 @@ impl Robot<'_> {
     }
 }
 
-/// A search for an order in which the rows are a walk of the robot, children right after their parents.
-struct Walk<'a> {
+/// Searches for an order in which the rows are a pre-order walk of the robot.
+struct OrderSearch<'a> {
     robot: &'a Robot<'a>,
     found: &'a [[i8; 3]],
     wanted: &'a [[i8; 3]],
@@ -306,7 +306,7 @@ struct Walk<'a> {
     tries: usize,
 }
 
-impl Walk<'_> {
+impl OrderSearch<'_> {
     /// Finds joints for the remaining rows. `above` are the ancestors of the current row; `None` is the robot itself.
     fn go_on(&mut self, above: &mut Vec<Option<usize>>) -> bool {
         let row = self.order.len();

@@ -1,4 +1,4 @@
-//! The layouts by name.
+//! The layouts, their names and descriptions.
 
 /// A layout of keyframes as text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

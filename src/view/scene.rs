@@ -1,4 +1,4 @@
-//! From a scene, a pose and a camera to a [`Frame`].
+//! Makes the [`Frame`] of a scene, a pose and a camera.
 
 use glam::Affine3A;
 

@@ -1,4 +1,4 @@
-//! Animated GIFs. Each picture after the first holds the rectangle that changed, and in it only the pixels that did.
+//! Animated GIFs. Each picture after the first holds the rectangle that changed, and only the changed pixels in it are opaque.
 
 use std::borrow::Cow;
 use std::io::Write;

@@ -2,7 +2,7 @@
 
 use super::{MOST_FRAMES_PER_SECOND, no_limit};
 use crate::film::{Encoder, EncodingError, Format, StillEncoder};
-use crate::picture::{PngRoom, Rows};
+use crate::picture::{PngMemory, Rows};
 
 /// PNG: lossless, with opacity.
 pub static PNG: Format = Format {
@@ -13,11 +13,11 @@ pub static PNG: Format = Format {
     most_frames_per_second: MOST_FRAMES_PER_SECOND,
     limit: no_limit,
     encoder: Encoder::Still(|size| {
-        Box::new(size.map_or_else(PngRoom::default, |[width, height]| PngRoom::new(width, height)))
+        Box::new(size.map_or_else(PngMemory::default, |[width, height]| PngMemory::new(width, height)))
     }),
 };
 
-impl StillEncoder for PngRoom {
+impl StillEncoder for PngMemory {
     fn encode(&mut self, rows: &Rows<'_>) -> Result<(), EncodingError> {
         rows.to_png_in(self)?;
         Ok(())

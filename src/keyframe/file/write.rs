@@ -1,4 +1,4 @@
-//! The text of a keyframe file, made piece by piece on all cores.
+//! Writes the text of a keyframe file, piece by piece on all cores.
 
 use std::fmt::{self, Write as _};
 use std::ops::Range;
@@ -8,7 +8,7 @@ use std::thread;
 
 use super::{FORMAT, VERSIONS};
 use crate::interpolation::Interpolation;
-use crate::json::RbtText;
+use crate::json::RbtBuffer;
 use crate::keyframe::easing::Easing;
 use crate::keyframe::list::{Keyframe, KeyframeList};
 use crate::pose::RbtIndex;
@@ -168,7 +168,7 @@ fn write_keyframes(keyframes: &[Keyframe], mut write: impl FnMut(&str) -> fmt::R
 fn text_of(piece: &Piece, keyframes: &[Keyframe], storage: String) -> String {
     let mut text = storage.into_bytes();
     text.clear();
-    let mut room = RbtText::default();
+    let mut buffer = RbtBuffer::default();
     for keyframe_index in piece.keyframes.clone() {
         let keyframe = &keyframes[keyframe_index];
         if piece.nodes.start == 0 {
@@ -179,7 +179,11 @@ fn text_of(piece: &Piece, keyframes: &[Keyframe], storage: String) -> String {
         let nodes = keyframe.pose.len();
         for node in piece.nodes.start..nodes.min(piece.nodes.end) {
             let rbt = keyframe.pose.get(RbtIndex::new(node));
-            text.extend_from_slice(if node == 0 { room.of(b"\n      ", &rbt) } else { room.of(b",\n      ", &rbt) });
+            text.extend_from_slice(if node == 0 {
+                buffer.of(b"\n      ", &rbt)
+            } else {
+                buffer.of(b",\n      ", &rbt)
+            });
         }
         if piece.nodes.end >= nodes {
             text.extend_from_slice(b"\n    ] }");

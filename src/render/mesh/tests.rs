@@ -105,7 +105,7 @@ fn levels_are_as_far_outside_what_is_round_as_inside_and_say_how_far() {
         let (shape, mesh, _) = corners(level);
         let [inside, outside] = match level.cut {
             Cut::Flat => [0.0; 2],
-            // A corner of the box sticks out of the rounded one.
+            // The corner of a sharp box is outside the rounded box.
             Cut::Bevel(0) => [3.0_f32.sqrt() - 1.0; 2],
             _ => edges(&mesh)
                 .map(|[a, b]| [a, b].map(|i| &mesh.vertices[i]))
