@@ -1,7 +1,7 @@
 //! The window: events in, commands to the editor, pictures out, and the effects that the editor asks for.
 //!
 //! Only here are winit's names known and, for the window, the clock on the wall read. What can be decided without a window is
-//! plain data with tables of tests: [`hotkeys`], [`motion_path`] and [`pointer`].
+//! plain data with tables of tests: [`hotkeys`], [`motion_path`] and [`mod@pointer`].
 
 mod damage;
 mod desktop;

@@ -54,7 +54,7 @@ pub struct Parsed {
     pub keyframes: Result<ParsedKeyframes, String>,
     /// The first keyframe file's bytes, whether or not they can be read: what the submission's own script reads.
     pub first_keyframe_file: Option<Vec<u8>>,
-    /// Samples of playback, at most [`MOST_SAMPLES`] files.
+    /// Samples of playback, at most `MOST_SAMPLES` files.
     pub samples: Vec<ParsedFile<SampleRows>>,
     /// How many files of samples there are.
     pub samples_count: usize,

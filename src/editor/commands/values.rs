@@ -266,7 +266,7 @@ pub(super) fn file(arguments: &Arguments<'_>) -> Option<PathBuf> {
     (!text.is_empty()).then(|| read_quoted(text).map_or_else(|| PathBuf::from(text), PathBuf::from))
 }
 
-/// A file's path as [`file`] reads it; `None` where it is not Unicode.
+/// A file's path as [`fn@file`] reads it; `None` where it is not Unicode.
 pub(super) fn file_text(path: &Path) -> Option<String> {
     let path = path.to_str()?;
     Some(if needs_quotes(path) || path.contains('#') { quoted(path) } else { path.to_owned() })
