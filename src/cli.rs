@@ -22,6 +22,7 @@ mod mistyped;
 mod nodes;
 mod output;
 mod progress;
+mod recover;
 mod reference;
 mod render;
 mod sample;
@@ -100,6 +101,7 @@ fn dispatch(arguments: &[OsString]) -> Result<Ended, CliError> {
         Some(Subcommand::Verify(arguments)) => return verify::run(&arguments, scene),
         Some(Subcommand::Compare(arguments)) => return compare::run(&arguments),
         Some(Subcommand::Script(arguments)) => script::run(&arguments, scene)?,
+        Some(Subcommand::Recover(arguments)) => recover::run(&arguments)?,
     }
     Ok(Ended::Well)
 }

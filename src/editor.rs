@@ -21,6 +21,7 @@ mod playing;
 mod said;
 mod scene_edits;
 mod seconds;
+mod snapshot;
 mod timeline;
 mod view;
 
@@ -40,6 +41,7 @@ pub use playback::PlayMode;
 pub use playing::SPEED_PERCENT_RANGE;
 pub use said::Said;
 pub use scene_edits::{KeyAt, SceneEdit, TrackPath};
+pub use snapshot::{Before, Snapshot};
 
 use crate::keyframe::KeyframeIndex;
 use crate::pose::{Pose, RbtIndex};

@@ -22,7 +22,7 @@ struct App {
 
 impl App {
     fn apply(&mut self, command: Command) {
-        for effect in self.editor.apply(command).unwrap_or_default() {
+        if let Some(effect) = self.editor.apply(command).unwrap_or_default() {
             if let Effect::Window(command) = effect {
                 self.ui.perform(&command, &mut self.settings).expect("it cannot be refused");
             }

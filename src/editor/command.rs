@@ -284,6 +284,13 @@ pub enum GestureCommand {
     Begin,
     /// "Do this to the node at hand with respect to its auxiliary frame", on top of what the drag did so far.
     Move(Rbt),
+    /// Puts the node at hand where motions led it, in its parent's space: what stands for all of them.
+    MoveTo {
+        /// Its `parent_from_node`.
+        placed: Rbt,
+        /// Whether the last motion turned it and did not move it.
+        is_turn: bool,
+    },
     /// The drag ends and counts.
     Commit,
     /// The drag ends and is as if it had not been.
