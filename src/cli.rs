@@ -37,6 +37,7 @@ use clap::error::ErrorKind;
 use clap::{CommandFactory as _, Parser as _};
 
 use crate::files::scene;
+use crate::window::ForTests;
 
 pub use reference::command_reference;
 
@@ -72,11 +73,12 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
 
 fn dispatch(arguments: &[OsString]) -> Result<Ended, CliError> {
     let mistyped = || mistyped::mistyped_command(arguments, &mut Arguments::command());
-    let Arguments { scene, file, command } = match Arguments::try_parse_from(arguments) {
-        Ok(read) => read,
-        Err(error) if error.use_stderr() => return Err(mistyped().unwrap_or(error).into()),
-        Err(help) => return Err(help.into()),
-    };
+    let Arguments { scene, file, print_lines, window_panic_at, drawing_panic_at, command } =
+        match Arguments::try_parse_from(arguments) {
+            Ok(read) => read,
+            Err(error) if error.use_stderr() => return Err(mistyped().unwrap_or(error).into()),
+            Err(help) => return Err(help.into()),
+        };
     let scene = scene.as_deref();
     let load = || scene::load(scene);
     match command {
@@ -84,7 +86,8 @@ fn dispatch(arguments: &[OsString]) -> Result<Ended, CliError> {
             if let Some(error) = file.as_ref().and_then(|_| mistyped()) {
                 return Err(error.into());
             }
-            window::run(scene, file)?;
+            let (panics_at, panics_in_drawing_at) = (window_panic_at, drawing_panic_at);
+            window::run(scene, file, ForTests { prints: print_lines, panics_at, panics_in_drawing_at })?;
         }
         Some(_) if file.is_some() => {
             return Err(misuse("a FILE to open in the window and a command cannot go together"));

@@ -34,6 +34,15 @@ pub struct Arguments {
     pub scene: Option<PathBuf>,
     /// The keyframe file to open in the window, loaded if it exists [default: animation.json, not loaded].
     pub file: Option<PathBuf>,
+    /// For tests: the window prints how many lines its journal has, after each command.
+    #[arg(long, hide = true)]
+    pub print_lines: bool,
+    /// For tests: the command of this number panics in the window, counted from 1.
+    #[arg(long, hide = true, value_name = "N")]
+    pub window_panic_at: Option<u64>,
+    /// For tests: drawing panics after so many commands.
+    #[arg(long, hide = true, value_name = "N")]
+    pub drawing_panic_at: Option<u64>,
     /// What to do instead of opening the window.
     #[command(subcommand)]
     pub command: Option<Subcommand>,

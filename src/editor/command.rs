@@ -53,6 +53,8 @@ pub enum WindowCommand {
     ToggleMessages,
     /// Shows or hides how fast the window is.
     ToggleStatistics,
+    /// Keeps a journal, or none.
+    ToggleJournal,
     /// The panels one step larger.
     Larger,
     /// The panels one step smaller.

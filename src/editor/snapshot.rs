@@ -146,6 +146,12 @@ impl Editor {
             && self.redo_label().is_none()
     }
 
+    /// Goes on with what another editor has said.
+    pub fn go_on_saying(&mut self, other: &Self) {
+        self.said = other.said.clone();
+        (self.message, self.status) = (None, None);
+    }
+
     /// Names the keyframe file without reading it.
     pub fn set_path(&mut self, path: PathBuf) {
         self.path = path;
