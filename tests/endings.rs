@@ -53,10 +53,6 @@ impl Window {
         }
     }
 
-    fn type_keys(&self, display: &str, keys: &[&str]) {
-        xdotool(display, &[&["key", "--delay", "5"], keys].concat()).expect("the keys are typed");
-    }
-
     /// Waits until the journal has so many lines.
     fn wait_for_lines(&self, lines: usize) {
         let mut last = 0;
@@ -91,6 +87,10 @@ impl Window {
     }
 }
 
+fn type_keys(display: &str, keys: &[&str]) {
+    xdotool(display, &[&["key", "--delay", "5"], keys].concat()).expect("the keys are typed");
+}
+
 fn kill(window: &Window, signal: &str) {
     let id = window.process.0.id().to_string();
     assert!(std::process::Command::new("kill").args([signal, &id]).status().unwrap().success());
@@ -107,7 +107,7 @@ fn each_signal_ends_the_window_with_everything_in_the_journal() {
     let (_server, display) = display(&[]);
     for (signal, number) in [("-TERM", 15), ("-HUP", 1), ("-INT", 2)] {
         let mut window = Window::open(&display, &[]);
-        window.type_keys(&display, &["n", "n", "n"]);
+        type_keys(&display, &["n", "n", "n"]);
         window.wait_for_lines(3);
         kill(&window, signal);
         let (status, said) = window.end();
@@ -130,7 +130,7 @@ fn a_window_with_nothing_unsaved_leaves_nothing_to_recover() {
 fn a_display_that_goes_away_leaves_everything_in_the_journal() {
     let (mut server, display) = display(&[]);
     let mut window = Window::open(&display, &[]);
-    window.type_keys(&display, &["n", "n"]);
+    type_keys(&display, &["n", "n"]);
     window.wait_for_lines(2);
     server.0.kill().unwrap();
     let (status, said) = window.end();
@@ -143,7 +143,7 @@ fn a_display_that_goes_away_leaves_everything_in_the_journal() {
 fn a_panic_in_a_command_is_said_and_the_window_goes_on() {
     let (_server, display) = display(&[]);
     let mut window = Window::open(&display, &["--window-panic-at", "3"]);
-    window.type_keys(&display, &["n", "n", "n", "n"]);
+    type_keys(&display, &["n", "n", "n", "n"]);
     window.wait_for_lines(4);
     kill(&window, "-TERM");
     let (status, said) = window.end();
@@ -157,7 +157,7 @@ fn a_panic_in_a_command_is_said_and_the_window_goes_on() {
 fn a_panic_elsewhere_ends_the_window_with_101_and_its_command_is_passed_over() {
     let (_server, display) = display(&[]);
     let mut window = Window::open(&display, &["--drawing-panic-at", "3"]);
-    window.type_keys(&display, &["n", "n", "n"]);
+    type_keys(&display, &["n", "n", "n"]);
     let (status, said) = window.end();
     assert_eq!(status, Some(101), "{said}");
     check_sentence(&said, &window.journal());
@@ -205,8 +205,6 @@ fn kills_at_random_moments_lose_nothing_that_was_done() {
         // The first two lines restore what was at first.
         let commands = played.lines - 2;
         assert!(commands >= printed, "round {round}: {commands} commands are recovered, {printed} were done");
-        // Reading back stops nowhere in between: the same lines lead to the same document.
-        assert_eq!(play_alone(&text).0.document(), play_alone(&text).0.document());
     }
 }
 
@@ -214,14 +212,14 @@ fn kills_at_random_moments_lose_nothing_that_was_done() {
 fn what_was_not_saved_is_offered_at_the_next_start_and_restored() {
     let (_server, display) = display(&[]);
     let mut window = Window::open(&display, &[]);
-    window.type_keys(&display, &["n", "n", "n"]);
+    type_keys(&display, &["n", "n", "n"]);
     window.wait_for_lines(3);
     window.process.0.kill().unwrap();
     window.process.0.wait().unwrap();
     let old = window.journal();
     let mut window = Window::open_in(window.folder, &display, &[]);
     // Hotkeys work beside the bar.
-    window.type_keys(&display, &["n"]);
+    type_keys(&display, &["n"]);
     window.wait_for_lines(1);
     assert!(old.is_file());
     // The buttons are at the right end of the bar: restore, later, discard.

@@ -8,7 +8,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use inbetween::editor::{Command, Edit, Editor, Effect, FileCommand, Severity, WindowCommand};
 use inbetween::export::Job;
-use inbetween::film::{APNG, ExportBackground, ExportEnd, ExportOptions, FORMATS, PNG, Y4M};
+use inbetween::film::{APNG, ExportBackground, ExportEnd, ExportOptions, PNG, Y4M};
 use inbetween::scene::{DEFAULT_SCENE, built_in_scene};
 use inbetween::settings::Settings;
 use inbetween::ui::{Exporting, Ui, theme};

@@ -22,10 +22,8 @@ struct App {
 
 impl App {
     fn apply(&mut self, command: Command) {
-        if let Some(effect) = self.editor.apply(command).unwrap_or_default() {
-            if let Effect::Window(command) = effect {
-                self.ui.perform(&command, &mut self.settings).expect("it cannot be refused");
-            }
+        if let Ok(Some(Effect::Window(command))) = self.editor.apply(command) {
+            self.ui.perform(&command, &mut self.settings).expect("it cannot be refused");
         }
     }
 }
