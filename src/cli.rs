@@ -22,6 +22,7 @@ mod mistyped;
 mod nodes;
 mod output;
 mod progress;
+mod recover;
 mod reference;
 mod render;
 mod sample;
@@ -37,6 +38,7 @@ use clap::{CommandFactory as _, Parser as _};
 
 use crate::files::scene;
 use crate::text::visible;
+use crate::window::ForTests;
 
 pub use reference::command_reference;
 
@@ -77,11 +79,12 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
 
 fn dispatch(arguments: &[OsString]) -> Result<Ended, CliError> {
     let mistyped = || mistyped::mistyped_command(arguments, &mut Arguments::command());
-    let Arguments { scene, file, command } = match Arguments::try_parse_from(arguments) {
-        Ok(read) => read,
-        Err(error) if error.use_stderr() => return Err(mistyped().unwrap_or(error).into()),
-        Err(help) => return Err(help.into()),
-    };
+    let Arguments { scene, file, print_lines, window_panic_at, drawing_panic_at, command } =
+        match Arguments::try_parse_from(arguments) {
+            Ok(read) => read,
+            Err(error) if error.use_stderr() => return Err(mistyped().unwrap_or(error).into()),
+            Err(help) => return Err(help.into()),
+        };
     let scene = scene.as_deref();
     let load = || scene::load(scene);
     match command {
@@ -89,7 +92,8 @@ fn dispatch(arguments: &[OsString]) -> Result<Ended, CliError> {
             if let Some(error) = file.as_ref().and_then(|_| mistyped()) {
                 return Err(error.into());
             }
-            window::run(scene, file)?;
+            let (panics_at, panics_in_drawing_at) = (window_panic_at, drawing_panic_at);
+            window::run(scene, file, ForTests { prints: print_lines, panics_at, panics_in_drawing_at })?;
         }
         Some(_) if file.is_some() => {
             return Err(misuse("a FILE to open in the window and a command cannot go together"));
@@ -106,6 +110,7 @@ fn dispatch(arguments: &[OsString]) -> Result<Ended, CliError> {
         Some(Subcommand::Verify(arguments)) => return verify::run(&arguments, scene),
         Some(Subcommand::Compare(arguments)) => return compare::run(&arguments),
         Some(Subcommand::Script(arguments)) => script::run(&arguments, scene)?,
+        Some(Subcommand::Recover(arguments)) => recover::run(&arguments)?,
     }
     Ok(Ended::Well)
 }

@@ -20,6 +20,7 @@ mod playback;
 mod playing;
 mod said;
 mod scene_edits;
+mod snapshot;
 mod timed_key_clock;
 mod timeline;
 mod view;
@@ -41,6 +42,7 @@ pub use playback::PlayMode;
 pub use playing::SPEED_PERCENT_RANGE;
 pub use said::Said;
 pub use scene_edits::{KeyAt, SceneEdit, TrackPath};
+pub use snapshot::{Before, Snapshot};
 
 use crate::keyframe::KeyframeIndex;
 use crate::pose::{Pose, RbtIndex};

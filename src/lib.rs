@@ -21,6 +21,7 @@
 //! | 7 | [`export`] | of the outside world only `ffmpeg` |
 //! | 8 | [`files`], [`script`] | named files to values; text to commands, run without a window |
 //! | 9 | [`grading`], [`references`] | bytes or folders in, values out |
+//! | 9 | [`journal`] | commands to a file before they are done, and back |
 //! | 10 | [`window`], [`cli`] | winit; clap |
 //!
 #![doc = include_str!("../assets/manual/glossary.md")]
@@ -40,6 +41,7 @@ pub mod flip;
 pub mod frame;
 pub mod grading;
 pub mod interpolation;
+pub mod journal;
 pub mod json;
 pub mod keyframe;
 pub mod manual;

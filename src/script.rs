@@ -10,14 +10,16 @@ mod disk;
 mod parse;
 mod print;
 mod problem;
+mod restore;
 mod run;
 mod table;
 mod trace;
 
 pub use disk::{Disk, DiskStop};
-pub use parse::{Action, Line, parse};
-pub use print::print;
+pub use parse::{Action, Line, parse, parse_line};
+pub use print::{print, print_swiftly};
 pub use problem::{LineProblem, ScriptError};
+pub use restore::{Restore, imported_line};
 pub use run::{NoWindow, Runner, Step, Windowless};
 pub use table::{help, markdown};
 pub use trace::{State, TraceLine, state_json};
@@ -33,7 +35,7 @@ pub fn script_commands(bytes: &[u8], scene: &SceneGraph) -> Result<Vec<Command>,
     let lines = parse(bytes, scene).map_err(|problems| problems.iter().map(ToString::to_string).collect::<Vec<_>>())?;
     let commands = lines.into_iter().filter_map(|line| match line.action {
         Action::Apply(command) => Some(command),
-        Action::Wait(_) => None,
+        Action::Wait(_) | Action::Ticks(_) | Action::Restore(_) => None,
     });
     Ok(commands.collect())
 }

@@ -57,6 +57,8 @@ pub struct Settings {
     pub recent: Vec<PathBuf>,
     /// Sizes of resized panels in points, by the panel's name.
     pub panels: BTreeMap<String, f32>,
+    /// Whether the window keeps a journal.
+    pub journal: bool,
 }
 
 impl Default for Settings {
@@ -68,6 +70,7 @@ impl Default for Settings {
             scale_percent: 100,
             recent: Vec::new(),
             panels: BTreeMap::new(),
+            journal: true,
         }
     }
 }
@@ -90,6 +93,12 @@ struct File {
     keys: BTreeMap<String, Vec<String>>,
     #[serde(default)]
     recent: Vec<PathBuf>,
+    #[serde(default = "kept")]
+    journal: bool,
+}
+
+const fn kept() -> bool {
+    true
 }
 
 const fn whole() -> u16 {
@@ -187,6 +196,7 @@ impl Settings {
             scale_percent: file.scale_percent,
             recent,
             panels: file.panels,
+            journal: file.journal,
         })
     }
 
@@ -204,6 +214,7 @@ impl Settings {
             panels: self.panels.clone(),
             keys: self.keys.clone(),
             recent,
+            journal: self.journal,
         };
         let mut text = serde_json::to_string_pretty(&file).expect("settings are plain text and numbers");
         text.push('\n');

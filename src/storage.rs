@@ -2,6 +2,7 @@
 
 mod destination;
 mod draft;
+mod log;
 mod stamp;
 mod walk;
 
@@ -15,6 +16,7 @@ use crate::words::{Message, display_by_message, texts};
 
 pub use destination::is_stream;
 pub use draft::{Committed, Draft, Foreign};
+pub use log::{LeftLog, Log, begins_with, epoch_seconds, logs, state_folder};
 pub use stamp::{Stamp, Stamping};
 pub use walk::{Entry, EntryKind, entries as list, inside, kind};
 
@@ -25,6 +27,8 @@ pub enum StorageError {
     System(#[from] io::Error),
     /// The file's mode has no write bit. It is not replaced, even by root.
     ReadOnly,
+    /// Another program uses the file.
+    InUse,
     /// The file is larger than the limit.
     TooLarge {
         /// Its size in bytes.
@@ -48,6 +52,7 @@ impl StorageError {
                 _ => texts::foreign(error.to_string()),
             },
             Self::ReadOnly => texts::STORAGE_READ_ONLY.into(),
+            Self::InUse => texts::STORAGE_IN_USE.into(),
             Self::TooLarge { found, limit } => texts::storage_too_large(*found, *limit),
         }
     }

@@ -18,6 +18,7 @@ mod menu;
 mod overlay;
 mod palette;
 mod program;
+mod recovery;
 mod statistics;
 mod status;
 pub mod theme;
@@ -40,6 +41,7 @@ use crate::pose::Pose;
 use crate::settings::Settings;
 use dialogs::Dialog;
 pub use export::Exporting;
+pub use recovery::{RecoveryAnswer, RecoveryOffer};
 pub use statistics::Statistics;
 use theme::Tokens;
 pub use thumbnails::THUMBNAIL_PX;
@@ -77,11 +79,13 @@ pub struct UiOutput {
     pub quit_answer: Option<QuitAnswer>,
     /// Panels whose edges were dragged, and their new sizes in points, once.
     pub panels: Vec<(&'static str, f32)>,
+    /// The answer to [`Ui::recovery`], once.
+    pub recovery: Option<RecoveryAnswer>,
 }
 
 impl Default for UiOutput {
     fn default() -> Self {
-        Self { commands: Vec::new(), viewport: Rect::NOTHING, quit_answer: None, panels: Vec::new() }
+        Self { commands: Vec::new(), viewport: Rect::NOTHING, quit_answer: None, panels: Vec::new(), recovery: None }
     }
 }
 
@@ -121,6 +125,8 @@ pub struct Panels {
     exported: Option<(PathBuf, ExportOptions)>,
     /// The running export.
     pub exporting: Option<Exporting>,
+    /// What is offered that was not saved.
+    pub recovery: Option<RecoveryOffer>,
     /// How fast the window is, where that is shown.
     pub statistics: Option<Statistics>,
 }
@@ -187,6 +193,7 @@ impl Panels {
         if editor.session().shows_panels {
             self.show_panels(ui, editor, &mut output.commands);
         }
+        output.recovery = self.recovery.as_ref().and_then(|offer| recovery::show(ui, offer));
         output.viewport = CentralPanel::no_frame().show(ui, |ui| ui.max_rect()).inner;
         overlay::show(ui, output.viewport, editor, &self.keymap, &self.log, self.statistics.as_ref());
         if editor.session().shows_help {
@@ -213,7 +220,11 @@ impl Panels {
         let plain = |fill, x, y| Frame::new().fill(fill).inner_margin(Margin::symmetric(x, y));
         let is_exporting = self.exporting.is_some();
         let shown = PanelInput { editor, keymap: &self.keymap, settings: &self.settings, is_exporting };
-        let state = WindowState { messages: self.log.is_shown(), statistics: self.statistics.is_some() };
+        let state = WindowState {
+            messages: self.log.is_shown(),
+            statistics: self.statistics.is_some(),
+            journal: self.settings.journal,
+        };
         Panel::top("menu bar").exact_size(theme::MENU_BAR).frame(plain(tokens.panel, 4, 1)).show(ui, |ui| {
             menu::show(ui, shown, state, commands);
         });

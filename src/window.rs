@@ -8,10 +8,12 @@ mod desktop;
 mod dialog;
 mod display;
 mod effects;
+mod ending;
 mod export;
 mod handling;
 pub mod hotkeys;
 mod idle;
+mod keeper;
 mod meter;
 pub mod motion_path;
 mod panels;
@@ -59,6 +61,37 @@ pub enum WindowError {
         /// What it says.
         reason: String,
     },
+    /// A signal ended the program.
+    #[error("ended by signal {signal}")]
+    Signalled {
+        /// Its number.
+        signal: i32,
+    },
+    /// A fault of the program ended it.
+    #[error("a fault of the program ended it: {reason}")]
+    Panicked {
+        /// What the panic said.
+        reason: String,
+    },
+    /// The same, and something was not saved.
+    #[error("{error}; what was not saved is in {}: `inbetween recover` gets it back", .journal.display())]
+    Unsaved {
+        /// What ended the program.
+        error: Box<WindowError>,
+        /// The journal.
+        journal: PathBuf,
+    },
+}
+
+/// What tests ask of a window.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct ForTests {
+    /// Whether it prints the number of lines in the journal after each command.
+    pub prints: bool,
+    /// The command of this number panics, counted from 1.
+    pub panics_at: Option<u64>,
+    /// Drawing panics after so many commands.
+    pub panics_in_drawing_at: Option<u64>,
 }
 
 /// Events that threads of this program send to the window's event loop.
@@ -86,6 +119,8 @@ pub(crate) enum UserEvent {
     DesktopTheme(egui::Theme),
     /// The device is gone: everything on it is made again.
     DeviceLost,
+    /// A signal asks for the end.
+    Signal(i32),
     /// A screen reader asks for something.
     Accessibility(accesskit_winit::WindowEvent),
 }
@@ -100,14 +135,10 @@ impl From<accesskit_winit::Event> for UserEvent {
 ///
 /// # Errors
 /// [`WindowError`], all of them before the user can have changed anything but the last.
-pub fn run(editor: Editor, at_start: Vec<Command>) -> Result<(), WindowError> {
+pub fn run(editor: Editor, at_start: Vec<Command>, tests: ForTests) -> Result<(), WindowError> {
     let event_loop = event_loop()?;
-    let mut shell = Shell::new(editor, at_start, event_loop.create_proxy());
-    let ended = event_loop.run_app(&mut shell);
-    if let Some(error) = shell.take_error() {
-        return Err(error);
-    }
-    ended.map_err(|error| WindowError::Ended { reason: error.to_string() })
+    let shell = Shell::new(editor, at_start, event_loop.create_proxy(), tests);
+    ending::run_to_end(event_loop, shell)
 }
 
 /// The event loop. Where a library of the window system is missing, its binding panics: that is no display either.

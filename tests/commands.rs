@@ -235,6 +235,7 @@ fn any_gesture() -> impl Strategy<Value = Command> {
         Just(GestureCommand::Commit),
         Just(GestureCommand::Abort),
         any_rbt().prop_map(GestureCommand::Move),
+        (any_rbt(), any::<bool>()).prop_map(|(placed, is_turn)| GestureCommand::MoveTo { placed, is_turn }),
     ]
     .prop_map(Command::Gesture)
 }

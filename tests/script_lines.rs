@@ -77,6 +77,7 @@ const EDITS: &[(&str, &str, &str, &str)] = &[
     ("select robot1", "rotate-by 0 0 1 0.5", "0 1 2 3 4 [5] | 5", ""),
     ("select robot1", "wheel-by 1 0 0 0 0 0 1", "0 1 2 3 4 [5] | 6", ""),
     ("select robot1", "drag begin\ndrag-by 1 0 0 0 0 0 1\ndrag end", "0 1 2 3 4 [5] | 6", ""),
+    ("select robot1", "drag begin\ndrag-to move 7 1 0 0 0 0 1\ndrag end", "0 1 2 3 4 [5] | 7", ""),
     ("", "clamped ms 7", "0 1 2 3 4 [5] | 5", "100 ms between keyframes."),
     ("scrub 1.5", "key n", "0 1 2 [2.5] 3 4 5 | 2.5", "Keyframe 3 (0 to 6): created after keyframe 2."),
     ("scrub 1.5", "key u", "0 1 2 3 4 [2.5] | 2.5", "Keyframe 5 (0 to 5): updated from the scene."),
@@ -227,7 +228,12 @@ fn refusals_are_sentences() {
 }
 
 /// What is tested elsewhere: times that are waited, pictures, and undo itself.
-const ELSEWHERE: [&str; 19] = [
+const ELSEWHERE: [&str; 23] = [
+    // `journal.rs` and `cli/journal.rs`.
+    "scene",
+    "keyframe-file",
+    "imported",
+    "snapshot",
     "wait",
     "screenshot",
     "undo",

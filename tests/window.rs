@@ -2,84 +2,13 @@
 //!
 //! It needs `Xvfb` and `xdotool`; without them it fails and says so.
 
+mod display;
+
 use std::collections::HashSet;
-use std::path::Path;
-use std::process::{Child, Command, Stdio};
-use std::sync::atomic::{AtomicU32, Ordering};
 use std::thread::sleep;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
-/// How long a slow machine may take to open the window, or to write the file.
-const PATIENCE: Duration = Duration::from_secs(30);
-
-/// A process that ends with the test.
-struct Running(Child);
-
-impl Drop for Running {
-    fn drop(&mut self) {
-        let _ = self.0.kill();
-        let _ = self.0.wait();
-    }
-}
-
-fn start(what: &str, command: &mut Command) -> Running {
-    let child = command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).spawn();
-    Running(child.unwrap_or_else(|error| panic!("{what} does not start ({error}): run .ci/setup, which installs it")))
-}
-
-/// A virtual display that was free, and its name. `more` is what Xvfb is told beside that.
-fn display(more: &[&str]) -> (Running, String) {
-    // Tests run side by side: none tries a number that another has tried.
-    static TRIED: AtomicU32 = AtomicU32::new(0);
-    let first = 90 + std::process::id() % 1000;
-    for number in std::iter::repeat_with(|| first + TRIED.fetch_add(1, Ordering::Relaxed)).take(1000) {
-        let name = format!(":{number}");
-        let socket = format!("/tmp/.X11-unix/X{number}");
-        if Path::new(&socket).exists() || Path::new(&format!("/tmp/.X{number}-lock")).exists() {
-            continue;
-        }
-        let mut xvfb = Command::new("Xvfb");
-        let mut server = start("Xvfb", xvfb.args([&name, "-screen", "0", "1280x800x24", "-noreset"]).args(more));
-        let is_up = wait_for(|| server.0.try_wait().is_ok_and(|end| end.is_some()) || Path::new(&socket).exists());
-        assert!(is_up, "Xvfb does not open the display {name}");
-        if server.0.try_wait().is_ok_and(|end| end.is_none()) {
-            return (server, name);
-        }
-    }
-    panic!("no display is free");
-}
-
-fn wait_for(mut condition: impl FnMut() -> bool) -> bool {
-    let start = Instant::now();
-    while start.elapsed() < PATIENCE {
-        if condition() {
-            return true;
-        }
-        sleep(Duration::from_millis(20));
-    }
-    false
-}
-
-fn xdotool(display: &str, arguments: &[&str]) -> Option<String> {
-    let output = Command::new("xdotool").env("DISPLAY", display).args(arguments).output();
-    let output =
-        output.unwrap_or_else(|error| panic!("xdotool does not start ({error}): run .ci/setup, which installs it"));
-    output.status.success().then(|| String::from_utf8_lossy(&output.stdout).trim().to_owned())
-}
-
-/// The program on a display, with settings of its own in a folder.
-fn inbetween(display: &str, folder: &Path) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_inbetween"));
-    command
-        .env("DISPLAY", display)
-        .env("XDG_CONFIG_HOME", folder)
-        .env("LC_ALL", "C.UTF-8")
-        // No desktop says how the window is to look.
-        .env("DBUS_SESSION_BUS_ADDRESS", "unix:path=/nonexistent")
-        .env_remove("WAYLAND_DISPLAY")
-        .env_remove("WAYLAND_SOCKET");
-    command
-}
+use display::{display, inbetween, start, wait_for, xdotool};
 
 #[test]
 fn hotkeys_typed_into_the_window_end_up_in_the_file() {

@@ -34,6 +34,15 @@ pub struct Arguments {
     pub scene: Option<PathBuf>,
     /// The keyframe file to open in the window, loaded if it exists [default: animation.json, not loaded].
     pub file: Option<PathBuf>,
+    /// For tests: the window prints how many lines its journal has, after each command.
+    #[arg(long, hide = true)]
+    pub print_lines: bool,
+    /// For tests: the command of this number panics in the window, counted from 1.
+    #[arg(long, hide = true, value_name = "N")]
+    pub window_panic_at: Option<u64>,
+    /// For tests: drawing panics after so many commands.
+    #[arg(long, hide = true, value_name = "N")]
+    pub drawing_panic_at: Option<u64>,
     /// The command to run instead of opening the window.
     #[command(subcommand)]
     pub command: Option<Subcommand>,
@@ -64,6 +73,9 @@ pub enum Subcommand {
     /// Run a script of hotkeys and gestures with no window.
     #[command(long_about = script_help(), after_long_help = "Manual: inbetween help scripts")]
     Script(ScriptArguments),
+    /// Get back what was not saved when a program ended, out of its journal.
+    #[command(after_long_help = "Manual: inbetween help recovery")]
+    Recover(RecoverArguments),
     /// Name the mistake that explains what a program showed, from samples of its playback.
     #[command(long_about = diagnose_help(), after_long_help = "Manual: inbetween help grading")]
     Diagnose(DiagnoseArguments),
@@ -330,6 +342,26 @@ pub struct ScriptArguments {
     /// Width and height of screenshots in pixels.
     #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "640x480", value_parser = size)]
     pub size: Size,
+    /// Write each command to this journal before it is done. The file may be missing, empty, or a journal, which is replaced.
+    #[arg(long, value_name = "FILE")]
+    pub journal: Option<PathBuf>,
+    /// For tests: the command of this number panics, counted from 1.
+    #[arg(long, hide = true, value_name = "N")]
+    pub panic_at: Option<u64>,
+}
+
+/// Arguments of `recover`.
+#[derive(Debug, Args)]
+pub struct RecoverArguments {
+    /// The journal; without it, the newest one that was left.
+    #[arg(value_name = "JOURNAL")]
+    pub journal: Option<PathBuf>,
+    /// List the journals that hold what was not saved.
+    #[arg(long, conflicts_with_all = ["journal", "output"])]
+    pub list: bool,
+    /// The keyframe file to write [default: NAME.recovered.json beside the keyframe file NAME.json].
+    #[arg(short, long, value_name = "OUT")]
+    pub output: Option<PathBuf>,
 }
 
 /// Arguments of `diagnose`.

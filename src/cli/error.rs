@@ -25,6 +25,8 @@ pub enum Ended {
 const BAD_INPUT: u8 = 1;
 const MISUSE: u8 = 2;
 const NO_DRAWING: u8 = 3;
+/// The exit status that Rust uses for a program that panicked.
+const PANICKED: u8 = 101;
 /// The exit status that shells use for a program that SIGINT ended.
 const INTERRUPTED: u8 = 130;
 
@@ -104,13 +106,20 @@ fn gpu_status(error: &GpuError) -> u8 {
     if matches!(error, GpuError::Size { .. }) { MISUSE } else { NO_DRAWING }
 }
 
+fn window_status(error: &WindowError) -> u8 {
+    match error {
+        WindowError::NoDisplay { .. } | WindowError::Gpu(_) => NO_DRAWING,
+        WindowError::Ended { .. } => BAD_INPUT,
+        // As shells have it.
+        WindowError::Signalled { signal } => u8::try_from(128 + signal).unwrap_or(BAD_INPUT),
+        WindowError::Panicked { .. } => PANICKED,
+        WindowError::Unsaved { error, .. } => window_status(error),
+    }
+}
+
 impl From<WindowError> for CliError {
     fn from(error: WindowError) -> Self {
-        let status = match &error {
-            WindowError::NoDisplay { .. } | WindowError::Gpu(_) => NO_DRAWING,
-            WindowError::Ended { .. } => BAD_INPUT,
-        };
-        Self::of(status, error)
+        Self::of(window_status(&error), error)
     }
 }
 

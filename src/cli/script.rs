@@ -5,10 +5,13 @@ use std::path::Path;
 
 use super::arguments::ScriptArguments;
 use super::{CliError, output};
+use crate::editor::Editor;
 use crate::export::Painter;
 use crate::files::{self, FileError, scene};
+use crate::journal::{self, Journaled, Writer};
+use crate::scene::SceneGraph;
 use crate::script::{self, Disk, Line, Runner, TraceLine, state_json};
-use crate::storage;
+use crate::storage::{self, Log};
 
 /// The largest script that is read: 16 MiB.
 const LARGEST_SCRIPT_BYTES: u64 = 16 << 20;
@@ -21,27 +24,63 @@ pub fn run(arguments: &ScriptArguments, named_scene: Option<&Path>) -> Result<()
     let scene = scene::load(named_scene)?;
     let (location, bytes) = read(&arguments.file);
     let bytes = bytes.map_err(|error| FileError::new(&location, error))?;
-    let lines = script::parse(&bytes, &scene).map_err(|problems| FileError::all(&location, problems))?;
+    let is_journal = journal::is_journal(&bytes);
+    let lines = if is_journal { Vec::new() } else { parsed(&location, &bytes, &scene)? };
     let takes_pictures = lines.iter().any(Line::takes_screenshot);
     let painter = takes_pictures.then(|| Painter::headless(arguments.size, None)).transpose()?;
     let editor = scene::editor_of(scene, named_scene, arguments.keyframes.clone());
+    let kept = arguments.journal.as_deref().map(|path| begin_journal(path, &editor)).transpose()?;
+    let host = Journaled::new(Disk::new(editor, painter), kept).panicking_at(arguments.panic_at);
     let mut trace = Trace::new(arguments.trace);
-    let ended = Runner::new(Disk::new(editor, painter)).run(&lines, |line| trace.line(line));
+    let mut damage = None;
+    let ended = if is_journal {
+        let mut runner = Runner::new(host);
+        let played = journal::play(&bytes, &mut runner, |line, message, runner| {
+            trace.line(&TraceLine { line, message, state: runner.state() })
+        });
+        played.map(|played| {
+            damage = played.damage;
+            runner.into_host()
+        })
+    } else {
+        Runner::new(host).run(&lines, |line| trace.line(line))
+    };
     // Also where the script stopped, its trace is printed up to there.
     let traced = trace.finish();
-    let editor = ended?.into_editor();
+    let host = ended?;
+    let journal = arguments.journal.as_deref().unwrap_or(Path::new(""));
+    let editor = host.finish().map_err(|error| CliError::unwritten(journal, error))?.into_editor();
     traced?;
     if let Some(path) = &arguments.state {
         files::write(path, state_json(&editor).as_bytes())?;
     }
-    Ok(())
+    match damage {
+        Some((number, problem)) => {
+            Err(CliError::bad_input(location, format!("line {number}: {problem}; what comes after it is lost")))
+        }
+        None => Ok(()),
+    }
+}
+
+fn parsed(location: &str, bytes: &[u8], scene: &SceneGraph) -> Result<Vec<Line>, CliError> {
+    Ok(script::parse(bytes, scene).map_err(|problems| FileError::all(location, problems))?)
+}
+
+fn begin_journal(path: &Path, editor: &Editor) -> Result<Writer, CliError> {
+    let log = Log::create(path, journal::is_journal).map_err(|error| CliError::unwritten(path, error))?;
+    Ok(Writer::begin(log, editor))
 }
 
 fn read(file: &Path) -> (String, Result<Vec<u8>, storage::StorageError>) {
     if file == Path::new("-") {
         ("standard input".to_owned(), storage::read_stream(io::stdin().lock(), LARGEST_SCRIPT_BYTES, 0))
     } else {
-        (file.display().to_string(), storage::read(file, LARGEST_SCRIPT_BYTES))
+        let limit = if storage::begins_with(file, journal::is_journal) {
+            journal::LARGEST_READ_BYTES
+        } else {
+            LARGEST_SCRIPT_BYTES
+        };
+        (file.display().to_string(), storage::read(file, limit))
     }
 }
 

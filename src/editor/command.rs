@@ -57,6 +57,8 @@ pub enum WindowCommand {
     ToggleMessages,
     /// Shows or hides how fast the window is.
     ToggleStatistics,
+    /// Keeps a journal, or none.
+    ToggleJournal,
     /// The panels one step larger.
     Larger,
     /// The panels one step smaller.
@@ -299,6 +301,13 @@ pub enum GestureCommand {
     Begin,
     /// Moves the dragged node with respect to its auxiliary frame, on top of the drag's earlier motions.
     Move(Rbt),
+    /// Puts the node at hand where motions led it, in its parent's space: what stands for all of them.
+    MoveTo {
+        /// Its `parent_from_node`.
+        placed: Rbt,
+        /// Whether the last motion turned it and did not move it.
+        is_turn: bool,
+    },
     /// The drag ends and counts.
     Commit,
     /// The drag ends and is as if it had not been.

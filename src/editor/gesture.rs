@@ -3,6 +3,7 @@
 use super::apply::CommandResult;
 use super::{CommandError, Document, Editor, GestureCommand};
 use crate::keyframe::{Keyframe, KeyframeList};
+use crate::rbt::Rbt;
 use crate::words::{Message, Phrase, texts};
 
 /// A drag that goes on.
@@ -27,13 +28,13 @@ impl Editor {
                 if self.gesture.is_none() {
                     return Err(CommandError::NoDrag);
                 }
-                let moved = self.moved(motion);
-                let label = match self.session.chosen {
-                    None => texts::ACT_MOVE_THE_EYE,
-                    Some(_) if motion.translation == glam::Vec3::ZERO => texts::ACT_TURN_A_NODE,
-                    Some(_) => texts::ACT_MOVE_A_NODE,
-                };
-                self.change_node(self.dragged_node(), |_| moved, label, None)?;
+                self.drag_to(self.moved(motion), motion.translation == glam::Vec3::ZERO)?;
+            }
+            GestureCommand::MoveTo { placed, is_turn } => {
+                if self.gesture.is_none() {
+                    return Err(CommandError::NoDrag);
+                }
+                self.drag_to(placed, is_turn)?;
             }
             GestureCommand::Commit => {
                 self.commit_gesture();
@@ -46,6 +47,15 @@ impl Editor {
             }
         }
         Ok(None)
+    }
+
+    fn drag_to(&mut self, placed: Rbt, is_turn: bool) -> CommandResult {
+        let label = match self.session.chosen {
+            None => texts::ACT_MOVE_THE_EYE,
+            Some(_) if is_turn => texts::ACT_TURN_A_NODE,
+            Some(_) => texts::ACT_MOVE_A_NODE,
+        };
+        self.change_node(self.dragged_node(), |_| placed, label, None)
     }
 
     /// Ends a drag, as one step of undo.

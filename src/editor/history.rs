@@ -76,6 +76,17 @@ impl History {
         Some(step.label)
     }
 
+    /// How many steps can be undone.
+    pub fn steps(&self) -> usize {
+        self.undo.len()
+    }
+
+    /// Forgets steps beyond a number, and ends a run.
+    pub fn forget_after(&mut self, steps: usize) {
+        self.undo.truncate(steps);
+        self.run = None;
+    }
+
     /// What the next undo would take back.
     #[must_use]
     pub fn undo_label(&self) -> Option<Phrase> {

@@ -9,11 +9,11 @@ use crate::words::{Message, texts};
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct TimedKeyClock {
     /// What it was set to, in seconds; at least 0.
-    from: f64,
-    ticks: u64,
-    is_held: bool,
+    pub(super) from: f64,
+    pub(super) ticks: u64,
+    pub(super) is_held: bool,
     /// Whether it is held only because of a scrub. Playback then releases it.
-    is_scrubbed: bool,
+    pub(super) is_scrubbed: bool,
 }
 
 impl TimedKeyClock {

@@ -22,6 +22,22 @@ pub struct Clipboard {
     pose: Option<(RbtIndex, Pose)>,
 }
 
+impl Clipboard {
+    /// The copied keyframes.
+    pub(super) fn keyframes(&self) -> &[Keyframe] {
+        &self.keyframes
+    }
+
+    /// The node whose pose was copied, and the pose of everything.
+    pub(super) const fn pose(&self) -> Option<&(RbtIndex, Pose)> {
+        self.pose.as_ref()
+    }
+
+    pub(super) const fn new(keyframes: Vec<Keyframe>, pose: Option<(RbtIndex, Pose)>) -> Self {
+        Self { keyframes, pose }
+    }
+}
+
 impl Editor {
     /// The indices that a timeline edit applies to, in order: the selected keyframes, or the current one.
     #[must_use]

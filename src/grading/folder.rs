@@ -9,6 +9,7 @@ use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
+use crate::clock::TICKS_PER_SECOND;
 use crate::editor::{CommandError, Editor, FileAccess, FileOutcome, Host, PathQuestion, WindowCommand};
 use crate::film::ExportOptions;
 use crate::keyframe::keyframes_to_json;
@@ -79,8 +80,14 @@ pub fn run(lines: &[Line], scene: &SceneGraph, keyframes: Option<&[u8]>) -> Resu
     let mut trace = Vec::with_capacity(lines.len());
     for line in lines {
         let located = |problem: String| format!("line {}: {problem}", line.number);
-        if let Action::Wait(duration) = &line.action {
-            waited = waited.saturating_add(*duration);
+        let wait = match &line.action {
+            Action::Apply(_) => Duration::ZERO,
+            Action::Wait(duration) => *duration,
+            Action::Ticks(ticks) => Duration::from_secs(ticks / u64::from(TICKS_PER_SECOND) + 1),
+            Action::Restore(_) => return Err(located("it is a line of a journal, which is not graded".to_owned())),
+        };
+        if wait > Duration::ZERO {
+            waited = waited.saturating_add(wait);
             if waited > LONGEST_WAIT {
                 return Err(located(format!("it waits for more than {} s", LONGEST_WAIT.as_secs())));
             }

@@ -4,6 +4,7 @@ use std::borrow::Cow;
 use std::time::Duration;
 
 use super::problem::{LineProblem, ScriptError};
+use super::restore::{self, Restore};
 use super::table::OWN_LINES;
 use crate::editor::commands::{self, ArgumentError, Arguments, Ending, quoted_prefix, tokens};
 use crate::editor::keymap::{binding_for, bindings, press_from_word};
@@ -28,6 +29,10 @@ pub enum Action {
     Apply(Command),
     /// Advances the animation clock by a time.
     Wait(Duration),
+    /// Lets so many ticks of the animation clock pass.
+    Ticks(u64),
+    /// Restores what a journal says.
+    Restore(Restore),
 }
 
 impl Line {
@@ -57,6 +62,19 @@ pub fn parse(bytes: &[u8], scene: &SceneGraph) -> Result<Vec<Line>, Vec<ScriptEr
     if problems.is_empty() { Ok(lines) } else { Err(problems) }
 }
 
+/// Reads one line for a scene as it is before it; nothing where only blanks and a comment stand there.
+///
+/// # Errors
+/// Why it cannot be understood.
+pub fn parse_line(number: usize, bytes: &[u8], scene: &SceneGraph) -> Result<Option<Line>, ScriptError> {
+    let mut parser = Parser { scene: Cow::Borrowed(scene) };
+    let text = std::str::from_utf8(bytes).map_err(|_| LineProblem::NotUtf8);
+    match text.and_then(|text| parser.line(text)) {
+        Ok(read) => Ok(read.map(|(text, action)| Line { number, text: text.to_owned(), action })),
+        Err(problem) => Err(ScriptError { number, problem }),
+    }
+}
+
 /// The state of the parser.
 struct Parser<'s> {
     /// The scene as it is after the lines so far.
@@ -79,6 +97,9 @@ impl Parser<'_> {
     /// The text without its comment, for lines whose arguments may contain `#`.
     fn text_with_number_signs<'t>(&self, line: &'t str) -> Option<&'t str> {
         let (name, _) = name_and_rest(line);
+        if restore::is_restore(name) {
+            return Some(&line[..restore::end(line)]);
+        }
         let form = line_of(name)?;
         match form.ending {
             Ending::Plain => None,
@@ -109,16 +130,17 @@ impl Parser<'_> {
         let own = OWN_LINES.iter().find(|(own, ..)| *own == name);
         let (usage, action) = match (own, rest) {
             (Some((_, usage, _)), "") => (*usage, None),
-            (Some((_, usage, _)), _) => (*usage, self.own_action(name, rest)?),
+            (Some((_, usage, _)), _) => (*usage, self.own_action(text, name, rest)?),
             (None, _) => return self.command(text, false).map(Action::Apply),
         };
         action.ok_or_else(|| LineProblem::Usage { usage, found: text.to_owned() })
     }
 
-    fn own_action(&self, name: &str, rest: &str) -> Result<Option<Action>, LineProblem> {
+    fn own_action(&self, text: &str, name: &str, rest: &str) -> Result<Option<Action>, LineProblem> {
         let is_one_word = !rest.contains(char::is_whitespace);
         match name {
-            "wait" => is_one_word.then(|| duration(rest).map(Action::Wait)).transpose(),
+            "wait" => is_one_word.then(|| wait(rest)).transpose(),
+            name if restore::is_restore(name) => Ok(restore::read(text)?.map(Action::Restore)),
             "key" => is_one_word.then(|| hotkey(rest).map(Action::Apply)).transpose(),
             "clamped" => self.command(rest, true).map(|command| Some(Action::Apply(command))),
             _ => by_name(rest).map(|command| Some(Action::Apply(command))),
@@ -136,6 +158,11 @@ impl Parser<'_> {
     /// Applies an action to the parser's copy of the scene, so that later lines may name nodes it creates. A refused
     /// edit is reported when the line runs.
     fn follow(&mut self, action: &Action) {
+        match action {
+            Action::Restore(Restore::Scene { scene, .. }) => self.scene = Cow::Owned(scene.as_ref().clone()),
+            Action::Restore(Restore::Snapshot(snapshot)) => self.scene = Cow::Owned(snapshot.scene.as_ref().clone()),
+            _ => {}
+        }
         let Action::Apply(Command::Edit(Edit::Scene(edit))) = action else { return };
         let changed = match edit {
             SceneEdit::PutControlAbove(path) => self.scene.find(path).map(|id| self.scene.with_control_above(id).0),
@@ -175,6 +202,14 @@ fn by_name(name: &str) -> Result<Command, LineProblem> {
     let mut bindings = commands::rows().iter().flat_map(|row| &row.bindings);
     let binding = bindings.find(|binding| is_meant(binding.id) || is_meant(binding.title().english()));
     binding.map(|binding| binding.command.clone()).ok_or_else(|| LineProblem::Name { name: name.to_owned() })
+}
+
+/// What a `wait` lets pass.
+fn wait(word: &str) -> Result<Action, LineProblem> {
+    match word.strip_suffix('t').map(str::parse) {
+        Some(Ok(ticks)) => Ok(Action::Ticks(ticks)),
+        _ => duration(word).map(Action::Wait),
+    }
 }
 
 /// The text up to the end of the quoted string that starts at byte `at`, if only a comment follows.

@@ -2,7 +2,7 @@
 
 use super::parse::{Action, parse};
 use crate::editor::Command;
-use crate::editor::commands;
+use crate::editor::commands::{self, Arguments};
 use crate::scene::SceneGraph;
 
 /// The script line of a command for a scene as it is before the command.
@@ -31,6 +31,23 @@ pub fn print(command: &Command, scene: &SceneGraph) -> Option<String> {
         .chain(done)
         .flat_map(|text| [format!("clamped {text}"), text].into_iter().rev())
         .find(|text| reads_as(text, command, scene))
+}
+
+/// As [`print`], checked against the command's own lines alone: for a journal, which must not make commands slower. A test compares the
+/// two.
+#[must_use]
+pub fn print_swiftly(command: &Command, scene: &SceneGraph) -> Option<String> {
+    let row = commands::row_of(command);
+    let swift = row.lines.iter().find_map(|line| {
+        let text = line.write(command, scene)?;
+        // A number sign may begin a comment, and other blanks may be lost: the slow way decides.
+        let is_plain = text.bytes().all(|byte| byte != b'#' && byte != b'"' && (byte >= 0x20));
+        let rest = text.strip_prefix(line.name)?.trim_start();
+        let words: Vec<&str> = rest.split_whitespace().collect();
+        let read = line.read(&Arguments { scene, text: rest, words: &words, takes_any: false });
+        (is_plain && rest.trim_end().len() == rest.len() && read.ok()?.as_ref() == Some(command)).then_some(text)
+    });
+    swift.or_else(|| print(command, scene))
 }
 
 fn reads_as(text: &str, command: &Command, scene: &SceneGraph) -> bool {

@@ -38,6 +38,12 @@ pub enum LineProblem {
     /// The words after the command have no meaning.
     #[error(transparent)]
     Argument(#[from] ArgumentError),
+    /// The text of a scene is none.
+    #[error("not a scene: {reason}")]
+    Scene {
+        /// Why.
+        reason: String,
+    },
     /// Not a time.
     #[error("{word:?} is not a time; expected as in 500ms or 2s, at least 0")]
     Time {

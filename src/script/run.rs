@@ -4,6 +4,7 @@
 //! and one that quits ends.
 
 use super::parse::{Action, Line};
+use super::restore::Restore;
 use super::trace::{State, TraceLine};
 use crate::clock::AnimationClock;
 use crate::editor::{Host, PathQuestion};
@@ -42,6 +43,12 @@ const NO_EXPORT: &str = "Without a window nothing is exported: use `inbetween re
 pub trait Windowless: Host {
     /// What it keeps instead of a window.
     fn no_window(&mut self) -> &mut NoWindow;
+
+    /// The editor took in so many ticks.
+    fn ticked(&mut self, _ticks: u64) {}
+
+    /// The editor is about to become what a line of a journal says.
+    fn restoring(&mut self, _restore: &Restore) {}
 }
 
 /// What a line led to.
@@ -103,11 +110,14 @@ impl<H: Windowless> Runner<H> {
         match &line.action {
             Action::Wait(duration) => {
                 let ticks = self.clock.advance(*duration);
-                let editor = self.host.editor();
-                editor.tick(ticks);
-                let has_ended = was_playing && !editor.is_playing();
-                let message = if has_ended { editor.message_text() } else { String::new() };
-                Ok(Step { message, is_last: false })
+                Ok(self.tick(ticks))
+            }
+            Action::Ticks(ticks) => Ok(self.tick(*ticks)),
+            Action::Restore(restore) => {
+                self.host.restoring(restore);
+                restore.apply(self.host.editor());
+                self.clock.restart();
+                Ok(Step { message: self.host.editor().message_text(), is_last: false })
             }
             Action::Apply(command) => {
                 let performed = self.host.carry_out(command.clone());
@@ -121,6 +131,21 @@ impl<H: Windowless> Runner<H> {
                 Ok(Step { message, is_last: has_quit })
             }
         }
+    }
+
+    fn tick(&mut self, ticks: u64) -> Step {
+        let editor = self.host.editor();
+        let was_playing = editor.is_playing();
+        editor.tick(ticks);
+        let has_ended = was_playing && !editor.is_playing();
+        let message = if has_ended { editor.message_text() } else { String::new() };
+        self.host.ticked(ticks);
+        Step { message, is_last: false }
+    }
+
+    /// The host that the lines act on.
+    pub fn host(&mut self) -> &mut H {
+        &mut self.host
     }
 
     /// What the trace says of the editor now.

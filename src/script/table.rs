@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use crate::editor::commands::{self, listed};
 
 /// Lines that are no commands of the editor: first word, usage and description.
-pub(super) const OWN_LINES: [(&str, &str, &str); 4] = [
+pub(super) const OWN_LINES: [(&str, &str, &str); 8] = [
     ("key", "key K", "a hotkey: the character itself, or a name such as `space`, `home`, `ctrl+d`"),
     (
         "do",
@@ -17,7 +17,19 @@ pub(super) const OWN_LINES: [(&str, &str, &str); 4] = [
         "clamped LINE",
         "`duration`, `ghosts`, `ms`, `speed` or `step` with a number out of its range, which is kept within it",
     ),
-    ("wait", "wait TIME", "so much time for the animation clock: `500ms`, `2s`"),
+    ("wait", "wait TIME", "so much time for the animation clock: `500ms`, `2s`; `37t` is 37 ticks of 1/60 s"),
+    (
+        "scene",
+        "scene NAME|\"JSON\" [\"PATH\"]",
+        "in journals: starts anew with a scene, a built-in one or the text of a scene file",
+    ),
+    ("keyframe-file", "keyframe-file \"PATH\"", "in journals: names the keyframe file, without reading it"),
+    (
+        "imported",
+        "imported \"PATH\" \"TEXT\"",
+        "in journals: imports this text as if it stood in the file; `hex` and digits in its place for what is not UTF-8",
+    ),
+    ("snapshot", "snapshot \"JSON\"", "in journals: a document and what is kept beside it, without steps of undo"),
 ];
 
 /// First word, usage and description of every line; those of commands come first.

@@ -2,6 +2,7 @@
 
 use std::convert::Infallible;
 use std::fmt::Display;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 
 use super::dialog::{self, Question};
@@ -14,7 +15,7 @@ use crate::film::ExportOptions;
 use crate::keyframe::LARGEST_FILE_BYTES;
 use crate::storage;
 use crate::ui::words::Words;
-use crate::ui::{PathPurpose, QuitAnswer};
+use crate::ui::{PathPurpose, QuitAnswer, RecoveryAnswer};
 use crate::words::{Message, texts};
 
 impl Host for Shell {
@@ -26,7 +27,11 @@ impl Host for Shell {
     }
 
     fn read(&mut self, path: &Path) -> Result<FileOutcome<Vec<u8>>, Infallible> {
-        Ok(storage::read(path, LARGEST_FILE_BYTES).map_err(|error| error.message()))
+        let read = storage::read(path, LARGEST_FILE_BYTES).map_err(|error| error.message());
+        if let Ok(bytes) = &read {
+            self.keeper.read(path, bytes);
+        }
+        Ok(read)
     }
 
     fn write(
@@ -46,6 +51,9 @@ impl Host for Shell {
 
     fn told(&mut self, access: FileAccess, path: &Path, told: Result<(), CommandError>) -> Result<(), Infallible> {
         let is_keyframe_file = matches!(access, FileAccess::KeyframesRead | FileAccess::KeyframesWritten);
+        if told.is_ok() {
+            self.keeper.wrote(access, path);
+        }
         if is_keyframe_file && told.is_ok() {
             self.used(path);
         }
@@ -78,12 +86,54 @@ impl Host for Shell {
     fn change_window(&mut self, command: WindowCommand) {
         self.window_command(&command);
     }
+
+    fn carry_out(&mut self, command: Command) -> Result<(), Infallible> {
+        self.keeper.command(&self.editor, &command);
+        match self.editor.apply(command) {
+            Ok(Some(effect)) => self.perform(effect),
+            Ok(None) | Err(_) => Ok(()),
+        }
+    }
 }
 
 impl Shell {
     /// Applies a command and does what it asks for. Refusals are the editor's message already.
     pub(super) fn apply(&mut self, command: Command) {
-        let Ok(()) = self.carry_out(command);
+        let before = self.editor.before();
+        let done = catch_unwind(AssertUnwindSafe(|| {
+            let Ok(()) = self.carry_out(command);
+        }));
+        if done.is_err() {
+            self.editor.go_back(before);
+            self.keeper.panicked();
+            self.editor.say(Message::from(texts::JOURNAL_PANICKED).with_severity(Severity::Error));
+        }
+        self.keeper.done(&self.editor);
+        if let Some(problem) = self.keeper.take_problem() {
+            self.editor.say(problem);
+        }
+    }
+
+    /// Does what the user answered to the offer of what was not saved.
+    pub(super) fn recovery_answered(&mut self, answer: RecoveryAnswer) {
+        match answer {
+            RecoveryAnswer::Restore => {
+                if let Some((restored, said)) = self.keeper.restore(&self.editor) {
+                    if let Some(mut restored) = restored {
+                        restored.go_on_saying(&self.editor);
+                        restored.set_keymap(self.ui.keymap().clone());
+                        self.editor = restored;
+                    }
+                    self.editor.say(said);
+                }
+            }
+            RecoveryAnswer::Later => self.keeper.put_off(),
+            RecoveryAnswer::Discard => self.keeper.discard(),
+        }
+        self.ui.recovery = self.keeper.offer();
+        if let Some(problem) = self.keeper.take_problem() {
+            self.editor.say(problem);
+        }
     }
 
     fn window_command(&mut self, command: &WindowCommand) {
@@ -96,6 +146,7 @@ impl Shell {
         if self.settings_file.settings != before {
             self.editor.set_keymap(self.ui.keymap().clone());
             self.keep_settings();
+            self.keeper.want(self.settings_file.settings.journal, &self.editor);
         }
     }
 

@@ -1,5 +1,6 @@
 //! The shell: what it does on each event.
 
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -14,14 +15,16 @@ use winit::window::{Window, WindowId};
 
 use super::export::Export;
 use super::hotkeys::{KeyInput, SpaceBar};
+use super::keeper::Keeper;
 use super::meter::{Meter, Work};
 use super::motion_path::PathDrag;
 use super::pointer::Pointer;
 use super::settings_file::SettingsFile;
 use super::stage::WindowSurface;
-use super::{UserEvent, WindowError, desktop, display, now};
+use super::{ForTests, UserEvent, WindowError, desktop, display, ending, now};
 use crate::clock::AnimationClock;
 use crate::editor::{Command, Editor, FileCommand, Severity};
+use crate::journal::Ending;
 use crate::keyframe::KeyframeIndex;
 use crate::ui::Panels;
 
@@ -42,6 +45,7 @@ pub struct Shell {
     pub(super) is_quitting: bool,
     at_start: Vec<Command>,
     pub(super) settings_file: SettingsFile,
+    pub(super) keeper: Keeper,
     pub(super) export: Option<Export>,
     pub(super) modifiers: ModifiersState,
     pub(super) space: SpaceBar,
@@ -66,7 +70,7 @@ pub struct Shell {
 
 impl Shell {
     /// A shell without a window yet.
-    pub fn new(mut editor: Editor, at_start: Vec<Command>, proxy: EventLoopProxy<UserEvent>) -> Self {
+    pub fn new(mut editor: Editor, at_start: Vec<Command>, proxy: EventLoopProxy<UserEvent>, tests: ForTests) -> Self {
         let (settings_file, problem) = SettingsFile::read();
         let mut ui = Panels::new();
         let errors = ui.adopt(&settings_file.settings).into_iter().map(|error| error.message());
@@ -74,6 +78,11 @@ impl Shell {
         for message in problem.into_iter().chain(errors) {
             editor.say(message.with_severity(Severity::Error));
         }
+        let mut keeper = Keeper::new(settings_file.settings.journal, &editor, tests);
+        if let Some(problem) = keeper.take_problem() {
+            editor.say(problem);
+        }
+        ui.recovery = keeper.offer();
         Self {
             editor,
             ui,
@@ -83,6 +92,7 @@ impl Shell {
             is_quitting: false,
             at_start,
             settings_file,
+            keeper,
             export: None,
             modifiers: ModifiersState::empty(),
             space: SpaceBar::default(),
@@ -105,6 +115,11 @@ impl Shell {
         self.error.take()
     }
 
+    /// Ends the journal; where something is not saved and nobody wanted to lose it, it is there.
+    pub fn end_journal(&mut self, ending: Ending) -> Option<PathBuf> {
+        self.keeper.end(&self.editor, ending)
+    }
+
     fn open(&mut self, event_loop: &ActiveEventLoop) {
         self.title = title(&self.editor);
         let attributes =
@@ -125,6 +140,7 @@ impl Shell {
                 return;
             }
         }
+        ending::watch_display(event_loop);
         desktop::ask_theme(self.proxy.clone());
         for command in std::mem::take(&mut self.at_start) {
             self.apply(command);
@@ -161,12 +177,17 @@ impl Shell {
         self.meter.add(Work::Ui, start, now());
         let commands = std::mem::take(&mut laid_out.output.commands);
         let answer = laid_out.output.quit_answer.take();
+        let recovery = laid_out.output.recovery.take();
         let panels = std::mem::take(&mut laid_out.output.panels);
-        let again = !commands.is_empty() || answer.is_some() || laid_out.again_after.is_zero();
+        let again = !commands.is_empty() || answer.is_some() || recovery.is_some() || laid_out.again_after.is_zero();
         self.show_again = now().checked_add(laid_out.again_after).filter(|_| !laid_out.again_after.is_zero());
         for command in commands {
             self.apply(command);
         }
+        if let Some(answer) = recovery {
+            self.recovery_answered(answer);
+        }
+        assert!(!self.keeper.panics_in_drawing(), "a test asked for this panic in drawing");
         let dot = self.hovered_dot.and_then(|keyframe| self.editor.path_dot(keyframe));
         for (panel, size) in panels {
             if self.settings_file.settings.resized(panel, size) {
@@ -218,6 +239,7 @@ impl Shell {
                 if self.editor.tick(ticks) {
                     self.request_redraw();
                 }
+                self.keeper.ticked(&self.editor, ticks);
                 self.meter.add(Work::Evaluation, at, now());
             }
         }
@@ -304,6 +326,10 @@ impl ApplicationHandler<UserEvent> for Shell {
                 }
             }
             UserEvent::DeviceLost => self.reopen(event_loop),
+            UserEvent::Signal(signal) => {
+                self.error = Some(WindowError::Signalled { signal });
+                event_loop.exit();
+            }
             UserEvent::Accessibility(event) => self.accessibility(event),
         }
         self.request_redraw();

@@ -77,6 +77,15 @@ pub struct LaidOut {
     pixels_per_point: f32,
 }
 
+impl Drop for LaidOut {
+    fn drop(&mut self) {
+        // Textures that were not painted are a fault to egui, and a second panic would end the program before its journal says why.
+        if std::thread::panicking() {
+            std::mem::forget(std::mem::take(&mut self.textures));
+        }
+    }
+}
+
 impl WindowSurface {
     /// Makes everything for a window. `reader` is what a screen reader reads of it already, where the window is an old one.
     ///
@@ -148,6 +157,7 @@ impl WindowSurface {
             output.viewport = now.viewport;
             output.quit_answer = output.quit_answer.or(now.quit_answer);
             output.panels.extend(now.panels);
+            output.recovery = output.recovery.or(now.recovery);
         });
         if let Some(cursor) = cursor {
             shown.platform_output.cursor_icon = cursor;
@@ -194,7 +204,8 @@ impl WindowSurface {
             pixels_per_point: laid_out.pixels_per_point,
             can_copy: self.screen.can_copy_to(),
         };
-        let cut = self.panel_painter.update(&self.gpu, &self.context, laid_out.shapes, &mut laid_out.textures, layout);
+        let shapes = std::mem::take(&mut laid_out.shapes);
+        let cut = self.panel_painter.update(&self.gpu, &self.context, shapes, &mut laid_out.textures, layout);
         meter.add(Work::Ui, built, cut);
         self.draw(&frame);
         self.panel_painter.free(&mut laid_out.textures);

@@ -8,6 +8,7 @@ mod diff;
 mod films;
 mod grade;
 mod help;
+mod journal;
 mod playback;
 mod render;
 mod sample;

@@ -5,7 +5,8 @@ use glam::{Quat, Vec3};
 use super::line::{Ending, Line};
 use super::row::{Changes, Row};
 use super::values::{
-    axis, number, number_text, numbers, radians, rbt, rbt_path_text, rbt_text, rotation_text, same_bits, vector_text,
+    axis, number, number_text, numbers, one_of, radians, rbt, rbt_path_text, rbt_text, rotation_text, same_bits,
+    vector_text,
 };
 use crate::editor::{Command, Edit, GestureCommand};
 use crate::rbt::Rbt;
@@ -161,7 +162,11 @@ fn drags() -> Vec<Row> {
             .line(drag.clone()),
         part("drag-end", |command| matches!(command, Command::Gesture(GestureCommand::Commit))).line(drag.clone()),
         part("drag-cancel", |command| matches!(command, Command::Gesture(GestureCommand::Abort))).line(drag.clone()),
-        part("drag-move", |command| matches!(command, Command::Gesture(GestureCommand::Move(_)))).line(drag).line(
+        part("drag-move", |command| {
+            matches!(command, Command::Gesture(GestureCommand::Move(_) | GestureCommand::MoveTo { .. }))
+        })
+        .line(drag)
+        .line(
             Line::new(
                 "drag-by X Y Z QX QY QZ QW",
                 "a motion of a drag along and about the view's axes: a translation and a quaternion",
@@ -174,7 +179,21 @@ fn drags() -> Vec<Row> {
                     Some(rbt_text(*motion))
                 },
             ),
-        ),
+        )
+        .line(Line::new(
+            "drag-to move|turn X Y Z QX QY QZ QW",
+            "where a drag has led the node, in its parent's space: a translation and a quaternion; `move` or `turn` is what undo calls it",
+            |arguments| {
+                let [kind, numbers @ ..] = arguments.words else { return Ok(None) };
+                let Ok(words) = numbers.try_into() else { return Ok(None) };
+                let is_turn = one_of(kind, "a kind of drag", [(false, "move"), (true, "turn")].into_iter())?;
+                Ok(Some(Command::Gesture(GestureCommand::MoveTo { placed: rbt(words)?, is_turn })))
+            },
+            |command, _| {
+                let Command::Gesture(GestureCommand::MoveTo { placed, is_turn }) = command else { return None };
+                Some(format!("{} {}", if *is_turn { "turn" } else { "move" }, rbt_text(*placed)))
+            },
+        )),
         edit_with("wheel", texts::ACT_MOVE_A_NODE, |command| matches!(edit_of(command), Some(Edit::Wheel(_))))
             .line(Line::new(
                 "wheel UNITS",

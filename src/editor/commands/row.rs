@@ -90,6 +90,8 @@ pub struct WindowState {
     pub messages: bool,
     /// Whether the statistics are shown.
     pub statistics: bool,
+    /// Whether a journal is kept.
+    pub journal: bool,
 }
 
 /// The section of a menu that most items stand in.

@@ -17,12 +17,14 @@ fn lists() -> Vec<Row> {
     let hotkeys = binding("hotkeys", WindowCommand::ShowHotkeys);
     let messages = binding("messages", WindowCommand::ToggleMessages);
     let statistics = binding("statistics", WindowCommand::ToggleStatistics);
+    let journal = binding("journal", WindowCommand::ToggleJournal).menu(Menu::File);
     vec![
         Row::listed(Changes::Window, commands.hotkeys(&["Ctrl+Shift+P"]).menu(Menu::Help)),
         Row::listed(Changes::Window, manual.hotkeys(&["F1"]).menu(Menu::Help)),
         Row::listed(Changes::Window, hotkeys.menu(Menu::Help)),
         Row::listed(Changes::Window, messages.ticked(|_, window| window.messages)),
         Row::listed(Changes::Window, statistics.ticked(|_, window| window.statistics)),
+        Row::listed(Changes::Window, journal.ticked(|_, window| window.journal)),
     ]
 }
 

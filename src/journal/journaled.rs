@@ -1,0 +1,144 @@
+//! A host without a window that keeps a journal.
+
+use std::fmt::Display;
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+use std::path::{Path, PathBuf};
+
+use super::{Ending, Writer};
+use crate::editor::{Command, CommandError, Editor, FileAccess, FileOutcome, Host, PathQuestion, WindowCommand};
+use crate::film::ExportOptions;
+use crate::script::{NoWindow, Restore, Windowless};
+use crate::storage::StorageError;
+
+/// A host whose commands are written down before they are done.
+#[derive(Debug)]
+pub struct Journaled<H> {
+    host: H,
+    journal: Option<Writer>,
+    was_playing: bool,
+    /// How many commands were carried out.
+    count: u64,
+    panic_at: Option<u64>,
+}
+
+impl<H: Windowless> Journaled<H> {
+    /// A host with a journal, or without one.
+    pub const fn new(host: H, journal: Option<Writer>) -> Self {
+        Self { host, journal, was_playing: false, count: 0, panic_at: None }
+    }
+
+    /// For tests: the command of this number panics, counted from 1.
+    #[must_use]
+    pub fn panicking_at(self, panic_at: Option<u64>) -> Self {
+        Self { panic_at, ..self }
+    }
+
+    /// The host, after the end of the journal.
+    ///
+    /// # Errors
+    /// [`StorageError`]: the journal could not be written.
+    pub fn finish(mut self) -> Result<H, StorageError> {
+        if let Some(mut journal) = self.journal {
+            journal.flush(self.host.editor());
+            let problem = journal.take_problem();
+            journal.end(self.host.editor(), Ending::Quit);
+            problem.map_or(Ok(()), Err)?;
+        }
+        Ok(self.host)
+    }
+}
+
+impl<H: Windowless> Windowless for Journaled<H> {
+    fn no_window(&mut self) -> &mut NoWindow {
+        self.host.no_window()
+    }
+
+    fn ticked(&mut self, ticks: u64) {
+        if let Some(journal) = &mut self.journal {
+            let editor = self.host.editor();
+            journal.ticked(self.was_playing, editor, ticks);
+            self.was_playing = editor.is_playing();
+        }
+    }
+
+    fn restoring(&mut self, restore: &Restore) {
+        if let Some(journal) = &mut self.journal {
+            journal.restored(restore);
+        }
+    }
+}
+
+impl<H: Windowless> Host for Journaled<H> {
+    type Stop = H::Stop;
+
+    fn editor(&mut self) -> &mut Editor {
+        self.host.editor()
+    }
+
+    fn read(&mut self, path: &Path) -> Result<FileOutcome<Vec<u8>>, H::Stop> {
+        let outcome = self.host.read(path)?;
+        if let (Some(journal), Ok(bytes)) = (&mut self.journal, &outcome) {
+            journal.read(path, bytes);
+        }
+        Ok(outcome)
+    }
+
+    fn write(
+        &mut self,
+        path: &Path,
+        text: &dyn Display,
+        is_known: bool,
+    ) -> Result<FileOutcome<Option<PathBuf>>, H::Stop> {
+        self.host.write(path, text, is_known)
+    }
+
+    fn take_screenshot(&mut self, path: Option<PathBuf>) -> Result<(PathBuf, FileOutcome<()>), H::Stop> {
+        self.host.take_screenshot(path)
+    }
+
+    fn told(&mut self, access: FileAccess, path: &Path, told: Result<(), CommandError>) -> Result<(), H::Stop> {
+        if let (Some(journal), Ok(())) = (&mut self.journal, &told) {
+            journal.wrote(access, path);
+        }
+        self.host.told(access, path, told)
+    }
+
+    fn ask_for_path(&mut self, question: PathQuestion) {
+        self.host.ask_for_path(question);
+    }
+
+    fn begin_export(&mut self, options: ExportOptions) {
+        self.host.begin_export(options);
+    }
+
+    fn cancel_export(&mut self) {
+        self.host.cancel_export();
+    }
+
+    fn quit(&mut self) {
+        self.host.quit();
+    }
+
+    fn change_window(&mut self, command: WindowCommand) {
+        self.host.change_window(command);
+    }
+
+    fn carry_out(&mut self, command: Command) -> Result<(), H::Stop> {
+        if let Some(journal) = &mut self.journal {
+            journal.command(self.host.editor(), &command);
+        }
+        self.count += 1;
+        let done = catch_unwind(AssertUnwindSafe(|| {
+            assert!(self.panic_at != Some(self.count), "a test asked for this panic");
+            match self.editor().apply(command) {
+                Ok(Some(effect)) => self.perform(effect),
+                Ok(None) | Err(_) => Ok(()),
+            }
+        }));
+        if let (Err(_), Some(journal)) = (&done, &mut self.journal) {
+            journal.panicked();
+        }
+        self.was_playing = self.host.editor().is_playing();
+        done.unwrap_or_else(|panic| resume_unwind(panic))
+    }
+}

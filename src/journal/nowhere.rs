@@ -1,0 +1,75 @@
+//! The host of a journal that is played: it has no files and no window, since a journal needs none.
+
+use std::convert::Infallible;
+use std::fmt::Display;
+use std::path::{Path, PathBuf};
+
+use crate::editor::{CommandError, Editor, FileAccess, FileOutcome, Host, PathQuestion, WindowCommand};
+use crate::film::ExportOptions;
+use crate::script::{NoWindow, Windowless};
+use crate::words::texts;
+
+/// A host that has no files and no window.
+#[derive(Debug)]
+pub(super) struct Nowhere {
+    editor: Editor,
+    no_window: NoWindow,
+}
+
+impl Nowhere {
+    pub(super) fn new(editor: Editor) -> Self {
+        Self { editor, no_window: NoWindow::default() }
+    }
+
+    pub(super) fn into_editor(self) -> Editor {
+        self.editor
+    }
+}
+
+impl Windowless for Nowhere {
+    fn no_window(&mut self) -> &mut NoWindow {
+        &mut self.no_window
+    }
+}
+
+impl Host for Nowhere {
+    type Stop = Infallible;
+
+    fn editor(&mut self) -> &mut Editor {
+        &mut self.editor
+    }
+
+    fn read(&mut self, _path: &Path) -> Result<FileOutcome<Vec<u8>>, Infallible> {
+        Ok(Err(texts::JOURNAL_NO_FILES.into()))
+    }
+
+    fn write(&mut self, _: &Path, _: &dyn Display, _: bool) -> Result<FileOutcome<Option<PathBuf>>, Infallible> {
+        Ok(Err(texts::JOURNAL_NO_FILES.into()))
+    }
+
+    fn take_screenshot(&mut self, path: Option<PathBuf>) -> Result<(PathBuf, FileOutcome<()>), Infallible> {
+        Ok((path.unwrap_or_default(), Err(texts::JOURNAL_NO_FILES.into())))
+    }
+
+    fn told(&mut self, _: FileAccess, _: &Path, _: Result<(), CommandError>) -> Result<(), Infallible> {
+        Ok(())
+    }
+
+    fn ask_for_path(&mut self, question: PathQuestion) {
+        self.no_window.ask_for_path(&question);
+    }
+
+    fn begin_export(&mut self, _options: ExportOptions) {
+        self.no_window.refuse_export();
+    }
+
+    fn cancel_export(&mut self) {
+        self.no_window.refuse_export();
+    }
+
+    fn quit(&mut self) {
+        self.no_window.quit();
+    }
+
+    fn change_window(&mut self, _command: WindowCommand) {}
+}
