@@ -180,10 +180,10 @@ fn bad_lines_are_named_and_nothing_is_run() {
         "s.txt: line 3: node \"robot9\" is not in the scene \"two-robots\"\n\
          s.txt: line 5: \"jump\" is not a command; the commands are go, select-keyframes, move, copy, cut, paste, duplicate, delete, \
          reverse, easing, rename, duration, set-keyframe-translation, set-keyframe-rotation, copy-pose, paste-pose, rotate, \
-         rotate-by, translate, set-translation, set-rotation, drag, drag-by, wheel, wheel-by, put-control, remove-control, \
+         rotate-by, translate, set-translation, set-rotation, drag, drag-by, drag-to, wheel, wheel-by, put-control, remove-control, \
          rename-control, add-key, add-keys, set-key, move-key, move-keys, delete-key, delete-keys, select-keys, seconds, \
          interpolation, ms, speed, scrub, step, mode, range, auto-key, ghosts, eye, select, open, save-as, save-scene, screenshot, \
-         undo, redo, key, do, clamped and wait\n\
+         undo, redo, key, do, clamped, wait, scene, keyframe-file, imported and snapshot\n\
          s.txt: line 6: \"q\" is not a hotkey",
     );
     sandbox.run(&["script", "none.txt"]).refuses("none.txt: there is no such file or folder");
