@@ -1,9 +1,11 @@
 //! Grading: submissions in, marks by a rubric out, and tables, a report and pictures of the marks.
 //!
 //! ```text
-//! paths ─ submission ─► members ─ parsed ─► Parsed ─ mark(rubric) ─► Marks ─┬─ tables ─► grades.csv, grades.json
-//!                                                                            └─ pictures ─ report ─► report.html
+//! paths ─ submission ─► members ─ parsed ─► Parsed ─ Marks::of(rubric) ─► Marks ─┬─ tables ─► grades.csv, grades.json
+//!                                                                                └─ pictures ─ report ─► report.html
 //! ```
+//!
+//! `Marks::of` uses `item` and `verdicts` (graded items), `samples` and `shown` (diagnoses), `folder` (runs scripts in memory) and `trace`.
 //!
 //! A submission is gathered, sorted and parsed once. Submissions are marked on all cores, each apart from the others; results are in the
 //! order in which the submissions were named, and nothing in them depends on time. Nothing in a submission is trusted: work is bounded
@@ -31,7 +33,7 @@ pub use parsed::Parsed;
 pub use pictures::{ReportPicture, SIZE as PICTURE_SIZE, pictures_of};
 pub use report::html;
 pub use rubric::Rubric;
-pub use samples::SamplesShow;
+pub use samples::SampleDiagnosis;
 pub use submission::{Submission, find};
 pub use tables::{csv, json};
 

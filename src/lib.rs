@@ -9,7 +9,7 @@
 //!
 //! | level | modules | may name |
 //! |---|---|---|
-//! | 0 | [`words`], [`rbt`], [`interpolation`], [`rotation_rules`], [`json`], [`colour`], [`picture`], [`text`], [`parallel`] | glam; serde, for the code of a language in settings |
+//! | 0 | [`words`], [`rbt`], [`interpolation`], [`rotation_rules`], [`json`], [`colour`], [`picture`], [`text`], [`parallel`] | glam; `words` may name serde: settings store language codes |
 //! | 0 | [`manual`] | pulldown-cmark |
 //! | 1 | [`timed`], [`pose`], [`blend`], [`scene`], [`camera`] | serde, in file formats |
 //! | 2 | [`keyframe`], [`clock`], [`settings`], [`text_layouts`], [`frame`], [`film`] | serde, in file formats; `Duration`, never `Instant` |
@@ -22,7 +22,7 @@
 //! | 8 | [`files`], [`script`] | named files to values; text to commands, run without a window |
 //! | 9 | [`grading`], [`references`] | bytes or folders in, values out |
 //! | 9 | [`journal`] | commands to a file before they are done, and back |
-//! | 10 | [`window`], [`cli`] | winit; clap |
+//! | 10 | [`window`], [`cli`] | winit, wgpu, egui; clap |
 //!
 #![doc = include_str!("../assets/manual/glossary.md")]
 

@@ -1,4 +1,4 @@
-//! The handlers of commands.
+//! Dispatch of commands, and the handlers of pose and keyframe edits.
 
 use glam::Quat;
 
@@ -24,7 +24,7 @@ pub(super) type CommandResult = Result<Option<Message>, CommandError>;
 
 impl Editor {
     /// Runs a command, and returns the effect that the host must perform. Afterwards, [`Editor::message`] is its message or its refusal.
-    /// Movements of a drag have no message and leave the status line alone. Every other command without a message clears it.
+    /// Without a message, a gesture command leaves the status line unchanged, and any other command clears it.
     ///
     /// # Errors
     /// Why the command was refused. The document is then unchanged, except that a running drag may have been committed.
@@ -55,24 +55,24 @@ impl Editor {
     }
 
     fn dispatch(&mut self, command: Command) -> Result<(Option<Message>, Option<Effect>), CommandError> {
-        let silent = |result: CommandResult| result.map(|said| (said, None));
+        let without_effect = |result: CommandResult| result.map(|said| (said, None));
         let row = row_of(&command);
         if let Some(what) = row.refused_while_playing {
             self.refuse_while_playing(what)?;
         }
         match command {
-            Command::Edit(edit) => silent(self.edit(edit, row)),
-            Command::Playback(playback) => silent(self.play(playback)),
-            Command::View(view) => silent(self.view(view)),
-            Command::Selection(SelectionCommand::Keyframes(selected)) => silent(self.select(selected)),
-            Command::Selection(SelectionCommand::TimedKeys(keys)) => silent(self.select_keys(keys)),
-            Command::Clipboard(ClipboardCommand::CopyKeyframes) => silent(self.copy_keyframes()),
-            Command::Clipboard(ClipboardCommand::CopyPose) => silent(self.copy_pose()),
+            Command::Edit(edit) => without_effect(self.edit(edit, row)),
+            Command::Playback(playback) => without_effect(self.play(playback)),
+            Command::View(view) => without_effect(self.view(view)),
+            Command::Selection(SelectionCommand::Keyframes(selected)) => without_effect(self.select(selected)),
+            Command::Selection(SelectionCommand::TimedKeys(keys)) => without_effect(self.select_keys(keys)),
+            Command::Clipboard(ClipboardCommand::CopyKeyframes) => without_effect(self.copy_keyframes()),
+            Command::Clipboard(ClipboardCommand::CopyPose) => without_effect(self.copy_pose()),
             Command::File(file) => Ok((None, Some(self.file(file)))),
-            Command::Gesture(gesture) => silent(self.gesture(gesture)),
-            Command::Undo => silent(self.undo()),
-            Command::Redo => silent(self.redo()),
-            Command::Cancel => silent(Ok(self.cancel())),
+            Command::Gesture(gesture) => without_effect(self.gesture(gesture)),
+            Command::Undo => without_effect(self.undo()),
+            Command::Redo => without_effect(self.redo()),
+            Command::Cancel => without_effect(Ok(self.cancel())),
             Command::Window(command) => Ok((None, Some(Effect::Window(command)))),
         }
     }
@@ -82,7 +82,7 @@ impl Editor {
         self.keymap = keymap;
     }
 
-    /// The hotkey of a command for use in a message; its name if it has no hotkey.
+    /// The hotkey of a command for use in a message; its name if it has no hotkey; empty if the keymap does not list the command.
     pub(super) fn key_of(&self, command: &Command) -> Argument {
         match self.keymap.bindings().iter().find(|binding| binding.command == *command) {
             Some(binding) if binding.chords.is_empty() => texts::hotkeys_command_without_key(binding.title()).into(),
@@ -177,7 +177,7 @@ impl Editor {
         }
     }
 
-    /// Changes the document as one step of undo. During a drag the drag is the step.
+    /// Changes the document as one undo step. During a drag, changes join the drag's undo step.
     pub(super) fn record(&mut self, label: Phrase, run: Option<Run>, change: impl FnOnce(&mut Document)) {
         let before = self.document.clone();
         change(&mut self.document);
@@ -187,7 +187,7 @@ impl Editor {
         }
     }
 
-    /// Copies a keyframe's pose to the scene, which is a step of undo only where it discards unsaved posing.
+    /// Copies a keyframe's pose to the scene. Adds an undo step only if unsaved posing is lost.
     pub(super) fn show_keyframe(&mut self, label: Phrase, index: KeyframeIndex) {
         self.end_scrub();
         let discards = self.document.has_unsaved_posing(self.document.scene.rest_pose());
@@ -206,7 +206,7 @@ impl Editor {
 
     /// The current keyframe and the range of the list: `Keyframe 3 (0 to 5)`.
     #[must_use]
-    pub fn where_we_are(&self) -> Message {
+    pub fn position_message(&self) -> Message {
         match (self.document.keyframes.current(), self.document.keyframes.last()) {
             (Some(current), Some(last)) => texts::position_keyframe(current.get(), last.get()),
             _ => texts::POSITION_NO_KEYFRAMES.into(),
@@ -214,14 +214,14 @@ impl Editor {
     }
 
     /// A message about the current keyframe: where it is, then what was done.
-    pub(super) fn at_current(&self, rest: impl Into<Argument>) -> Message {
-        texts::at_position(self.where_we_are(), rest)
+    pub(super) fn with_position(&self, what_happened: impl Into<Argument>) -> Message {
+        texts::at_position(self.position_message(), what_happened)
     }
 
     fn display_current(&mut self) -> CommandResult {
         let current = self.document.keyframes.current().ok_or_else(|| self.no_keyframe())?;
         self.show_keyframe(texts::ACT_DISPLAY_OF_A_KEYFRAME, current);
-        Ok(Some(self.at_current(texts::KEYFRAME_COPIED)))
+        Ok(Some(self.with_position(texts::KEYFRAME_COPIED)))
     }
 
     fn update_current(&mut self) -> Message {
@@ -235,10 +235,11 @@ impl Editor {
                 document.keyframes.replace(index, current.with_pose(document.live_pose.clone()));
             }
         });
-        self.at_current(texts::KEYFRAME_UPDATED)
+        self.with_position(texts::KEYFRAME_UPDATED)
     }
 
     fn create_keyframe(&mut self) -> Message {
+        // While scrubbed: insert after the keyframe at or to the left of the playhead, with the displayed pose.
         let left = self.playhead().filter(|_| self.is_scrubbed()).map(|key_time| key_time as usize + 1);
         let after = left.map(KeyframeIndex::new).or(self.document.keyframes.current());
         let scrubbed = self.end_scrub();
@@ -252,14 +253,14 @@ impl Editor {
         });
         self.session.selected.clear();
         match after {
-            Some(after) => self.at_current(texts::keyframe_created(after.get())),
-            None => self.at_current(texts::KEYFRAME_CREATED_FIRST),
+            Some(after) => self.with_position(texts::keyframe_created(after.get())),
+            None => self.with_position(texts::KEYFRAME_CREATED_FIRST),
         }
     }
 
     fn step(&mut self, by: isize) -> CommandResult {
         let Some(current) = self.document.keyframes.current() else {
-            return Ok(Some(self.at_current(texts::KEYFRAME_NOTHING_TO_GO_TO)));
+            return Ok(Some(self.with_position(texts::KEYFRAME_NOTHING_TO_GO_TO)));
         };
         let target = current.get().checked_add_signed(by).filter(|&index| index < self.document.keyframes.len());
         match target {
@@ -284,7 +285,7 @@ impl Editor {
         if !self.session.selected.contains(&index) {
             self.session.selected.clear();
         }
-        Ok(Some(self.at_current(texts::KEYFRAME_COPIED)))
+        Ok(Some(self.with_position(texts::KEYFRAME_COPIED)))
     }
 
     fn delete_current(&mut self) -> CommandResult {
@@ -297,7 +298,7 @@ impl Editor {
                 document.live_pose = keyframe.pose.clone();
             }
         });
-        Ok(Some(texts::keyframe_deleted(deleted.get(), self.where_we_are())))
+        Ok(Some(texts::keyframe_deleted(deleted.get(), self.position_message())))
     }
 
     fn set_interpolation(&mut self, interpolation: crate::interpolation::Interpolation) -> Message {
@@ -306,15 +307,16 @@ impl Editor {
     }
 
     fn set_ms(&mut self, ms: u32) -> Message {
-        let ms = ms.clamp(*MS_BETWEEN_KEYFRAMES_RANGE.start(), *MS_BETWEEN_KEYFRAMES_RANGE.end());
+        let (fastest, slowest) = (*MS_BETWEEN_KEYFRAMES_RANGE.start(), *MS_BETWEEN_KEYFRAMES_RANGE.end());
+        let ms = ms.clamp(fastest, slowest);
         let was = self.document.ms_between_keyframes;
         self.record(texts::ACT_CHANGE_OF_PACE, Some(Run::MsBetweenKeyframes), |document| {
             document.ms_between_keyframes = ms;
         });
         self.refit_pace();
         match ms {
-            100 if was == ms => texts::pace_fastest(ms),
-            10_000 if was == ms => texts::pace_slowest(ms),
+            _ if was == ms && ms == fastest => texts::pace_fastest(ms),
+            _ if was == ms && ms == slowest => texts::pace_slowest(ms),
             _ => texts::pace_is(ms),
         }
     }
@@ -348,7 +350,8 @@ impl Editor {
         self.playback = Playback::Stopped;
     }
 
-    pub(super) fn list_with_first_current(document: &mut Document, keyframes: KeyframeList) {
+    /// Replaces the list and copies its current keyframe to the live pose.
+    pub(super) fn install_list(document: &mut Document, keyframes: KeyframeList) {
         document.keyframes = keyframes;
         if let Some(keyframe) = document.keyframes.current_keyframe() {
             document.live_pose = keyframe.pose.clone();

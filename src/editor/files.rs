@@ -124,7 +124,7 @@ impl Editor {
         self.replace_keyframes(texts::ACT_IMPORT, |document| {
             document.interpolation = file.interpolation.unwrap_or(document.interpolation);
             document.ms_between_keyframes = file.ms_between_keyframes.unwrap_or(document.ms_between_keyframes);
-            Self::list_with_first_current(document, KeyframeList::new(file.keyframes));
+            Self::install_list(document, KeyframeList::new(file.keyframes));
         });
         // A file that was imported from another layout is copied before it is overwritten.
         let is_known = report.is_none();

@@ -69,7 +69,7 @@ impl Editor {
         {
             let updated = keyframe.with_pose(self.document.live_pose.clone());
             self.document.keyframes.replace(index, updated);
-            self.say(self.at_current(texts::KEYFRAME_UPDATED_BY_AUTO_KEY));
+            self.say(self.with_position(texts::KEYFRAME_UPDATED_BY_AUTO_KEY));
         }
         self.history.record(before, &self.document, label, None);
     }

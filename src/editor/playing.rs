@@ -90,7 +90,7 @@ impl Editor {
     fn play_or_stop(&mut self) -> CommandResult {
         if self.is_playing() {
             self.end_playback();
-            return Ok(Some(texts::playing_stopped(self.where_we_are())));
+            return Ok(Some(texts::playing_stopped(self.position_message())));
         }
         self.start_at(&BigRational::zero())?;
         Ok(Some(texts::playing_begins(self.document.keyframes.len() - 2)))

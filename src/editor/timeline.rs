@@ -252,7 +252,7 @@ impl Editor {
         let keyframes = self.without(&indices);
         let current = (!keyframes.is_empty()).then(|| first.saturating_sub(1));
         self.rearrange(label, keyframes, current, 0..0);
-        Ok(Some(texts::keyframes_deleted(texts::count_keyframes(indices.len()), self.where_we_are())))
+        Ok(Some(texts::keyframes_deleted(texts::count_keyframes(indices.len()), self.position_message())))
     }
 
     /// Inserts keyframes after the selected ones. Returns their number and the index of the first.

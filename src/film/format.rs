@@ -22,7 +22,8 @@ pub struct Format {
     pub usual_frames_per_second: u32,
     /// The highest frame rate, in frames per second.
     pub most_frames_per_second: u32,
-    /// The format's own limits. Takes width and height in pixels and, for a film, frames per second; returns why there is no such file.
+    /// The format's own limits. Takes width and height in pixels and, for a film, frames per second; returns the reason if the format
+    /// cannot hold it.
     pub limit: fn([u32; 2], Option<u32>) -> Option<Phrase>,
     /// The encoder.
     pub encoder: Encoder,
@@ -34,11 +35,12 @@ pub enum Encoder {
     Still(StartStill),
     /// A film, encoded here.
     Film(FilmFormat),
-    /// A film that the user's ffmpeg encodes from a film in this format.
+    /// ffmpeg encodes the film. It reads the stream that this `FilmFormat` writes.
     Ffmpeg(FilmFormat),
 }
 
-/// Makes an encoder for pictures of this width and height in pixels. The memory is allocated at once.
+/// Makes an encoder for pictures of this width and height in pixels. `None`: the size is not known yet. An encoder for a known
+/// size may allocate its memory at once.
 pub type StartStill = fn(Option<[u32; 2]>) -> Box<dyn StillEncoder>;
 
 /// Encodes pictures one after the other and reuses its memory.
@@ -119,7 +121,8 @@ impl<'a> Film<'a> {
         Ok(Self { plan, encoder: (format.start)(plan, samples, output)? })
     }
 
-    /// Adds a picture that is shown from `start_ms` to `end_ms` of the film. Y4M ignores the times: all pictures last equally long.
+    /// Adds a picture that is shown from `start_ms` to `end_ms` of the film. Y4M and MP4 ignore the times: all pictures last
+    /// equally long.
     ///
     /// # Errors
     /// [`FilmError`]
@@ -192,8 +195,8 @@ impl Format {
         matches!(self.encoder, Encoder::Still(_))
     }
 
-    /// The path with the ending of this format's films, or with none if they are folders. The ending of another film format is replaced;
-    /// any other text is kept.
+    /// Replaces a film extension by this format's; any other text is kept. A still format gets no extension, because its films are
+    /// folders.
     #[must_use]
     pub fn film_path(&self, path: &Path) -> PathBuf {
         let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());

@@ -3,7 +3,7 @@
 use super::item::{Item, ItemKind};
 use super::parsed::Parsed;
 use super::rubric::Rubric;
-use super::samples::{SamplesShow, note_of_too_many, samples_show};
+use super::samples::{SampleDiagnosis, note_of_too_many, sample_diagnoses};
 use super::verdicts::Marker;
 use crate::keyframe::KeyframeList;
 use crate::scene::SceneGraph;
@@ -15,13 +15,13 @@ pub struct Marks {
     pub name: String,
     /// What was graded, in the rubric's order.
     pub items: Vec<Item>,
-    /// What its samples show.
-    pub samples: Vec<SamplesShow>,
+    /// One diagnosis for each sample file that is read.
+    pub samples: Vec<SampleDiagnosis>,
     /// The file that its keyframes are from, or the script that made them.
     pub keyframe_file: Option<String>,
     /// Its keyframes, where they can be read.
     pub keyframes: Option<KeyframeList>,
-    /// What else there is to say.
+    /// Notes for the report.
     pub notes: Vec<String>,
 }
 
@@ -32,12 +32,12 @@ impl Marks {
         let mut notes: Vec<String> = parsed.problem.iter().cloned().collect();
         match &parsed.keyframes {
             Ok(read) => notes.extend(read.inferred.clone()),
-            // If reading is not graded, report the read error as a note.
+            // If reading is not graded, the read error becomes a note. A submission that cannot be opened has its own note.
             Err(problem) if rubric.points.readable == 0.0 && notes.is_empty() => notes.push(problem.clone()),
             Err(_) => {}
         }
         notes.extend(note_of_too_many(parsed));
-        let samples = samples_show(parsed, rubric);
+        let samples = sample_diagnoses(parsed, rubric);
         let marker = Marker { rubric, scene, parsed, samples: &samples };
         let items = rubric.items().map(|(kind, out_of)| Item::new(kind, out_of, marker.verdict(kind))).collect();
         let read = parsed.keyframes.as_ref().ok();

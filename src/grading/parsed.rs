@@ -76,7 +76,8 @@ enum Kind {
 
 const KEYFRAME_ENDINGS: [&str; 10] = ["json", "txt", "csv", "dat", "key", "keys", "kf", "anim", "py", "out"];
 
-/// Determines the kind of a file: samples by their header, scripts and traces by their first line or their name.
+/// Determines the kind of a file. Samples: the first line contains `key_time`. Trace: `.jsonl`, or `trace` in the name. Script: `script` in
+/// the name, or a `.txt` file that parses as one and is not empty. Keyframes: by the extension, or a name without a dot.
 fn kind_of(member: &Member, scene: &SceneGraph) -> Kind {
     let name = member.name.rsplit('/').next().unwrap_or_default().to_ascii_lowercase();
     let ending = name.rsplit_once('.').map_or("", |(_, ending)| ending);

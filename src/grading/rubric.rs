@@ -63,9 +63,9 @@ pub struct Points {
     pub keyframe_count: f64,
     /// For each of the reference's keyframes.
     pub each_keyframe: f64,
-    /// For linear playback.
+    /// If linear playback matches the reference.
     pub linear_playback: f64,
-    /// For Catmull-Rom playback.
+    /// If Catmull-Rom playback matches the reference.
     pub catmull_rom_playback: f64,
     /// For beginning and ending where it should.
     pub range_and_end: f64,

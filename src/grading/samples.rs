@@ -8,7 +8,7 @@ use crate::interpolation::Interpolation;
 
 /// The diagnosis of one file of samples.
 #[derive(Clone, Debug, PartialEq)]
-pub struct SamplesShow {
+pub struct SampleDiagnosis {
     /// The file.
     pub file: String,
     /// Which playback they are of.
@@ -20,7 +20,7 @@ pub struct SamplesShow {
 }
 
 /// Diagnoses the samples of a submission.
-pub fn samples_show(parsed: &Parsed, rubric: &Rubric) -> Vec<SamplesShow> {
+pub fn sample_diagnoses(parsed: &Parsed, rubric: &Rubric) -> Vec<SampleDiagnosis> {
     // A program may have played its own keyframes or the reference's: try both.
     let own = parsed.keyframes.as_ref().ok();
     let own_sequence = own.and_then(|own| Some((Sequence::new(own.list.as_slice()).ok()?, own.ms_between_keyframes)));
@@ -34,7 +34,7 @@ pub fn samples_show(parsed: &Parsed, rubric: &Rubric) -> Vec<SamplesShow> {
             (Ok(rows), Ok(_)) => thinned(&rows.samples(rubric.ms_between_keyframes), interpolation, rubric),
             _ => None,
         };
-        SamplesShow { file: name.clone(), interpolation, diagnosis, shown }
+        SampleDiagnosis { file: name.clone(), interpolation, diagnosis, shown }
     };
     parsed.samples.iter().map(one).collect()
 }

@@ -10,7 +10,7 @@ use crate::storage::{self, EntryKind};
 const MOST_SUBMISSIONS: usize = 20_000;
 /// The most files of one submission.
 const MOST_FILES: usize = 200;
-/// The largest file of a submission, unpacked: 16 MiB.
+/// The largest file of a submission, unpacked, and the largest zip, packed: 16 MiB.
 const LARGEST_FILE_BYTES: u64 = 16 << 20;
 /// The most bytes of a submission, unpacked: 64 MiB.
 const MOST_BYTES: u64 = 64 << 20;

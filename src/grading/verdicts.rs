@@ -4,7 +4,7 @@ use super::folder;
 use super::item::{ItemKind, Verdict};
 use super::parsed::{Parsed, ParsedFile};
 use super::rubric::Rubric;
-use super::samples::SamplesShow;
+use super::samples::SampleDiagnosis;
 use super::trace;
 use crate::animation_diff::{Played, compare, distances, frame_times_ms};
 use crate::diagnosis::{CORRECT, CORRECT_CATMULL_ROM, Candidate, Diagnosis};
@@ -27,7 +27,7 @@ pub struct Marker<'a> {
     /// The submission.
     pub parsed: &'a Parsed,
     /// What its samples show.
-    pub samples: &'a [SamplesShow],
+    pub samples: &'a [SampleDiagnosis],
 }
 
 impl Marker<'_> {
@@ -129,7 +129,7 @@ impl Marker<'_> {
     }
 
     fn range_and_end(&self) -> Verdict {
-        let explained = |show: &SamplesShow| {
+        let explained = |show: &SampleDiagnosis| {
             show.diagnosis.as_ref().ok().filter(|diagnosis| diagnosis.is_explained()).map(Diagnosis::best)
         };
         let wrong = self
@@ -185,7 +185,7 @@ impl Marker<'_> {
 }
 
 /// The verdict on a playback by its samples.
-fn playback_shown(show: &SamplesShow, interpolation: Interpolation) -> Verdict {
+fn playback_shown(show: &SampleDiagnosis, interpolation: Interpolation) -> Verdict {
     let right = match interpolation {
         Interpolation::Linear => CORRECT,
         Interpolation::CatmullRom => CORRECT_CATMULL_ROM,

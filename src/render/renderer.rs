@@ -101,6 +101,7 @@ pub struct Renderer {
     indices: wgpu::Buffer,
     frame_buffer: wgpu::Buffer,
     globals: wgpu::BindGroup,
+    /// The sun maps: shadow maps of several sizes.
     sun_maps: SunMaps,
     targets: Option<Targets>,
     arrangement: Arrangement,
@@ -108,10 +109,10 @@ pub struct Renderer {
     packed: Packed,
     /// The content of the GPU's buffer.
     uploaded: Packed,
-    /// The box that the sun's map was drawn for.
+    /// The box that the sun map was drawn for.
     sun_map_box: Option<SunBox>,
     sun_map_draws: u64,
-    /// Whether nothing was drawn yet by a driver that compiles at a pipeline's first draw, on its own thread.
+    /// True until the sun map is first drawn, for software drivers only. They compile a pipeline on a driver thread at its first draw.
     is_cold: bool,
 }
 
@@ -163,7 +164,7 @@ impl Renderer {
         self.arrangement = arrangement;
     }
 
-    /// Counts how often the shadow map was drawn: only when shapes or its box moved.
+    /// Counts how often the sun map was drawn: only when shapes or its box moved.
     #[must_use]
     pub fn sun_map_draws(&self) -> u64 {
         self.sun_map_draws
@@ -205,7 +206,7 @@ impl Renderer {
                 self.draw_sun_map(&gpu.device, encoder);
             }
         }
-        // Without a box the map keeps its content, which belongs to other shapes.
+        // No sun box: the sun map still holds an older frame. Storing `None` forces a redraw when a box exists again.
         self.sun_map_box = sun;
         self.draw_picture(gpu, encoder, frame, target);
         let outlined = frame.items.iter().filter(|item| item.outlined).map(Bounds::of);
@@ -233,14 +234,14 @@ impl Renderer {
         mem::swap(&mut self.packed, &mut self.uploaded);
     }
 
-    /// Submits the shadow map at once, so that the driver compiles the code shared by all pipelines while those of the picture are created.
+    /// Submits the sun map at once, so that the driver compiles the code shared by all pipelines while those of the picture are created.
     fn draw_first_sun_map(&self, gpu: &Gpu) {
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         self.draw_sun_map(&gpu.device, &mut encoder);
         let commands = encoder.finish();
         thread::scope(|scope| {
-            // On a new thread, which the system starts on an idle core: the submission wakes the driver's thread, which may run on this
-            // one's core. Without a thread they are created when they are needed.
+            // Create the pipelines on a new thread. The driver's thread wakes at submit and may take this core. If the thread cannot be
+            // started, pipelines are created on first use.
             let make = || {
                 for kind in self.kinds_behind_lines() {
                     self.pipelines.get(&gpu.device, kind);

@@ -33,11 +33,11 @@ pub enum Channel {
 pub enum KeyValue {
     /// In the parent's space, in scene units.
     Translation(Vec3),
-    /// A unit quaternion.
+    /// A unit quaternion, once `checked` has accepted it.
     Rotation(Quat),
-    /// Along each axis, above 0.
+    /// Along each axis; above 0, once `checked` has accepted it.
     Scale(Vec3),
-    /// A colour that `#rrggbb` can express.
+    /// Any colour; `checked` rounds it to one that `#rrggbb` can express.
     Colour(Colour),
 }
 
@@ -63,13 +63,13 @@ struct Row {
     expected: &'static str,
     /// Interpolates the four numbers of two keys at a fraction, 0 to 1.
     interpolate: fn(Vec4, Vec4, f64) -> Vec4,
-    /// The numbers of a node without keys.
-    rest: fn(&NodeKind) -> Vec4,
+    /// The default value, for a node without keys in this channel.
+    default: fn(&NodeKind) -> Vec4,
     /// The value of four numbers of a track.
     value: fn(Vec4) -> KeyValue,
     /// The numbers of a track for an allowed value. Normalises -0.0 to 0.0 so that equal values give equal bytes.
     checked: fn(NodeChecks<'_>, KeyValue) -> Result<Option<Vec4>, SceneError>,
-    /// Parses the value of a script's word; the second argument has the numbers between its commas.
+    /// Parses a script word. Gets the word, and its comma-separated numbers (empty if they do not parse).
     parse: fn(&str, &[f32]) -> Option<KeyValue>,
     /// The numbers as a scene file writes them.
     json: fn(Vec4) -> String,
@@ -84,7 +84,7 @@ static ROWS: [Row; Channel::ALL.len()] = [
         holder: Holder::Control,
         expected: "x,y,z",
         interpolate: linear,
-        rest: |_| Vec4::ZERO,
+        default: |_| Vec4::ZERO,
         value: |numbers| KeyValue::Translation(numbers.truncate()),
         checked: |checks, value| {
             let KeyValue::Translation(value) = value else { return Ok(None) };
@@ -104,7 +104,7 @@ static ROWS: [Row; Channel::ALL.len()] = [
         holder: Holder::Control,
         expected: "yaw,pitch,roll in degrees, or a unit quaternion x,y,z,w",
         interpolate: |from, to, alpha| Quat::interpolate(Quat::from_vec4(from), Quat::from_vec4(to), alpha).into(),
-        rest: |_| Quat::IDENTITY.into(),
+        default: |_| Quat::IDENTITY.into(),
         value: |numbers| KeyValue::Rotation(Quat::from_vec4(numbers)),
         checked: |checks, value| {
             let KeyValue::Rotation(value) = value else { return Ok(None) };
@@ -125,7 +125,7 @@ static ROWS: [Row; Channel::ALL.len()] = [
         holder: Holder::Control,
         expected: "one number, or x,y,z",
         interpolate: linear,
-        rest: |_| Vec3::ONE.extend(0.0),
+        default: |_| Vec3::ONE.extend(0.0),
         value: |numbers| KeyValue::Scale(numbers.truncate()),
         checked: |checks, value| {
             let KeyValue::Scale(value) = value else { return Ok(None) };
@@ -147,7 +147,7 @@ static ROWS: [Row; Channel::ALL.len()] = [
         expected: "rrggbb",
         // In linear light.
         interpolate: linear,
-        rest: |kind| match kind {
+        default: |kind| match kind {
             NodeKind::Shape(placed) => placed.colour.to_linear().extend(0.0),
             NodeKind::Rbt(_) | NodeKind::Control(_) => Colour::DEFAULT.to_linear().extend(0.0),
         },
@@ -233,9 +233,9 @@ impl Channel {
         self.row().interpolate
     }
 
-    /// The four numbers of a node without keys in this channel.
-    pub(super) fn rest(self, kind: &NodeKind) -> Vec4 {
-        (self.row().rest)(kind)
+    /// The default value, for a node without keys in this channel.
+    pub(super) fn default_numbers(self, kind: &NodeKind) -> Vec4 {
+        (self.row().default)(kind)
     }
 
     /// The value that four numbers of a track encode.
@@ -282,7 +282,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn each_channel_has_a_row_beside_those_of_its_holder() {
+    fn channels_of_one_holder_are_adjacent() {
         for channel in Channel::ALL {
             assert_eq!(Channel::from_name(channel.name()), Some(channel));
             assert!(

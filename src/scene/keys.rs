@@ -34,7 +34,7 @@ impl SceneGraph {
     #[must_use]
     pub fn key_value_at(&self, id: NodeId, channel: Channel, seconds: f64) -> Option<KeyValue> {
         let numbers = self.tracks(id, channel)?.numbers_at(channel, seconds);
-        Some(channel.value(numbers.unwrap_or_else(|| channel.rest(&self.node(id).kind))))
+        Some(channel.value(numbers.unwrap_or_else(|| channel.default_numbers(&self.node(id).kind))))
     }
 
     /// The scene with a key at a time. It replaces a key of the same channel at that time.

@@ -43,10 +43,10 @@ impl Line {
     }
 }
 
-/// Reads a whole script for a scene. A byte order mark is passed over; blank lines and comments give nothing.
+/// Reads a whole script for a scene. A byte order mark is skipped; blank lines and comments produce no `Line`.
 ///
 /// # Errors
-/// Every line that cannot be understood, in order; never empty.
+/// One error for each invalid line, in order. `Err` is never empty.
 pub fn parse(bytes: &[u8], scene: &SceneGraph) -> Result<Vec<Line>, Vec<ScriptError>> {
     let mut parser = Parser { scene: Cow::Borrowed(scene) };
     let mut lines = Vec::new();
@@ -84,18 +84,18 @@ struct Parser<'s> {
 impl Parser<'_> {
     /// A line's text without its comment, and its action; `None` for a blank line.
     fn line<'t>(&mut self, line: &'t str) -> Result<Option<(&'t str, Action)>, LineProblem> {
-        let text = self.text_with_number_signs(line.trim());
+        let text = self.text_if_hash_allowed(line.trim());
         let text = text.unwrap_or_else(|| line.split('#').next().unwrap_or_default().trim());
         if text.is_empty() {
             return Ok(None);
         }
         let action = self.action(text)?;
-        self.follow(&action);
+        self.track_scene_edit(&action);
         Ok(Some((text, action)))
     }
 
-    /// The text without its comment, for lines whose arguments may contain `#`.
-    fn text_with_number_signs<'t>(&self, line: &'t str) -> Option<&'t str> {
+    /// The text without its comment, for lines whose arguments may contain `#`. `None` if the first `#` starts the comment.
+    fn text_if_hash_allowed<'t>(&self, line: &'t str) -> Option<&'t str> {
         let (name, _) = name_and_rest(line);
         if restore::is_restore(name) {
             return Some(&line[..restore::end(line)]);
@@ -112,6 +112,7 @@ impl Parser<'_> {
 
     /// A node path may contain `#`: take the longest reading that names a node.
     fn longest_path<'t>(&self, form: &commands::Line, line: &'t str) -> Option<&'t str> {
+        // The first `#` cannot end a text that contains one.
         let ends = line.match_indices('#').map(|(end, _)| end).skip(1).chain([line.len()]);
         let readings: Vec<&str> = ends.map(|end| line[..end].trim_end()).filter(|text| text.contains('#')).collect();
         readings.into_iter().rev().find(|text| {
@@ -120,9 +121,14 @@ impl Parser<'_> {
         })
     }
 
-    fn read(&self, form: &commands::Line, rest: &str, takes_any: bool) -> Result<Option<Command>, ArgumentError> {
+    fn read(
+        &self,
+        form: &commands::Line,
+        rest: &str,
+        allows_out_of_range: bool,
+    ) -> Result<Option<Command>, ArgumentError> {
         let words: Vec<&str> = rest.split_whitespace().collect();
-        form.read(&Arguments { scene: &self.scene, text: rest, words: &words, takes_any })
+        form.read(&Arguments { scene: &self.scene, text: rest, words: &words, allows_out_of_range })
     }
 
     fn action(&self, text: &str) -> Result<Action, LineProblem> {
@@ -143,21 +149,22 @@ impl Parser<'_> {
             name if restore::is_restore(name) => Ok(restore::read(text)?.map(Action::Restore)),
             "key" => is_one_word.then(|| hotkey(rest).map(Action::Apply)).transpose(),
             "clamped" => self.command(rest, true).map(|command| Some(Action::Apply(command))),
-            _ => by_name(rest).map(|command| Some(Action::Apply(command))),
+            "do" => by_name(rest).map(|command| Some(Action::Apply(command))),
+            _ => Ok(None),
         }
     }
 
     /// The command of a line that stands in the table of commands.
-    fn command(&self, text: &str, takes_any: bool) -> Result<Command, LineProblem> {
+    fn command(&self, text: &str, allows_out_of_range: bool) -> Result<Command, LineProblem> {
         let (name, rest) = name_and_rest(text);
         let form = line_of(name).ok_or_else(|| LineProblem::Unknown { word: name.to_owned() })?;
-        let command = self.read(form, rest, takes_any)?;
+        let command = self.read(form, rest, allows_out_of_range)?;
         command.ok_or_else(|| LineProblem::Usage { usage: form.usage, found: text.to_owned() })
     }
 
     /// Applies an action to the parser's copy of the scene, so that later lines may name nodes it creates. A refused
     /// edit is reported when the line runs.
-    fn follow(&mut self, action: &Action) {
+    fn track_scene_edit(&mut self, action: &Action) {
         match action {
             Action::Restore(Restore::Scene { scene, .. }) => self.scene = Cow::Owned(scene.as_ref().clone()),
             Action::Restore(Restore::Snapshot(snapshot)) => self.scene = Cow::Owned(snapshot.scene.as_ref().clone()),

@@ -44,7 +44,7 @@ pub fn print_swiftly(command: &Command, scene: &SceneGraph) -> Option<String> {
         let is_plain = text.bytes().all(|byte| byte != b'#' && byte != b'"' && (byte >= 0x20));
         let rest = text.strip_prefix(line.name)?.trim_start();
         let words: Vec<&str> = rest.split_whitespace().collect();
-        let read = line.read(&Arguments { scene, text: rest, words: &words, takes_any: false });
+        let read = line.read(&Arguments { scene, text: rest, words: &words, allows_out_of_range: false });
         (is_plain && rest.trim_end().len() == rest.len() && read.ok()?.as_ref() == Some(command)).then_some(text)
     });
     swift.or_else(|| print(command, scene))

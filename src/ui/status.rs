@@ -21,7 +21,7 @@ pub fn show(ui: &mut Ui, editor: &Editor, statistics: Option<&Statistics>) {
             ui.add_space(8.0);
         }
         ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-            let position = editor.where_we_are();
+            let position = editor.position_message();
             ui.label(RichText::new(words.message(&position)).small().color(tokens.dim));
             if let Some(message) = editor.status() {
                 // A message that begins with the position need not say it again.

@@ -1,4 +1,4 @@
-//! The shell: what it does on each event.
+//! The winit event handler. `Shell` owns the editor, the panels and the window.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -28,14 +28,14 @@ use crate::journal::Ending;
 use crate::keyframe::KeyframeIndex;
 use crate::ui::Panels;
 
-/// A window that stood still for longer goes on from there: it does not catch up.
+/// The longest time that one tick call may catch up. After a longer stall, playback continues from where it stopped.
 const LONGEST_STALL: Duration = Duration::from_millis(250);
 /// The window's size at first, in points.
 const SIZE: LogicalSize<f64> = LogicalSize::new(1280.0, 800.0);
 /// The smallest size at which the panels leave room for the scene, in points.
 const SMALLEST: LogicalSize<f64> = LogicalSize::new(720.0, 480.0);
 
-/// All that lives as long as the window.
+/// The program's state while the event loop runs.
 pub struct Shell {
     pub(super) editor: Editor,
     pub(super) ui: Panels,
@@ -57,7 +57,7 @@ pub struct Shell {
     /// Where the pointer is, in the window's pixels.
     pub(super) pointer_px: Vec2,
     clock: AnimationClock,
-    /// When the clock last took in time; `None` while nothing moves.
+    /// Time of the last `tick`; `None` while the editor needs no ticks.
     last_tick: Option<Instant>,
     /// When the panels want to be shown again.
     show_again: Option<Instant>,
@@ -110,7 +110,7 @@ impl Shell {
         }
     }
 
-    /// Why the window closed, where no user did it.
+    /// The error that closed the window or kept it from opening, if one did.
     pub const fn take_error(&mut self) -> Option<WindowError> {
         self.error.take()
     }
@@ -130,7 +130,7 @@ impl Shell {
         };
         match stage {
             Ok(stage) => {
-                // Whoever finds the window by its title finds it on the screen.
+                // Set the title after the window is visible, so that tools that search by title find a visible window.
                 stage.window.set_title(&self.title);
                 self.stage = Some(stage);
             }
@@ -148,7 +148,7 @@ impl Shell {
         self.editor.begin_history();
     }
 
-    /// Makes everything on the device again, in the same window.
+    /// Recreates all GPU objects after a device loss, in the same window.
     fn reopen(&mut self, event_loop: &ActiveEventLoop) {
         let Some(mut lost) = self.stage.take() else { return };
         let reader = lost.input.accesskit.take();
@@ -167,7 +167,7 @@ impl Shell {
         }
     }
 
-    /// Shows the panels, does what they ask for, and draws the scene as it is then: a drag is seen in the same picture.
+    /// Shows the panels, applies their commands, and draws the scene after the commands, so a drag appears in the same picture.
     fn redraw(&mut self) {
         let cursor = self.cursor();
         let hovered = self.hovered();
@@ -246,7 +246,7 @@ impl Shell {
         Some(at + self.clock.until_next_tick())
     }
 
-    /// Takes in what happened to the window, but that it is to be drawn.
+    /// Handles every window event except `RedrawRequested`.
     fn take_in(&mut self, event: WindowEvent) {
         let Some(stage) = &mut self.stage else { return };
         let mut shows = stage.input.on_window_event(&stage.window, &event).repaint;
@@ -258,7 +258,7 @@ impl Shell {
             }
             WindowEvent::DroppedFile(path) => self.apply(Command::File(FileCommand::Open(path))),
             WindowEvent::ModifiersChanged(modifiers) => {
-                // With Ctrl a click chooses, and the node that it would choose is outlined.
+                // Ctrl+click chooses a node. While Ctrl is held, the node under the pointer is outlined, so redraw.
                 shows |= self.modifiers.control_key() != modifiers.state().control_key();
                 self.modifiers = modifiers.state();
             }
@@ -346,7 +346,7 @@ impl ApplicationHandler<UserEvent> for Shell {
     }
 
     fn exiting(&mut self, _event_loop: &ActiveEventLoop) {
-        // What is not finished must not stay half done.
+        // Cancel a running export, so that no incomplete file remains.
         if let Some(export) = self.export.take() {
             export.end();
         }

@@ -18,8 +18,8 @@ pub struct Arguments<'a> {
     pub text: &'a str,
     /// Its words.
     pub words: &'a [&'a str],
-    /// Whether numbers out of range are taken too, which the editor keeps within their range.
-    pub takes_any: bool,
+    /// Whether numbers out of range are allowed; the editor moves them into their range. The line `clamped` sets it.
+    pub allows_out_of_range: bool,
 }
 
 /// Why the arguments of a line mean nothing.

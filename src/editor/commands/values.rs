@@ -60,7 +60,7 @@ impl Arguments<'_> {
     pub(super) fn number_in(&self, word: &str, what: &'static str, range: &RangeInclusive<f64>) -> Value<f64> {
         let (low, high) = (*range.start(), *range.end());
         let wrong = || ArgumentError::Range { word: word.to_owned(), what, kind: "number", low, high };
-        let is_taken = |number: &f64| range.contains(number) || self.takes_any && number.is_finite();
+        let is_taken = |number: &f64| range.contains(number) || self.allows_out_of_range && number.is_finite();
         word.parse().ok().filter(is_taken).ok_or_else(wrong)
     }
 
@@ -71,7 +71,7 @@ impl Arguments<'_> {
     {
         let (low, high) = ((*range.start()).into(), (*range.end()).into());
         let wrong = || ArgumentError::Range { word: word.to_owned(), what, kind: "whole number", low, high };
-        word.parse().ok().filter(|number| self.takes_any || range.contains(number)).ok_or_else(wrong)
+        word.parse().ok().filter(|number| self.allows_out_of_range || range.contains(number)).ok_or_else(wrong)
     }
 }
 

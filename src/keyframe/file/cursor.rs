@@ -44,7 +44,7 @@ impl<'a> Cursor<'a> {
 
     /// Skips white space.
     #[inline]
-    pub fn pass_space(&mut self) {
+    pub fn skip_space(&mut self) {
         while let Some(b' ' | b'\n' | b'\t' | b'\r') = self.bytes.get(self.at) {
             self.at += 1;
         }
@@ -52,15 +52,15 @@ impl<'a> Cursor<'a> {
 
     /// Skips white space and one byte, which must be this one.
     #[inline]
-    pub fn pass(&mut self, byte: u8) -> Option<()> {
-        self.pass_space();
+    pub fn expect(&mut self, byte: u8) -> Option<()> {
+        self.skip_space();
         (self.next()? == byte).then_some(())
     }
 
     /// Skips white space and `text` if it comes next. Returns whether it did.
     #[inline]
-    pub fn passes<const N: usize>(&mut self, text: &[u8; N]) -> bool {
-        self.pass_space();
+    pub fn try_consume<const N: usize>(&mut self, text: &[u8; N]) -> bool {
+        self.skip_space();
         let is_next = self.bytes[self.at..].first_chunk() == Some(text);
         self.at += if is_next { N } else { 0 };
         is_next
@@ -68,8 +68,8 @@ impl<'a> Cursor<'a> {
 
     /// Moves from the start of an object to just after the `[` of the member `name`, which includes its quotation marks. The skipped text
     /// is not checked to be JSON.
-    pub fn pass_to_array(&mut self, quoted_name: &[u8]) -> Option<()> {
-        self.pass(b'{')?;
+    pub fn skip_to_array(&mut self, quoted_name: &[u8]) -> Option<()> {
+        self.expect(b'{')?;
         let mut depth = 0_usize;
         loop {
             match self.next()? {
@@ -80,8 +80,8 @@ impl<'a> Cursor<'a> {
                         b'\\' => self.next().is_some(),
                         _ => true,
                     } {}
-                    if depth == 0 && &self.bytes[start..self.at] == quoted_name && self.passes(b":") {
-                        return self.pass(b'[');
+                    if depth == 0 && &self.bytes[start..self.at] == quoted_name && self.try_consume(b":") {
+                        return self.expect(b'[');
                     }
                 }
                 b'{' | b'[' => depth += 1,
@@ -93,23 +93,23 @@ impl<'a> Cursor<'a> {
 
     /// Reads an array of `N` numbers.
     #[inline]
-    pub fn pass_numbers<const N: usize>(&mut self) -> Option<[f32; N]> {
-        self.pass(b'[')?;
+    pub fn read_numbers<const N: usize>(&mut self) -> Option<[f32; N]> {
+        self.expect(b'[')?;
         let mut numbers = [0.0; N];
         for (index, number) in numbers.iter_mut().enumerate() {
             if index > 0 {
-                self.pass(b',')?;
+                self.expect(b',')?;
             }
-            self.pass_space();
-            *number = self.pass_number()?;
+            self.skip_space();
+            *number = self.read_number()?;
         }
-        self.pass(b']')?;
+        self.expect(b']')?;
         Some(numbers)
     }
 
     /// Reads digits and appends them to a number, which is correct up to [`MOST_DIGITS`] digits. Returns how many there were.
     #[inline]
-    fn pass_digits(&mut self, number: &mut u64) -> usize {
+    fn read_digits(&mut self, number: &mut u64) -> usize {
         let start = self.at;
         while let Some(&byte) = self.bytes.get(self.at) {
             let digit = byte.wrapping_sub(b'0');
@@ -124,27 +124,27 @@ impl<'a> Cursor<'a> {
 
     /// Reads a number and rounds it to single precision. `None` also if it is beyond the largest.
     #[inline]
-    pub fn pass_number(&mut self) -> Option<f32> {
+    pub fn read_number(&mut self) -> Option<f32> {
         let start = self.at;
         let is_negative = self.bytes.get(start) == Some(&b'-');
         self.at += usize::from(is_negative);
         let first = self.at;
         let mut digits = 0;
-        let whole = self.pass_digits(&mut digits);
+        let whole = self.read_digits(&mut digits);
         if whole == 0 || (whole > 1 && self.bytes[first] == b'0') {
             return None;
         }
         let mut decimals = 0;
         if self.bytes.get(self.at) == Some(&b'.') {
             self.at += 1;
-            decimals = self.pass_digits(&mut digits);
+            decimals = self.read_digits(&mut digits);
             if decimals == 0 {
                 return None;
             }
         }
         let mut power = -(decimals as i64);
         if let Some(b'e' | b'E') = self.bytes.get(self.at) {
-            power += self.pass_exponent()?;
+            power += self.read_exponent()?;
         }
         let is_exact = whole + decimals <= MOST_DIGITS && digits <= LARGEST_WHOLE;
         if is_exact && let Some(number) = to_single(digits, power) {
@@ -154,13 +154,13 @@ impl<'a> Cursor<'a> {
         text.parse().ok().filter(|number: &f32| number.is_finite())
     }
 
-    fn pass_exponent(&mut self) -> Option<i64> {
+    fn read_exponent(&mut self) -> Option<i64> {
         self.at += 1;
         let sign = self.bytes.get(self.at);
         let is_negative = sign == Some(&b'-');
         self.at += usize::from(is_negative || sign == Some(&b'+'));
         let mut exponent = 0;
-        let count = self.pass_digits(&mut exponent);
+        let count = self.read_digits(&mut exponent);
         let exponent = exponent as i64;
         (1..=MOST_EXPONENT_DIGITS).contains(&count).then_some(if is_negative { -exponent } else { exponent })
     }

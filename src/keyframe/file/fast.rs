@@ -1,6 +1,6 @@
 //! The fast reader: keyframes as programs write them, read on all cores directly into poses.
 //!
-//! It knows one shape: `keyframes` somewhere in the file, `pose` last in each keyframe, names without escapes, numbers within range. It
+//! It accepts one layout: `keyframes` somewhere in the file, `pose` last in each keyframe, names without escapes, numbers within range. It
 //! gives up on anything else and on any error; the strict reader then reads the file. The text outside of keyframes and poses is read by
 //! the strict reader's code, the text inside by a [`Cursor`].
 
@@ -21,7 +21,7 @@ use crate::scene::SceneGraph;
 /// Bytes of text that one thread reads as a piece: some milliseconds of work.
 const PIECE_BYTES: usize = 1 << 20;
 
-/// Reads a keyframe file for a scene, with the result of [`strict::read`]. `None` if the strict reader must read it.
+/// Reads a keyframe file for a scene, with the same result as [`strict::read`]. `None` if the strict reader must read it.
 pub fn read(bytes: &[u8], scene: &SceneGraph) -> Option<KeyframeFile> {
     read_in_pieces(bytes, scene, PIECE_BYTES)
 }
@@ -29,7 +29,7 @@ pub fn read(bytes: &[u8], scene: &SceneGraph) -> Option<KeyframeFile> {
 /// Like [`read`], with pieces of at least `piece_bytes` bytes.
 pub fn read_in_pieces(bytes: &[u8], scene: &SceneGraph, piece_bytes: usize) -> Option<KeyframeFile> {
     let mut cursor = Cursor::new(bytes, 0);
-    cursor.pass_to_array(b"\"keyframes\"")?;
+    cursor.skip_to_array(b"\"keyframes\"")?;
     let (start, end) = (cursor.at(), end_of_keyframes(bytes)?);
     let around = [bytes.get(..start)?, bytes.get(end..)?].concat();
     if end < start {
@@ -60,7 +60,7 @@ fn last_before(bytes: &[u8], at: usize) -> Option<usize> {
     bytes[..at].iter().rposition(|byte| !matches!(byte, b' ' | b'\n' | b'\t' | b'\r'))
 }
 
-/// The probable offset of the `]` that closes `keyframes`: the last `]` after a `}` and a `]`, which close the last keyframe and its pose.
+/// The offset of the last `]` that follows `]}`: the probable end of `keyframes`. `]}` ends the last pose and its keyframe.
 fn end_of_keyframes(bytes: &[u8]) -> Option<usize> {
     let mut at = bytes.len();
     loop {
@@ -72,8 +72,8 @@ fn end_of_keyframes(bytes: &[u8]) -> Option<usize> {
     }
 }
 
-/// Offsets of probable keyframe starts, at least `piece_bytes` apart. The first is `start`, the last `end`. If an offset is wrong, the text
-/// before it does not end with a whole keyframe, and reading fails.
+/// Offsets of probable keyframe starts, at least `piece_bytes` apart. The first is `start`, the last `end`. A wrong offset is
+/// safe: the piece before it ends in the middle of a keyframe, so [`read`] returns `None`.
 fn pieces(bytes: &[u8], start: usize, end: usize, piece_bytes: usize) -> Vec<usize> {
     let mut boundaries = vec![start];
     let mut at = start + piece_bytes;
@@ -81,8 +81,8 @@ fn pieces(bytes: &[u8], start: usize, end: usize, piece_bytes: usize) -> Vec<usi
         at += found + 1;
         let is_end_of_pose = last_before(bytes, at - 1).is_some_and(|before| bytes[before] == b'}');
         let mut cursor = Cursor::new(&bytes[..end], at);
-        if is_end_of_pose && cursor.pass(b'}').is_some() && cursor.pass(b',').is_some() {
-            cursor.pass_space();
+        if is_end_of_pose && cursor.expect(b'}').is_some() && cursor.expect(b',').is_some() {
+            cursor.skip_space();
             boundaries.push(cursor.at());
             at = cursor.at() + piece_bytes;
         }
@@ -95,7 +95,7 @@ fn pieces(bytes: &[u8], start: usize, end: usize, piece_bytes: usize) -> Vec<usi
 struct Keyframes<'a> {
     text: &'a [u8],
     version: u64,
-    /// For each index in `nodes`, the index in the scene's order.
+    /// For each index in the file's `nodes`, the index of that node in the scene's pose order.
     index_in_scene: Vec<usize>,
 }
 
@@ -125,12 +125,12 @@ impl Keyframes<'_> {
         let mut keyframes = Vec::new();
         loop {
             keyframes.push(self.keyframe(&mut cursor)?);
-            cursor.pass_space();
+            cursor.skip_space();
             if cursor.is_at_end() {
                 return is_last.then_some(keyframes);
             }
-            cursor.pass(b',')?;
-            cursor.pass_space();
+            cursor.expect(b',')?;
+            cursor.skip_space();
             if cursor.is_at_end() {
                 return (!is_last).then_some(keyframes);
             }
@@ -139,20 +139,20 @@ impl Keyframes<'_> {
 
     fn keyframe(&self, cursor: &mut Cursor<'_>) -> Option<Keyframe> {
         let start = *cursor;
-        cursor.pass(b'{')?;
-        let mut keyframe = if cursor.passes(b"\"pose\"") {
-            cursor.pass(b':')?;
-            cursor.pass(b'[')?;
+        cursor.expect(b'{')?;
+        let mut keyframe = if cursor.try_consume(b"\"pose\"") {
+            cursor.expect(b':')?;
+            cursor.expect(b'[')?;
             Keyframe::new(Pose::identity(0))
         } else {
             *cursor = start;
-            cursor.pass_to_array(b"\"pose\"")?;
+            cursor.skip_to_array(b"\"pose\"")?;
             self.extras(&self.text[start.at()..cursor.at()])?
         };
         let mut is_read = false;
         let nodes = self.index_in_scene.len();
         keyframe.pose.fill(nodes, |blocks| is_read = self.pose(cursor, blocks).is_some());
-        cursor.pass(b'}')?;
+        cursor.expect(b'}')?;
         is_read.then_some(keyframe)
     }
 
@@ -167,7 +167,7 @@ impl Keyframes<'_> {
     fn pose(&self, cursor: &mut Cursor<'_>, blocks: &mut [RbtBlock]) -> Option<()> {
         for (entry, &index) in self.index_in_scene.iter().enumerate() {
             if entry > 0 {
-                cursor.pass(b',')?;
+                cursor.expect(b',')?;
             }
             let mut rbt = rbt(cursor)?;
             if strict::mend_rotation(&mut rbt, 0, "").is_some() {
@@ -175,7 +175,7 @@ impl Keyframes<'_> {
             }
             blocks[index / LANES].set(index % LANES, rbt);
         }
-        cursor.pass(b']')
+        cursor.expect(b']')
     }
 }
 
@@ -184,24 +184,24 @@ impl Keyframes<'_> {
 fn rbt(cursor: &mut Cursor<'_>) -> Option<Rbt> {
     const TRANSLATION: &[u8; 13] = b"\"translation\"";
     const ROTATION: &[u8; 10] = b"\"rotation\"";
-    cursor.pass(b'{')?;
+    cursor.expect(b'{')?;
     let (translation, rotation);
-    if cursor.passes(TRANSLATION) {
-        cursor.pass(b':')?;
-        translation = cursor.pass_numbers()?;
-        cursor.pass(b',')?;
-        cursor.passes(ROTATION).then_some(())?;
-        cursor.pass(b':')?;
-        rotation = cursor.pass_numbers()?;
+    if cursor.try_consume(TRANSLATION) {
+        cursor.expect(b':')?;
+        translation = cursor.read_numbers()?;
+        cursor.expect(b',')?;
+        cursor.try_consume(ROTATION).then_some(())?;
+        cursor.expect(b':')?;
+        rotation = cursor.read_numbers()?;
     } else {
-        cursor.passes(ROTATION).then_some(())?;
-        cursor.pass(b':')?;
-        rotation = cursor.pass_numbers()?;
-        cursor.pass(b',')?;
-        cursor.passes(TRANSLATION).then_some(())?;
-        cursor.pass(b':')?;
-        translation = cursor.pass_numbers()?;
+        cursor.try_consume(ROTATION).then_some(())?;
+        cursor.expect(b':')?;
+        rotation = cursor.read_numbers()?;
+        cursor.expect(b',')?;
+        cursor.try_consume(TRANSLATION).then_some(())?;
+        cursor.expect(b':')?;
+        translation = cursor.read_numbers()?;
     }
-    cursor.pass(b'}')?;
+    cursor.expect(b'}')?;
     Some(Rbt::new(Vec3::from(translation), Quat::from_array(rotation)))
 }

@@ -1,4 +1,4 @@
-//! Drags, clicks and the wheel on the timeline.
+//! Drags and clicks on the timeline.
 
 use egui::{CursorIcon, Modifiers, PointerButton, Pos2, Rect, Response, Ui};
 
@@ -9,20 +9,22 @@ use crate::keyframe::{DURATION_RANGE, KeyframeIndex};
 
 /// The distance in points within which a dragged interval snaps to one unit.
 pub(super) const SNAP: f32 = 4.0;
+/// The shortest interval that a drag makes: dragged durations are rounded to hundredths.
+const SHORTEST_DRAGGED: f64 = *DURATION_RANGE.start() * 10.0;
 
 /// A drag that goes on.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Drag {
     /// The playhead follows the pointer.
     Scrub,
-    /// Selects what it surrounds, on top of what was selected.
+    /// Selects the keyframes inside a box. Combined with the earlier selection by `mode`.
     Box { from_time: f64, from_y: f32, before: Vec<KeyframeIndex>, mode: Mode },
     /// Moves the selected keyframes in the list.
     Move { grabbed: usize },
     /// Changes the length of the interval that begins at a keyframe.
     Retime(Retime),
     /// Moves the beginning of what plays, or its end.
-    Range { is_start: bool, before: Option<(usize, usize)> },
+    PlayRange { is_start: bool, before: Option<(usize, usize)> },
     /// Pans the view.
     Pan,
 }
@@ -45,24 +47,29 @@ pub struct Retime {
     pub index: usize,
     /// Where the drag began.
     from_x: f32,
-    /// How long the interval and the one after it were then.
-    before: (f64, Option<f64>),
-    /// What was asked for last.
-    pub asked: (f64, bool),
+    /// The interval's duration at the start of the drag.
+    duration_before: f64,
+    /// The duration of the next interval at the start of the drag, if there is one.
+    next_duration_before: Option<f64>,
+    /// The duration that the drag set last.
+    pub last_duration: f64,
+    /// Whether the drag last changed the next interval too, so that later keyframes stay in place.
+    pub last_ripple_free: bool,
 }
 
 impl Retime {
     /// The interval's length after the pointer moved by this many units.
     #[must_use]
     pub fn duration(&self, moved: f64, snap: f64) -> f64 {
+        // Interval 0 is drawn to the left of its grip, so a move to the left lengthens it.
         let moved = if self.index == 0 { -moved } else { moved };
-        let duration = self.before.0 + moved;
+        let duration = self.duration_before + moved;
         let rounded = if (duration - 1.0).abs() <= snap { 1.0 } else { (duration * 100.0).round() / 100.0 };
-        rounded.clamp(DURATION_RANGE.start() * 10.0, *DURATION_RANGE.end())
+        rounded.clamp(SHORTEST_DRAGGED, *DURATION_RANGE.end())
     }
 }
 
-/// What a selection becomes; keyframes are in order in all three.
+/// Combines keyframes with the earlier selection. `before`, `taken` and the result are sorted.
 #[must_use]
 pub fn combined(before: &[KeyframeIndex], taken: std::ops::Range<usize>, mode: Mode) -> Vec<KeyframeIndex> {
     let is_taken = |keyframe_index: &KeyframeIndex| taken.contains(&keyframe_index.get());
@@ -76,7 +83,7 @@ pub fn combined(before: &[KeyframeIndex], taken: std::ops::Range<usize>, mode: M
     selected
 }
 
-/// Whether moving these keyframes to before an index changes the list.
+/// Whether inserting these keyframes before `to` changes the order of the list.
 #[must_use]
 pub fn moves_anything(indices: &[usize], to: usize) -> bool {
     let (Some(&first), Some(&last)) = (indices.first(), indices.last()) else { return false };
@@ -138,7 +145,7 @@ impl Timeline {
         match self.drag.take() {
             Some(Drag::Retime(_)) => commands.push(Command::Gesture(GestureCommand::Abort)),
             Some(Drag::Box { before, .. }) => commands.push(Command::Selection(SelectionCommand::Keyframes(before))),
-            Some(Drag::Range { before, .. }) => commands.push(Command::Playback(PlaybackCommand::SetRange(before))),
+            Some(Drag::PlayRange { before, .. }) => commands.push(Command::Playback(PlaybackCommand::SetRange(before))),
             _ => {}
         }
     }
@@ -165,7 +172,7 @@ impl Timeline {
                 Hit::Ruler => self.drag = Some(Drag::Scrub),
                 Hit::RangeStart | Hit::RangeEnd => {
                     let before = editor.session().play_range;
-                    self.drag = Some(Drag::Range { is_start: hit == Hit::RangeStart, before });
+                    self.drag = Some(Drag::PlayRange { is_start: hit == Hit::RangeStart, before });
                 }
                 Hit::Diamond(_) | Hit::Grip(_) | Hit::HalfTurnWarning(_) | Hit::Empty => {}
             }
@@ -194,9 +201,16 @@ impl Timeline {
                     editor.document().keyframes.get(KeyframeIndex::new(index)).map(|keyframe| keyframe.duration)
                 };
                 let Some(own) = duration(index) else { return };
-                let before = (own, duration(index + 1));
+                let next = duration(index + 1);
                 commands.push(Command::Gesture(GestureCommand::Begin));
-                self.drag = Some(Drag::Retime(Retime { index, from_x: at.x, before, asked: (own, false) }));
+                self.drag = Some(Drag::Retime(Retime {
+                    index,
+                    from_x: at.x,
+                    duration_before: own,
+                    next_duration_before: next,
+                    last_duration: own,
+                    last_ripple_free: false,
+                }));
             }
         }
     }
@@ -223,8 +237,8 @@ impl Timeline {
                 }
                 commands.extend(super::timed_key_view::scrubbing(target, editor, at.x));
             }
-            Some(Drag::Range { is_start, .. }) => {
-                if let Some(command) = ranging(target, at.x, *is_start) {
+            Some(Drag::PlayRange { is_start, .. }) => {
+                if let Some(command) = move_range_end(target, at.x, *is_start) {
                     commands.push(command);
                 }
             }
@@ -238,24 +252,25 @@ impl Timeline {
             }
             Some(Drag::Retime(retime)) => {
                 let duration = retime.duration(target.scale.units(at.x - retime.from_x), target.scale.units(SNAP));
-                let asked = (duration, modifiers.shift && retime.before.1.is_some());
-                if asked == retime.asked {
+                let ripple_free = modifiers.shift && retime.next_duration_before.is_some();
+                if (duration, ripple_free) == (retime.last_duration, retime.last_ripple_free) {
                     return;
                 }
-                let was_ripple_free = std::mem::replace(&mut retime.asked, asked).1;
+                retime.last_duration = duration;
+                let was_ripple_free = std::mem::replace(&mut retime.last_ripple_free, ripple_free);
                 let mut set = |index: usize, duration: f64, ripple_free: bool| {
                     let keyframe = KeyframeIndex::new(index);
                     let edit = TimelineEdit::SetDuration { keyframe, duration, ripple_free };
                     commands.push(Command::Edit(Edit::Timeline(edit)));
                 };
-                if was_ripple_free != asked.1 {
+                if was_ripple_free != ripple_free {
                     // Restore the neighbour's duration first; a ripple-free change then starts from it.
-                    set(retime.index, retime.before.0, false);
-                    if let Some(neighbour) = retime.before.1 {
+                    set(retime.index, retime.duration_before, false);
+                    if let Some(neighbour) = retime.next_duration_before {
                         set(retime.index + 1, neighbour, false);
                     }
                 }
-                set(retime.index, asked.0, asked.1);
+                set(retime.index, duration, ripple_free);
             }
         }
     }
@@ -293,7 +308,7 @@ impl Timeline {
         }
     }
 
-    /// Takes in a click on a keyframe: alone it is selected and shown, with Shift the selection reaches to it, with Ctrl it changes sides.
+    /// Handles a click on a keyframe. Plain click: select only it and show it. Shift: extend the selection to it. Ctrl: toggle it.
     pub(super) fn pick(&mut self, index: usize, editor: &Editor, modifiers: Modifiers, commands: &mut Vec<Command>) {
         let keyframe_index = KeyframeIndex::new(index);
         let selected = &editor.session().selected;
@@ -333,7 +348,7 @@ impl Timeline {
         let icon = match (&self.drag, self.hovered) {
             (Some(Drag::Scrub), _) | (None, Some(Hit::Ruler)) => CursorIcon::ResizeColumn,
             (Some(Drag::Move { .. } | Drag::Pan), _) => CursorIcon::Grabbing,
-            (Some(Drag::Retime(_) | Drag::Range { .. }), _)
+            (Some(Drag::Retime(_) | Drag::PlayRange { .. }), _)
             | (None, Some(Hit::Grip(_) | Hit::RangeStart | Hit::RangeEnd)) => CursorIcon::ResizeHorizontal,
             (Some(Drag::Box { .. }), _) => CursorIcon::Crosshair,
             (None, Some(Hit::Diamond(_))) => CursorIcon::Grab,
@@ -367,7 +382,7 @@ fn scrubbing(target: &Target<'_>, editor: &Editor, x: f32, to_keyframes: bool) -
 }
 
 /// The command that moves an end of the played range to the keyframe under the pointer, unless it is there.
-fn ranging(target: &Target<'_>, x: f32, is_start: bool) -> Option<Command> {
+fn move_range_end(target: &Target<'_>, x: f32, is_start: bool) -> Option<Command> {
     let (first, last) = target.range?;
     let most = target.columns.len().checked_sub(2)?;
     let index = target.columns.nearest(target.scale.time_at(x))?;
@@ -406,7 +421,14 @@ mod tests {
 
     #[test]
     fn lengths_are_round_and_one_unit_attracts() {
-        let retime = |index| Retime { index, from_x: 0.0, before: (1.5, None), asked: (1.5, false) };
+        let retime = |index| Retime {
+            index,
+            from_x: 0.0,
+            duration_before: 1.5,
+            next_duration_before: None,
+            last_duration: 1.5,
+            last_ripple_free: false,
+        };
         assert_eq!(retime(2).duration(0.123_4, 0.05), 1.62);
         assert_eq!(retime(2).duration(-0.48, 0.05), 1.0);
         assert_eq!(retime(2).duration(-9.0, 0.05), 0.01);

@@ -342,7 +342,7 @@ pub fn dragging(painter: &Painter, look: &Look<'_>, drag: &Drag, surrounded: Opt
             let Some(keyframe) = keyframes(look).get(retime.index) else { return };
             let seconds = keyframe.duration * f64::from(look.editor.document().ms_between_keyframes) / 1000.0;
             let (steps, seconds) = (format!("{:.2}", keyframe.duration), format!("{seconds:.2}"));
-            let text = if retime.asked.1 {
+            let text = if retime.last_ripple_free {
                 look.words.message(texts::steps_and_seconds_rippling(&steps, &seconds))
             } else {
                 look.words.message(texts::steps_and_seconds(&steps, &seconds))
@@ -364,7 +364,7 @@ pub fn dragging(painter: &Painter, look: &Look<'_>, drag: &Drag, surrounded: Opt
                 label(painter, look, at + vec2(52.0, 0.0), &format!("{key_time:.2} · {seconds:.2} s"));
             }
         }
-        Drag::Range { .. } | Drag::Pan => {}
+        Drag::PlayRange { .. } | Drag::Pan => {}
     }
 }
 
