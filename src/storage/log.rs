@@ -41,7 +41,8 @@ impl Log {
     /// [`StorageError::System`]
     pub fn create_in(folder: &Path, ending: &str) -> Result<Self, StorageError> {
         create_private_folder(folder)?;
-        let prefix = format!("{}-", epoch_seconds());
+        // Two journals of one second keep their order.
+        let prefix = format!("{}-", since_epoch().as_micros());
         let file =
             tempfile::Builder::new().prefix(&prefix).suffix(ending).rand_bytes(8).append(true).tempfile_in(folder)?;
         let (file, path) = file.keep().map_err(|error| error.error)?;
@@ -232,7 +233,11 @@ pub fn begins_with(path: &Path, is_meant: impl FnOnce(&[u8]) -> bool) -> bool {
 /// Whole seconds since 1970, in UTC.
 #[must_use]
 pub fn epoch_seconds() -> u64 {
-    SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).map_or(0, |since| since.as_secs())
+    since_epoch().as_secs()
+}
+
+fn since_epoch() -> Duration {
+    SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default()
 }
 
 fn create_private_folder(folder: &Path) -> io::Result<()> {
