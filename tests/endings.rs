@@ -13,6 +13,7 @@ use std::time::Duration;
 use display::{Running, display, focused_window, inbetween, wait_for, xdotool};
 use inbetween::journal::play_alone;
 use inbetween::storage::logs;
+use rustix::process::{Pid, Signal};
 
 /// A window that prints how many lines its journal has.
 struct Window {
@@ -91,9 +92,8 @@ fn type_keys(display: &str, keys: &[&str]) {
     xdotool(display, &[&["key", "--delay", "5"], keys].concat()).expect("the keys are typed");
 }
 
-fn kill(window: &Window, signal: &str) {
-    let id = window.process.0.id().to_string();
-    assert!(std::process::Command::new("kill").args([signal, &id]).status().unwrap().success());
+fn kill(window: &Window, signal: Signal) {
+    rustix::process::kill_process(Pid::from_child(&window.process.0), signal).unwrap();
 }
 
 #[track_caller]
@@ -105,7 +105,7 @@ fn check_sentence(said: &str, journal: &Path) {
 #[test]
 fn each_signal_ends_the_window_with_everything_in_the_journal() {
     let (_server, display) = display(&[]);
-    for (signal, number) in [("-TERM", 15), ("-HUP", 1), ("-INT", 2)] {
+    for (signal, number) in [(Signal::TERM, 15), (Signal::HUP, 1), (Signal::INT, 2)] {
         let mut window = Window::open(&display, &[]);
         type_keys(&display, &["n", "n", "n"]);
         window.wait_for_lines(3);
@@ -121,7 +121,7 @@ fn each_signal_ends_the_window_with_everything_in_the_journal() {
 fn a_window_with_nothing_unsaved_leaves_nothing_to_recover() {
     let (_server, display) = display(&[]);
     let mut window = Window::open(&display, &[]);
-    kill(&window, "-TERM");
+    kill(&window, Signal::TERM);
     let (status, said) = window.end();
     assert_eq!((status, said.as_str()), (Some(143), "ended by signal 15\n"));
 }
@@ -145,7 +145,7 @@ fn a_panic_in_a_command_is_said_and_the_window_goes_on() {
     let mut window = Window::open(&display, &["--window-panic-at", "3"]);
     type_keys(&display, &["n", "n", "n", "n"]);
     window.wait_for_lines(4);
-    kill(&window, "-TERM");
+    kill(&window, Signal::TERM);
     let (status, said) = window.end();
     assert_eq!(status, Some(143), "{said}");
     let text = std::fs::read_to_string(window.journal()).unwrap();
@@ -229,7 +229,7 @@ fn what_was_not_saved_is_offered_at_the_next_start_and_restored() {
         !old.is_file()
     });
     assert!(is_restored, "the click on Restore does nothing");
-    kill(&window, "-TERM");
+    kill(&window, Signal::TERM);
     assert_eq!(window.end().0, Some(143));
     assert_eq!(window.recovered(), 3, "the newest journal goes on from the restored one");
     assert_eq!(window.recovered(), 1, "what was unsaved at that time is in a journal of its own");
