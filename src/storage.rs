@@ -2,6 +2,7 @@
 
 mod destination;
 mod draft;
+mod known;
 mod log;
 mod stamp;
 mod walk;
@@ -16,6 +17,7 @@ use crate::words::{Message, display_by_message, texts};
 
 pub use destination::is_stream;
 pub use draft::{Committed, Draft, Foreign};
+pub use known::{KnownFiles, OutsideChange};
 pub use log::{LeftLog, Log, begins_with, epoch_seconds, logs, state_folder};
 pub use stamp::{Stamp, Stamping};
 pub use walk::{Entry, EntryKind, entries as list, inside, kind};
@@ -200,14 +202,15 @@ pub fn exists(path: &Path) -> bool {
 /// Whether two paths name one file, which may not exist yet.
 #[must_use]
 pub fn is_same_place(one: &Path, other: &Path) -> bool {
-    let resolved = |path: &Path| {
-        fs::canonicalize(path).ok().or_else(|| {
-            let folder =
-                path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or_else(|| Path::new("."));
-            Some(fs::canonicalize(folder).ok()?.join(path.file_name()?))
-        })
-    };
     one == other || matches!((resolved(one), resolved(other)), (Some(one), Some(other)) if one == other)
+}
+
+/// The path of a file without links, which may not exist yet.
+fn resolved(path: &Path) -> Option<PathBuf> {
+    fs::canonicalize(path).ok().or_else(|| {
+        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or_else(|| Path::new("."));
+        Some(fs::canonicalize(folder).ok()?.join(path.file_name()?))
+    })
 }
 
 /// Whether the path is a folder.

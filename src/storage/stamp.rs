@@ -14,15 +14,29 @@ pub struct Stamp {
     length: u64,
     /// The file system's modification time; `None` if it was not read yet.
     modified: Option<SystemTime>,
-    /// SHA-256 of its content.
-    hash: [u8; 32],
+    /// SHA-256 of its content; `None` if it was not read.
+    hash: Option<[u8; 32]>,
 }
 
 impl Stamp {
     /// The stamp of a file with these bytes.
     #[must_use]
     pub fn of(path: &Path, bytes: &[u8]) -> Self {
-        Self { length: bytes.len() as u64, modified: modified(path), hash: Sha256::digest(bytes).into() }
+        Self { length: bytes.len() as u64, modified: modified(path), hash: Some(Sha256::digest(bytes).into()) }
+    }
+
+    /// The stamp of a regular file whose content is not read; `None` if there is none.
+    #[must_use]
+    pub fn unread(path: &Path) -> Option<Self> {
+        let metadata = fs::metadata(path).ok().filter(fs::Metadata::is_file)?;
+        Some(Self { length: metadata.len(), modified: metadata.modified().ok(), hash: None })
+    }
+
+    /// The stamp of a regular file, whose content is read; `None` if there is none.
+    #[must_use]
+    pub fn of_file(path: &Path) -> Option<Self> {
+        let unread = Self::unread(path)?;
+        Some(Self { hash: hash_of(path).ok(), ..unread })
     }
 
     /// Whether a file has the same length and time. Cheap: the content is not read.
@@ -33,11 +47,12 @@ impl Stamp {
             && modified(path) == self.modified
     }
 
-    /// Whether a file has the same content; false if it does not exist.
+    /// Whether a file has the same content; false if it does not exist. Where the content was never read, length and time decide.
     #[must_use]
     pub fn is_same(&self, path: &Path) -> bool {
+        let Some(own) = self.hash else { return self.looks_same(path) };
         let same_length = fs::metadata(path).is_ok_and(|metadata| metadata.is_file() && metadata.len() == self.length);
-        same_length && hash_of(path).is_ok_and(|hash| hash == self.hash)
+        same_length && hash_of(path).is_ok_and(|hash| hash == own)
     }
 }
 
@@ -57,7 +72,7 @@ impl<W: Write> Stamping<W> {
 
     /// The inner writer, and the stamp that the file will have.
     pub fn finish(self) -> (W, Stamp) {
-        (self.inner, Stamp { length: self.length, modified: None, hash: self.hash.finalize().into() })
+        (self.inner, Stamp { length: self.length, modified: None, hash: Some(self.hash.finalize().into()) })
     }
 }
 

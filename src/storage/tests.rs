@@ -73,6 +73,45 @@ fn a_stamp_notices_what_others_write() {
     assert!(!stamp.looks_same(&path) && !stamp.is_same(&path));
 }
 
+#[test]
+fn what_other_programs_did_to_known_files_is_told() {
+    let folder = tempdir().unwrap();
+    let path = folder.path().join("a.json");
+    let mut known = KnownFiles::default();
+    fs::write(&path, b"old").unwrap();
+    assert_eq!((known.change(&path), known.suspect(&path)), (None, None), "nothing is known of it");
+    known.begin(&path);
+    assert_eq!((known.change(&path), known.suspect(&path)), (None, None));
+    fs::write(&path, b"newer").unwrap();
+    assert_eq!(known.change(&path), Some(OutsideChange::Changed));
+    assert_eq!(known.suspect(&path), Stamp::unread(&path));
+    known.read(&path, b"newer");
+    assert_eq!(known.change(&path), Some(OutsideChange::Changed), "nobody took it in");
+    known.read(&path, b"newer");
+    known.took_in();
+    assert_eq!(known.change(&path), None);
+    // The same content again, at another time.
+    fs::write(&path, b"newer").unwrap();
+    fs::File::options().write(true).open(&path).unwrap().set_modified(std::time::UNIX_EPOCH).unwrap();
+    assert_eq!((known.change(&path), known.suspect(&path).is_some()), (None, true));
+    fs::remove_file(&path).unwrap();
+    assert_eq!((known.change(&path), known.suspect(&path)), (None, None), "what is gone cannot be lost");
+}
+
+#[test]
+fn a_file_that_was_not_there_at_first_has_appeared() {
+    let folder = tempdir().unwrap();
+    let path = folder.path().join("a.json");
+    let mut known = KnownFiles::default();
+    known.begin(&path);
+    assert_eq!(known.change(&path), None);
+    fs::write(&path, b"other").unwrap();
+    assert_eq!((known.change(&path), known.knows(&path)), (Some(OutsideChange::Appeared), false));
+    let (stamp, _) = write_stamped(&path, |file| file.write_all(b"mine")).unwrap();
+    known.wrote(&path, stamp);
+    assert_eq!((known.change(&path), known.knows(&path)), (None, true));
+}
+
 #[cfg(unix)]
 mod unix {
     use std::os::unix::fs::{FileTypeExt as _, MetadataExt as _, PermissionsExt as _, symlink};
