@@ -2,6 +2,8 @@
 //!
 //! This module does not know where the file is, or what the name of a key means.
 
+mod merge;
+
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
@@ -59,6 +61,8 @@ pub struct Settings {
     pub panels: BTreeMap<String, f32>,
     /// Whether the window keeps a journal.
     pub journal: bool,
+    /// Whether the window reads files again when another program changes them.
+    pub reload: bool,
 }
 
 impl Default for Settings {
@@ -71,6 +75,7 @@ impl Default for Settings {
             recent: Vec::new(),
             panels: BTreeMap::new(),
             journal: true,
+            reload: false,
         }
     }
 }
@@ -95,6 +100,8 @@ struct File {
     recent: Vec<PathBuf>,
     #[serde(default = "kept")]
     journal: bool,
+    #[serde(default)]
+    reload: bool,
 }
 
 const fn kept() -> bool {
@@ -197,6 +204,7 @@ impl Settings {
             recent,
             panels: file.panels,
             journal: file.journal,
+            reload: file.reload,
         })
     }
 
@@ -215,6 +223,7 @@ impl Settings {
             keys: self.keys.clone(),
             recent,
             journal: self.journal,
+            reload: self.reload,
         };
         let mut text = serde_json::to_string_pretty(&file).expect("settings are plain text and numbers");
         text.push('\n');

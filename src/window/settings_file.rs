@@ -1,6 +1,6 @@
 //! The settings file: read at the start, written when a setting changes.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use crate::editor::keymap::by_id;
 use crate::settings::{LARGEST_SETTINGS_BYTES, Settings};
@@ -12,10 +12,10 @@ use crate::words::{Language, Message, texts};
 pub struct SettingsFile {
     /// The settings.
     pub settings: Settings,
+    /// The settings as this window last read or wrote them.
+    base: Settings,
     /// The file's path; `None` if the system has no folder for settings.
     path: Option<PathBuf>,
-    /// Whether the file could not be understood. It is then copied before it is overwritten.
-    is_foreign: bool,
 }
 
 impl SettingsFile {
@@ -26,45 +26,49 @@ impl SettingsFile {
     }
 
     fn read_from(path: Option<PathBuf>, usual: Settings) -> (Self, Option<Message>) {
-        let file = |settings, path, is_foreign| Self { settings, path, is_foreign };
-        let Some(path) = path else { return (file(usual, None, false), None) };
-        if !storage::exists(&path) {
-            return (file(usual, Some(path), false), None);
-        }
-        let settings = storage::read(&path, LARGEST_SETTINGS_BYTES)
-            .map_err(|error| error.message())
-            .and_then(|bytes| Settings::from_json(&bytes).map_err(|error| error.message()));
-        match settings {
-            Ok(settings) => {
-                // Older settings name bindings in English; the next time they are written, it is by ids.
-                let keys = by_id(&settings.keys);
-                (file(Settings { keys, ..settings }, Some(path), false), None)
-            }
-            Err(reason) => {
-                let said = texts::settings_not_understood(path.display(), reason);
-                (file(usual, Some(path), true), Some(said))
-            }
-        }
+        let (settings, said) = match path.as_deref().and_then(in_file) {
+            None => (usual, None),
+            Some(Ok(settings)) => (settings, None),
+            Some(Err(said)) => (usual, Some(said)),
+        };
+        (Self { base: settings.clone(), settings, path }, said)
     }
 
-    /// Writes the settings. Returns a message with the copy's path if a file that was not understood was copied.
+    /// Writes the settings that were changed here; the others are those that another window has written meanwhile. Returns a message
+    /// with the copy's path if the file was not understood and was copied.
     pub fn write(&mut self) -> Result<Option<Message>, Message> {
         let Some(path) = &self.path else { return Ok(None) };
         let failed = |error: storage::StorageError| {
             texts::settings_not_kept(texts::refused_file(path.display(), error.message()))
         };
         let mut said = None;
-        if self.is_foreign {
-            let copy = storage::keep_copy(path).map_err(failed)?;
-            said = copy.map(|copy| texts::settings_copied(copy.display()));
+        match in_file(path) {
+            None => {}
+            Some(Ok(file)) => self.settings = self.settings.merged(&self.base, file),
+            Some(Err(_)) => {
+                let copy = storage::keep_copy(path).map_err(failed)?;
+                said = copy.map(|copy| texts::settings_copied(copy.display()));
+            }
         }
         if let Some(folder) = path.parent() {
             storage::create_folder(folder).map_err(failed)?;
         }
         storage::write(path, self.settings.to_json().as_bytes()).map_err(failed)?;
-        self.is_foreign = false;
+        self.base = self.settings.clone();
         Ok(said)
     }
+}
+
+/// The settings in a file, or what is wrong with it; `None` if there is none.
+fn in_file(path: &Path) -> Option<Result<Settings, Message>> {
+    if !storage::exists(path) {
+        return None;
+    }
+    let bytes = storage::read(path, LARGEST_SETTINGS_BYTES).map_err(|error| error.message());
+    let settings = bytes.and_then(|bytes| Settings::from_json(&bytes).map_err(|error| error.message()));
+    // Older settings name bindings in English; the next time they are written, it is by ids.
+    let by_ids = |settings: Settings| Settings { keys: by_id(&settings.keys), ..settings };
+    Some(settings.map(by_ids).map_err(|reason| texts::settings_not_understood(path.display(), reason)))
 }
 
 /// The language that the system's locale asks for.
@@ -89,6 +93,33 @@ mod tests {
         assert_eq!(file.write(), Ok(None));
         let (again, problem) = SettingsFile::read_from(Some(path), Settings::default());
         assert_eq!((again.settings, problem), (file.settings, None));
+    }
+
+    #[test]
+    fn two_windows_do_not_undo_each_others_settings() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("settings.json");
+        let open = || SettingsFile::read_from(Some(path.clone()), Settings::default()).0;
+        let (mut one, mut other) = (open(), open());
+        one.settings.scale_percent = 150;
+        assert_eq!(one.write(), Ok(None));
+        other.settings.reload = true;
+        other.settings.used(Path::new("walk.json"));
+        assert_eq!(other.write(), Ok(None));
+        assert_eq!(other.settings.scale_percent, 150);
+        // What was set here and then by the other is the other's, until it is set here again.
+        other.settings.scale_percent = 90;
+        assert_eq!(other.write(), Ok(None));
+        one.settings.journal = false;
+        assert_eq!(one.write(), Ok(None));
+        let expected = Settings {
+            scale_percent: 90,
+            journal: false,
+            reload: true,
+            recent: vec!["walk.json".into()],
+            ..Settings::default()
+        };
+        assert_eq!((open().settings, one.settings), (expected.clone(), expected));
     }
 
     #[test]
