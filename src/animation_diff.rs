@@ -2,6 +2,8 @@
 //!
 //! Both are sampled at the same times, each with its own timing. An animation that has ended holds its last pose. Pure functions.
 
+mod versions;
+
 use glam::DQuat;
 use num_rational::BigRational;
 use num_traits::ToPrimitive as _;
@@ -10,6 +12,8 @@ use crate::interpolation::Interpolation;
 use crate::keyframe::{PlayRange, SampleError, whole};
 use crate::pose::Pose;
 use crate::rbt::Rbt;
+
+pub use versions::{Version, keyframe_differences, scene_differences};
 
 /// One side of a comparison: an animation with its timing.
 #[derive(Clone, Copy, Debug)]
@@ -56,6 +60,14 @@ pub struct Tolerances {
 impl Default for Tolerances {
     fn default() -> Self {
         Self { translation: 1e-3, rotation_degrees: 0.1 }
+    }
+}
+
+impl Tolerances {
+    /// A difference in units of the tolerances: that of translations and that of rotations, added.
+    #[must_use]
+    pub fn weight(&self, units: f64, degrees: f64) -> f64 {
+        units / self.translation.max(1e-9) + degrees / self.rotation_degrees.max(1e-9)
     }
 }
 
@@ -138,7 +150,7 @@ pub fn compare(
             let (translation, rotation) = distances(rbt_a, rbt_b);
             node.translation.take(key_time, translation, tolerances.translation);
             node.rotation.take(key_time, rotation, tolerances.rotation_degrees);
-            off += translation / tolerances.translation.max(1e-9) + rotation / tolerances.rotation_degrees.max(1e-9);
+            off += tolerances.weight(translation, rotation);
         }
         off_by_frame.push(off);
     }

@@ -6,11 +6,13 @@
 mod animation;
 mod error;
 mod image;
+mod known;
 pub mod scene;
 
 pub use animation::{keyframe_file, keyframes_of_any_layout};
 pub use error::{FileError, WorkError};
 pub use image::{LARGEST_IMAGE_BYTES, image};
+pub use known::{known_at_start, read_known, write_known};
 
 use std::path::Path;
 

@@ -20,7 +20,7 @@ mod write;
 pub use builder::SceneBuilder;
 pub use built_in::{DEFAULT_SCENE, built_in_scene, built_in_scene_names};
 pub use channel::{Channel, KeyValue};
-pub use file::{SceneError, scene_from_json};
+pub use file::{SceneError, scene_from_bytes, scene_from_json};
 pub use graph::{Node, NodeId, NodeKind, SceneGraph};
 pub use keys::moved_seconds;
 pub use pick::{Pick, Ray};

@@ -29,7 +29,7 @@ use thiserror::Error;
 use crate::keyframe::{KeyframeFile, KeyframeFileError, keyframes_from_json};
 use crate::scene::SceneGraph;
 use crate::text::without_byte_order_mark;
-use crate::words::texts;
+use crate::words::{Message, texts};
 
 /// Options for texts that are ambiguous or broken.
 #[derive(Clone, Debug, Default)]
@@ -65,6 +65,17 @@ pub enum ImportError {
 }
 
 impl ImportError {
+    /// The first error as a message.
+    #[must_use]
+    pub fn message(&self) -> Message {
+        match self {
+            Self::KeyframeFile(problems) => {
+                problems.first().map_or_else(|| texts::foreign(""), KeyframeFileError::message)
+            }
+            Self::Text(error) => error.message(),
+        }
+    }
+
     /// A message for each error.
     #[must_use]
     pub fn sentences(&self) -> Vec<String> {

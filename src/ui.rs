@@ -4,6 +4,8 @@
 //! typed live in [`Panels`]. Nothing here knows the window, the GPU, files or the clock.
 
 pub mod angles;
+mod bar;
+mod changed;
 mod choices;
 mod dialogs;
 mod export;
@@ -16,6 +18,7 @@ mod log;
 mod manual;
 mod menu;
 mod overlay;
+mod overwrite;
 mod palette;
 mod program;
 mod recovery;
@@ -39,8 +42,11 @@ use crate::editor::{Command, Editor, FileCommand};
 use crate::film::ExportOptions;
 use crate::pose::Pose;
 use crate::settings::Settings;
+use crate::words::Message;
+pub use changed::{ChangeAnswer, ChangeOffer};
 use dialogs::Dialog;
 pub use export::Exporting;
+pub use overwrite::{OverwriteAnswer, OverwriteQuestion, OverwriteReason};
 pub use recovery::{RecoveryAnswer, RecoveryOffer};
 pub use statistics::Statistics;
 use theme::Tokens;
@@ -79,13 +85,25 @@ pub struct UiOutput {
     pub quit_answer: Option<QuitAnswer>,
     /// Panels whose edges were dragged, and their new sizes in points, once.
     pub panels: Vec<(&'static str, f32)>,
-    /// The answer to [`Ui::recovery`], once.
+    /// The answer to [`Panels::recovery`], once.
     pub recovery: Option<RecoveryAnswer>,
+    /// The answer to [`Panels::changed`], once.
+    pub change: Option<ChangeAnswer>,
+    /// The answer to [`Panels::ask_before_overwriting`], once; there is none where the user cancels.
+    pub overwrite: Option<OverwriteAnswer>,
 }
 
 impl Default for UiOutput {
     fn default() -> Self {
-        Self { commands: Vec::new(), viewport: Rect::NOTHING, quit_answer: None, panels: Vec::new(), recovery: None }
+        Self {
+            commands: Vec::new(),
+            viewport: Rect::NOTHING,
+            quit_answer: None,
+            panels: Vec::new(),
+            recovery: None,
+            change: None,
+            overwrite: None,
+        }
     }
 }
 
@@ -127,6 +145,8 @@ pub struct Panels {
     pub exporting: Option<Exporting>,
     /// What is offered that was not saved.
     pub recovery: Option<RecoveryOffer>,
+    /// The file that another program has changed.
+    pub changed: Option<ChangeOffer>,
     /// How fast the window is, where that is shown.
     pub statistics: Option<Statistics>,
 }
@@ -146,6 +166,18 @@ impl Panels {
     /// Asks what to do with unsaved work before quitting. The answer is [`UiOutput::quit_answer`]; there is none where the user cancels.
     pub fn ask_before_quitting(&mut self) {
         self.dialog = Some(Dialog::Quit);
+    }
+
+    /// Asks before a file is replaced that holds something that the user may not know of. The answer is [`UiOutput::overwrite`].
+    pub fn ask_before_overwriting(&mut self, question: OverwriteQuestion) {
+        self.dialog = Some(Dialog::Overwrite(question));
+    }
+
+    /// Shows what differs, in the question before a file is replaced, if that is still asked.
+    pub fn show_differences(&mut self, differences: Vec<Message>) {
+        if let Some(Dialog::Overwrite(question)) = &mut self.dialog {
+            question.differences = Some(differences);
+        }
     }
 
     /// Takes in where an export is to go, as the system's dialog was answered, if that is still asked.
@@ -194,6 +226,7 @@ impl Panels {
             self.show_panels(ui, editor, &mut output.commands);
         }
         output.recovery = self.recovery.as_ref().and_then(|offer| recovery::show(ui, offer));
+        output.change = self.changed.as_ref().and_then(|offer| changed::show(ui, offer));
         output.viewport = CentralPanel::no_frame().show(ui, |ui| ui.max_rect()).inner;
         overlay::show(ui, output.viewport, editor, &self.keymap, &self.log, self.statistics.as_ref());
         if editor.session().shows_help {
@@ -224,6 +257,7 @@ impl Panels {
             messages: self.log.is_shown(),
             statistics: self.statistics.is_some(),
             journal: self.settings.journal,
+            reload: self.settings.reload,
         };
         Panel::top("menu bar").exact_size(theme::MENU_BAR).frame(plain(tokens.panel, 4, 1)).show(ui, |ui| {
             menu::show(ui, shown, state, commands);

@@ -16,6 +16,7 @@ mod idle;
 mod keeper;
 mod meter;
 pub mod motion_path;
+mod outside;
 mod panels;
 pub mod pointer;
 mod screen;

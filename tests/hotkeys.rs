@@ -6,7 +6,7 @@ use std::path::Path;
 
 use common::{apply, editor, editor_with, pose, press, shown};
 use inbetween::editor::{
-    ClipboardCommand, Command, Edit, Editor, Effect, GestureCommand, SelectionCommand, Severity, ViewCommand,
+    ClipboardCommand, Command, Edit, Editor, Effect, GestureCommand, SelectionCommand, Severity, ViewCommand, Written,
 };
 use inbetween::interpolation::Interpolation;
 use inbetween::keyframe::{KeyframeIndex, keyframes_to_json};
@@ -316,7 +316,7 @@ fn writing_keeps_track_of_what_is_saved() {
     assert!(editor.has_unsaved_changes());
     let effects = press(&mut editor, "w");
     let [Effect::WriteKeyframes { path, is_known: false, .. }] = effects.as_slice() else { panic!("{effects:?}") };
-    editor.keyframes_written(path, Ok(None)).unwrap();
+    editor.keyframes_written(path, Ok(Written::default())).unwrap();
     assert!(!editor.has_unsaved_changes());
     press(&mut editor, "n");
     assert!(editor.has_unsaved_changes());

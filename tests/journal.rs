@@ -7,8 +7,8 @@ use std::path::{Path, PathBuf};
 use common::{editor, editor_with, press};
 use glam::{Quat, Vec3};
 use inbetween::editor::{
-    ClipboardCommand, Command, Edit, Editor, FileCommand, GestureCommand, KeyAt, PlaybackCommand, SceneEdit,
-    SelectionCommand, TimelineEdit, ViewCommand,
+    ClipboardCommand, Command, Edit, Editor, FileAccess, FileCommand, GestureCommand, KeyAt, PlaybackCommand,
+    SceneEdit, SelectionCommand, TimelineEdit, ViewCommand, Written,
 };
 use inbetween::journal::{self, Ending, Writer, play_alone, survey};
 use inbetween::keyframe::{KeyframeIndex, keyframes_to_json};
@@ -47,7 +47,7 @@ impl Kept {
     fn import(&mut self, bytes: &[u8]) {
         self.journal.command(&self.editor, &Command::File(FileCommand::Import));
         if self.editor.apply(Command::File(FileCommand::Import)).is_ok() {
-            self.journal.read(Path::new("other.json"), bytes);
+            self.journal.read(FileAccess::KeyframesRead, Path::new("other.json"), bytes);
             let _ = self.editor.keyframes_read(Path::new("other.json"), Ok(bytes.to_vec()));
         }
     }
@@ -84,6 +84,7 @@ enum Step {
     Tick(u64),
     Import(usize),
     ImportText(&'static [u8]),
+    ReloadScene(usize),
     NewScene,
 }
 
@@ -163,6 +164,7 @@ fn any_step() -> impl Strategy<Value = Step> {
         6 => (0u64..200).prop_map(Step::Tick),
         1 => (0usize..7).prop_map(Step::Import),
         1 => prop::sample::select(&[b"1 2 3\n" as &[u8], b"\xff\xfe\x00", b"{\"format\": 3}"]).prop_map(Step::ImportText),
+        1 => (0usize..24).prop_map(Step::ReloadScene),
         1 => Just(Step::NewScene),
     ]
 }
@@ -173,6 +175,15 @@ fn run(kept: &mut Kept, step: Step) {
         Step::Tick(ticks) => kept.tick(ticks),
         Step::Import(count) => kept.import(text_of(&editor_with(count)).as_bytes()),
         Step::ImportText(bytes) => kept.import(bytes),
+        Step::ReloadScene(rbt) => {
+            let scene = kept.editor.scene();
+            let other = scene.with_control_above(scene.rbt_node(RbtIndex::new(rbt % scene.rbt_count()))).0;
+            let bytes = inbetween::scene::scene_to_json(&other).into_bytes();
+            kept.journal.command(&kept.editor, &Command::File(FileCommand::ReloadScene));
+            let _ = kept.editor.apply(Command::File(FileCommand::ReloadScene));
+            kept.journal.read(FileAccess::SceneRead, Path::new("scene.json"), &bytes);
+            let _ = kept.editor.scene_read(Path::new("scene.json"), Ok(bytes));
+        }
         Step::NewScene => {
             let scene = inbetween::scene::built_in_scene("orbits").unwrap();
             let other = inbetween::scene::built_in_scene(inbetween::scene::DEFAULT_SCENE).unwrap();
@@ -336,9 +347,9 @@ fn a_survey_says_what_is_not_saved() {
     assert_eq!((survey().commands, survey().unsaved), (2, 0), "what was only loaded is saved");
     kept.apply(Command::Edit(Edit::CreateKeyframe));
     assert_eq!((survey().commands, survey().unsaved), (3, 1));
-    kept.journal.wrote(inbetween::editor::FileAccess::KeyframesWritten, Path::new("/tmp/walk #1.json"));
+    kept.journal.wrote(FileAccess::KeyframesWritten, Path::new("/tmp/walk #1.json"));
     assert_eq!((survey().unsaved, survey().keyframes), (0, PathBuf::from("/tmp/walk #1.json")));
-    let _ = kept.editor.keyframes_written(Path::new("/tmp/walk #1.json"), Ok(None));
+    let _ = kept.editor.keyframes_written(Path::new("/tmp/walk #1.json"), Ok(Written::default()));
     kept.journal.flush(&kept.editor);
     let again = play_alone(&std::fs::read(&path).unwrap()).0;
     assert_eq!(again.keyframe_file(), Path::new("/tmp/walk #1.json"));
@@ -411,6 +422,8 @@ fn restoring_lines_read_back() {
         script::Restore::KeyframeFile("a # b\u{7}.json".into()),
         script::Restore::Imported { path: "x y".into(), bytes: b"# \"quoted\"\r\n\x01".as_slice().into() },
         script::Restore::Imported { path: "x".into(), bytes: b"\xff\x00#".as_slice().into() },
+        script::Restore::ImportedScene { path: "x y".into(), bytes: b"{\"#\": \"\n\"}".as_slice().into() },
+        script::Restore::ImportedScene { path: "x".into(), bytes: b"\xff".as_slice().into() },
         script::Restore::Snapshot(Box::new(editor.snapshot())),
     ] {
         let line = restore.line().unwrap();

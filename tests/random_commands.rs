@@ -6,7 +6,9 @@ use std::path::Path;
 
 use common::{apply, editor, press};
 use glam::{Quat, Vec3};
-use inbetween::editor::{Command, Edit, Editor, GestureCommand, KeyAt, PlaybackCommand, SceneEdit, ViewCommand};
+use inbetween::editor::{
+    Command, Edit, Editor, GestureCommand, KeyAt, PlaybackCommand, SceneEdit, ViewCommand, Written,
+};
 use inbetween::interpolation::Interpolation;
 use inbetween::keyframe::{KeyframeIndex, keyframes_to_json};
 use inbetween::pose::RbtIndex;
@@ -117,7 +119,7 @@ fn run(editor: &mut Editor, step: Step) {
             common::assert_invariants(editor, "import");
         }
         Step::Write => {
-            let _ = editor.keyframes_written(Path::new("other.json"), Ok(None));
+            let _ = editor.keyframes_written(Path::new("other.json"), Ok(Written::default()));
         }
     }
 }

@@ -10,7 +10,7 @@ use glam::{Quat, Vec3};
 use inbetween::colour::Colour;
 use inbetween::editor::{
     Command, Edit, Editor, Effect, FileCommand, GestureCommand, KeyAt, PlaybackCommand, SceneEdit, SelectionCommand,
-    TimelineEdit, ViewCommand,
+    TimelineEdit, ViewCommand, Written,
 };
 use inbetween::keyframe::{KeyframeIndex, keyframes_to_json};
 use inbetween::scene::{Channel, KeyValue, built_in_scene, scene_from_json, scene_to_json};
@@ -168,7 +168,7 @@ fn the_delete_key_is_for_what_is_selected() {
 fn a_control_node_is_put_above_any_node_and_taken_away() {
     let mut editor = editor_with(5);
     apply(&mut editor, Command::File(FileCommand::Write));
-    editor.keyframes_written(Path::new("animation.json"), Ok(None)).unwrap();
+    editor.keyframes_written(Path::new("animation.json"), Ok(Written::default())).unwrap();
     let before = (bytes(&editor), editor.displayed_pose());
     let head = editor.scene().find_rbt("robot1/head").unwrap();
     let at = |editor: &Editor| editor.scene().world_from_rbt(&editor.displayed_pose(), editor.seconds(), head);
@@ -244,7 +244,7 @@ fn a_scene_is_saved_and_opened_again() {
     assert!(editor.has_unsaved_scene(), "it is not written yet");
     assert!(editor.scene_written(path, Err(texts::STORAGE_PERMISSION_DENIED.into())).is_err());
     assert_eq!((editor.message_text().as_str(), editor.scene_path()), ("lamp.json: permission denied", None));
-    editor.scene_written(path, Ok(None)).unwrap();
+    editor.scene_written(path, Ok(Written::default())).unwrap();
     assert_eq!(editor.message_text(), "Wrote the scene to lamp.json.");
     assert!(!editor.has_unsaved_changes());
     let again = scene_from_json(text).unwrap();

@@ -228,11 +228,12 @@ fn refusals_are_sentences() {
 }
 
 /// What is tested elsewhere: times that are waited, pictures, and undo itself.
-const ELSEWHERE: [&str; 23] = [
+const ELSEWHERE: [&str; 24] = [
     // `journal.rs` and `cli/journal.rs`.
     "scene",
     "keyframe-file",
     "imported",
+    "imported-scene",
     "snapshot",
     "wait",
     "screenshot",

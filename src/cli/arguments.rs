@@ -336,6 +336,10 @@ pub struct ScriptArguments {
     /// After each command, print a JSON object with its line, its message and the state.
     #[arg(long)]
     pub trace: bool,
+    /// Write keyframes and scenes also over files that another program has changed since they were read or written, or since the
+    /// start. What they held is kept in NAME.bak. Without this, such a file is left alone, and the exit status is 1.
+    #[arg(long)]
+    pub overwrite: bool,
     /// At the end, write the state and the pose displayed to this file, as JSON.
     #[arg(long, value_name = "FILE")]
     pub state: Option<PathBuf>,

@@ -30,7 +30,8 @@ pub fn run(arguments: &ScriptArguments, named_scene: Option<&Path>) -> Result<()
     let painter = takes_pictures.then(|| Painter::headless(arguments.size, None)).transpose()?;
     let editor = scene::editor_of(scene, named_scene, arguments.keyframes.clone());
     let kept = arguments.journal.as_deref().map(|path| begin_journal(path, &editor)).transpose()?;
-    let host = Journaled::new(Disk::new(editor, painter), kept).panicking_at(arguments.panic_at);
+    let disk = Disk::new(editor, painter).overwriting(arguments.overwrite);
+    let host = Journaled::new(disk, kept).panicking_at(arguments.panic_at);
     let mut trace = Trace::new(arguments.trace);
     let mut damage = None;
     let ended = if is_journal {
@@ -49,17 +50,16 @@ pub fn run(arguments: &ScriptArguments, named_scene: Option<&Path>) -> Result<()
     let traced = trace.finish();
     let host = ended?;
     let journal = arguments.journal.as_deref().unwrap_or(Path::new(""));
-    let editor = host.finish().map_err(|error| CliError::unwritten(journal, error))?.into_editor();
+    let (editor, refused) = host.finish().map_err(|error| CliError::unwritten(journal, error))?.finish();
     traced?;
     if let Some(path) = &arguments.state {
         files::write(path, state_json(&editor).as_bytes())?;
     }
-    match damage {
-        Some((number, problem)) => {
-            Err(CliError::bad_input(location, format!("line {number}: {problem}; what comes after it is lost")))
-        }
-        None => Ok(()),
+    let mut sentences: Vec<String> = refused.iter().map(ToString::to_string).collect();
+    if let Some((number, problem)) = damage {
+        sentences.push(format!("{location}: line {number}: {problem}; what comes after it is lost"));
     }
+    if sentences.is_empty() { Ok(()) } else { Err(CliError::bad_inputs(sentences)) }
 }
 
 fn parsed(location: &str, bytes: &[u8], scene: &SceneGraph) -> Result<Vec<Line>, CliError> {

@@ -68,7 +68,7 @@ impl Editor {
             Command::Selection(SelectionCommand::TimedKeys(keys)) => without_effect(self.select_keys(keys)),
             Command::Clipboard(ClipboardCommand::CopyKeyframes) => without_effect(self.copy_keyframes()),
             Command::Clipboard(ClipboardCommand::CopyPose) => without_effect(self.copy_pose()),
-            Command::File(file) => Ok((None, Some(self.file(file)))),
+            Command::File(file) => Ok((None, Some(self.file(file)?))),
             Command::Gesture(gesture) => without_effect(self.gesture(gesture)),
             Command::Undo => without_effect(self.undo()),
             Command::Redo => without_effect(self.redo()),

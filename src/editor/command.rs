@@ -57,6 +57,8 @@ pub enum WindowCommand {
     ToggleMessages,
     /// Shows or hides how fast the window is.
     ToggleStatistics,
+    /// Reads files again when another program changes them, or only offers to.
+    ToggleReload,
     /// Keeps a journal, or none.
     ToggleJournal,
     /// The panels one step larger.
@@ -273,6 +275,8 @@ pub enum FileCommand {
     SaveAs(PathBuf),
     /// Writes the scene's file. Asks for a path if it has none.
     WriteScene,
+    /// Reads the scene's file again.
+    ReloadScene,
     /// Asks where to save the scene.
     ChooseSaveSceneAs,
     /// Writes the scene to a file, which becomes its own from now on.
@@ -319,6 +323,11 @@ pub enum GestureCommand {
 pub enum Effect {
     /// Read this file and hand the outcome to [`super::Editor::keyframes_read`].
     ReadKeyframes {
+        /// Which file.
+        path: PathBuf,
+    },
+    /// Read this file and hand the outcome to [`super::Editor::scene_read`].
+    ReadScene {
         /// Which file.
         path: PathBuf,
     },

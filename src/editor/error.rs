@@ -135,6 +135,13 @@ pub enum CommandError {
         /// Which file.
         path: PathBuf,
     },
+    /// The scene was not read from a file.
+    NoSceneFile,
+    /// A scene's file holds a scene to which the keyframes do not fit.
+    OtherScene {
+        /// Which file.
+        path: PathBuf,
+    },
     /// A film could not be made.
     Export {
         /// Why.
@@ -198,6 +205,8 @@ impl CommandError {
             }
             Self::Text { path, problem } => texts::refused_file(path.display(), problem.message()),
             Self::HoldsScene { path } => texts::refused_holds_scene(path.display()),
+            Self::NoSceneFile => texts::REFUSED_NO_SCENE_FILE.into(),
+            Self::OtherScene { path } => texts::refused_other_scene(path.display()),
             Self::Export { reason } => texts::refused_export(reason.clone()),
         }
     }

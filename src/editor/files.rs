@@ -3,15 +3,15 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::{CommandError, Editor, Effect, FileCommand, Message, Severity};
+use super::{CommandError, Editor, Effect, FileCommand, Message, Severity, Written};
 use crate::keyframe::{KeyframeList, KeyframesText};
-use crate::scene::scene_to_json;
+use crate::scene::{scene_from_bytes, scene_to_json};
 use crate::text_layouts::{ImportError, Imported, Options, import};
 use crate::words::texts;
 
 impl Editor {
-    pub(super) fn file(&mut self, command: FileCommand) -> Effect {
-        match command {
+    pub(super) fn file(&mut self, command: FileCommand) -> Result<Effect, CommandError> {
+        Ok(match command {
             FileCommand::Import => {
                 self.commit_gesture();
                 Effect::ReadKeyframes { path: self.keyframe_file.clone() }
@@ -28,6 +28,10 @@ impl Editor {
                 Some(path) => self.write_scene_effect(path),
                 None => Effect::ChooseSaveSceneAs,
             },
+            FileCommand::ReloadScene => {
+                self.commit_gesture();
+                Effect::ReadScene { path: self.scene_path.clone().ok_or(CommandError::NoSceneFile)? }
+            }
             FileCommand::ChooseSaveSceneAs => Effect::ChooseSaveSceneAs,
             FileCommand::SaveSceneAs(path) => self.write_scene_effect(path),
             FileCommand::Screenshot(path) => Effect::Screenshot { path },
@@ -35,7 +39,7 @@ impl Editor {
             FileCommand::CancelExport => Effect::CancelExport,
             FileCommand::ChooseExport { proposed, is_folder } => Effect::ChooseExport { proposed, is_folder },
             FileCommand::Quit => Effect::Quit,
-        }
+        })
     }
 
     fn write_effect(&mut self, path: PathBuf) -> Effect {
@@ -69,31 +73,57 @@ impl Editor {
 
     /// Takes in that the scene's file was written, or why it could not be. It becomes the scene's own.
     ///
-    /// `kept` is where the shell put what stood in the file before, if it kept that.
-    ///
     /// # Errors
     /// Why the file is as it was.
-    pub fn scene_written(
-        &mut self,
-        path: &Path,
-        outcome: Result<Option<PathBuf>, Message>,
-    ) -> Result<(), CommandError> {
+    pub fn scene_written(&mut self, path: &Path, outcome: Result<Written, Message>) -> Result<(), CommandError> {
         match outcome {
-            Ok(kept) => {
-                self.say_outcome(match kept {
+            Ok(Written { kept, other_links }) => {
+                let said = match kept {
                     Some(kept) => texts::file_scene_written_over(path.display(), kept.display()),
                     None => texts::file_scene_written(path.display()),
-                });
+                };
+                self.say_outcome(with_other_links(said, other_links));
                 self.scene_path = Some(path.to_owned());
                 self.saved_scene = Arc::clone(&self.document.scene);
                 Ok(())
             }
-            Err(reason) => {
-                let error = CommandError::Write { path: path.to_owned(), reason };
-                self.say_error(&error);
-                Err(error)
-            }
+            Err(reason) => self.not_written(path, reason),
         }
+    }
+
+    fn not_written(&mut self, path: &Path, reason: Message) -> Result<(), CommandError> {
+        let error = CommandError::Write { path: path.to_owned(), reason };
+        self.say_error(&error);
+        Err(error)
+    }
+
+    /// Takes in a scene file that was read, or why it could not be. Poses and keyframes stay as they are.
+    ///
+    /// # Errors
+    /// Why the scene is as it was: the file cannot be read, or its scene has other RBT nodes or eyes.
+    pub fn scene_read(&mut self, path: &Path, bytes: Result<Vec<u8>, Message>) -> Result<(), CommandError> {
+        let outcome = self.reload_scene(path, bytes);
+        match &outcome {
+            Ok(()) => self.say_outcome(texts::file_scene_read(path.display())),
+            Err(error) => self.say_error(error),
+        }
+        outcome
+    }
+
+    fn reload_scene(&mut self, path: &Path, bytes: Result<Vec<u8>, Message>) -> Result<(), CommandError> {
+        self.refuse_while_playing(texts::ACT_RELOAD_THE_SCENE)?;
+        let path = path.to_owned();
+        let unread = |reason| CommandError::Read { path: path.clone(), reason };
+        let bytes = bytes.map_err(unread)?;
+        let scene = scene_from_bytes(&bytes).map_err(|error| unread(error.message()))?;
+        if !scene.has_rbts_of(&self.document.scene) || scene.eyes() != self.document.scene.eyes() {
+            return Err(CommandError::OtherScene { path });
+        }
+        self.record(texts::ACT_RELOADING_OF_THE_SCENE, None, |document| document.scene = Arc::new(scene));
+        self.saved_scene = Arc::clone(&self.document.scene);
+        self.scene_path = Some(path);
+        self.fit_session_to_list();
+        Ok(())
     }
 
     /// Takes in a keyframe file that was read, or why it could not be. It becomes the file that is written.
@@ -143,30 +173,21 @@ impl Editor {
 
     /// Takes in that the keyframe file was written, or why it could not be. It becomes the file that is written.
     ///
-    /// `kept` is where the shell put what stood in the file before, if it kept that.
-    ///
     /// # Errors
     /// Why the file is as it was.
-    pub fn keyframes_written(
-        &mut self,
-        path: &Path,
-        outcome: Result<Option<PathBuf>, Message>,
-    ) -> Result<(), CommandError> {
+    pub fn keyframes_written(&mut self, path: &Path, outcome: Result<Written, Message>) -> Result<(), CommandError> {
         match outcome {
-            Ok(kept) => {
+            Ok(Written { kept, other_links }) => {
                 let what = texts::count_keyframes(self.document.keyframes.len());
-                self.say_outcome(match kept {
+                let said = match kept {
                     Some(kept) => texts::file_written_over(what, path.display(), kept.display()),
                     None => texts::file_written(what, path.display()),
-                });
+                };
+                self.say_outcome(with_other_links(said, other_links));
                 self.is_now_saved_in(path.to_owned());
                 Ok(())
             }
-            Err(reason) => {
-                let error = CommandError::Write { path: path.to_owned(), reason };
-                self.say_error(&error);
-                Err(error)
-            }
+            Err(reason) => self.not_written(path, reason),
         }
     }
 
@@ -180,11 +201,7 @@ impl Editor {
                 self.say_outcome(texts::file_screenshot(path.display()));
                 Ok(())
             }
-            Err(reason) => {
-                let error = CommandError::Write { path: path.to_owned(), reason };
-                self.say_error(&error);
-                Err(error)
-            }
+            Err(reason) => self.not_written(path, reason),
         }
     }
 
@@ -197,5 +214,13 @@ impl Editor {
         self.keyframe_file = path;
         self.saved = self.document.clone();
         self.is_file_known = true;
+    }
+}
+
+/// Says of a file that was replaced that it has other names, which do not lead to the new content.
+fn with_other_links(said: Message, other_links: u64) -> Message {
+    match usize::try_from(other_links).unwrap_or(usize::MAX) {
+        0 => said,
+        count => texts::file_other_links(said, count),
     }
 }

@@ -33,12 +33,36 @@ pub enum PathQuestion {
 pub enum FileAccess {
     /// Keyframes were read.
     KeyframesRead,
+    /// A scene was read.
+    SceneRead,
     /// Keyframes were written.
     KeyframesWritten,
     /// The scene was written.
     SceneWritten,
     /// A picture of the scene was written.
     ScreenshotTaken,
+}
+
+/// What a host is asked to write.
+#[derive(Clone, Copy)]
+pub struct Writing<'a> {
+    /// What is written.
+    pub access: FileAccess,
+    /// The file.
+    pub path: &'a Path,
+    /// Its text, to be made as it is written.
+    pub text: &'a dyn Display,
+    /// Whether the editor has read or written the file before. Where not, a careful host keeps what it held.
+    pub is_known: bool,
+}
+
+/// What became of the file that was replaced.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Written {
+    /// Where the host put what the file held before, if it kept that.
+    pub kept: Option<PathBuf>,
+    /// The number of the file's other names, its hard links. They keep the old content.
+    pub other_links: u64,
 }
 
 /// Performs effects. A host implements one method for each thing that is done outside of the editor; what becomes of it is told to the
@@ -50,23 +74,17 @@ pub trait Host {
     /// The editor whose effects are performed.
     fn editor(&mut self) -> &mut Editor;
 
-    /// Reads a keyframe file.
+    /// Reads a file of keyframes or of a scene.
     ///
     /// # Errors
     /// Only where the host cannot go on; a file that cannot be read is an outcome.
-    fn read(&mut self, path: &Path) -> Result<FileOutcome<Vec<u8>>, Self::Stop>;
+    fn read(&mut self, access: FileAccess, path: &Path) -> Result<FileOutcome<Vec<u8>>, Self::Stop>;
 
-    /// Writes a text as it is made. `is_known`: the editor has read or written the file before; where not, a careful host keeps a copy
-    /// of what it held and returns its path.
+    /// Writes a file. `None`: the user is asked first, and nothing is told to the editor.
     ///
     /// # Errors
     /// Only where the host cannot go on; a file that cannot be written is an outcome.
-    fn write(
-        &mut self,
-        path: &Path,
-        text: &dyn Display,
-        is_known: bool,
-    ) -> Result<FileOutcome<Option<PathBuf>>, Self::Stop>;
+    fn write(&mut self, writing: Writing<'_>) -> Result<Option<FileOutcome<Written>>, Self::Stop>;
 
     /// Draws what is displayed and writes it to `path`; without one, to the first free name beside the keyframe file. Returns the path.
     ///
@@ -102,19 +120,28 @@ pub trait Host {
     fn perform(&mut self, effect: Effect) -> Result<(), Self::Stop> {
         match effect {
             Effect::ReadKeyframes { path } => {
-                let bytes = self.read(&path)?;
+                let bytes = self.read(FileAccess::KeyframesRead, &path)?;
                 let told = self.editor().keyframes_read(&path, bytes);
                 return self.told(FileAccess::KeyframesRead, &path, told);
             }
+            Effect::ReadScene { path } => {
+                let bytes = self.read(FileAccess::SceneRead, &path)?;
+                let told = self.editor().scene_read(&path, bytes);
+                return self.told(FileAccess::SceneRead, &path, told);
+            }
             Effect::WriteKeyframes { path, text, is_known } => {
-                let outcome = self.write(&path, &text, is_known)?;
-                let told = self.editor().keyframes_written(&path, outcome);
-                return self.told(FileAccess::KeyframesWritten, &path, told);
+                let access = FileAccess::KeyframesWritten;
+                if let Some(outcome) = self.write(Writing { access, path: &path, text: &text, is_known })? {
+                    let told = self.editor().keyframes_written(&path, outcome);
+                    return self.told(access, &path, told);
+                }
             }
             Effect::WriteScene { path, text, is_known } => {
-                let outcome = self.write(&path, &text, is_known)?;
-                let told = self.editor().scene_written(&path, outcome);
-                return self.told(FileAccess::SceneWritten, &path, told);
+                let access = FileAccess::SceneWritten;
+                if let Some(outcome) = self.write(Writing { access, path: &path, text: &text, is_known })? {
+                    let told = self.editor().scene_written(&path, outcome);
+                    return self.told(access, &path, told);
+                }
             }
             Effect::Screenshot { path } => {
                 let (path, outcome) = self.take_screenshot(path)?;

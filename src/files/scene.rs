@@ -5,9 +5,9 @@ use std::sync::Arc;
 
 use super::FileError;
 use crate::editor::Editor;
-use crate::scene::{DEFAULT_SCENE, SceneGraph, built_in_scene, built_in_scene_names, scene_from_json};
+use crate::scene::{DEFAULT_SCENE, SceneGraph, built_in_scene, built_in_scene_names, scene_from_bytes};
 use crate::storage;
-use crate::text::str_without_byte_order_mark;
+use crate::words::Message;
 
 /// The largest scene file that is read: 256 MiB.
 pub const LARGEST_SCENE_BYTES: u64 = 256 << 20;
@@ -26,9 +26,16 @@ pub fn load(name_or_file: Option<&Path>) -> Result<SceneGraph, FileError> {
         let names = built_in_scene_names().collect::<Vec<_>>().join(", ");
         FileError::new(&location, format!("neither a built-in scene ({names}) nor a file that can be read: {error}"))
     })?;
-    let text = std::str::from_utf8(&bytes)
-        .map_err(|error| FileError::new(&location, format!("not UTF-8 at byte {}", error.valid_up_to())))?;
-    scene_from_json(str_without_byte_order_mark(text)).map_err(|error| FileError::new(&location, error))
+    scene_from_bytes(&bytes).map_err(|error| FileError::new(&location, error))
+}
+
+/// The scene in a file.
+///
+/// # Errors
+/// Why it cannot be read, without the file's name.
+pub fn load_file(path: &Path) -> Result<SceneGraph, Message> {
+    let bytes = storage::read(path, LARGEST_SCENE_BYTES).map_err(|error| error.message())?;
+    scene_from_bytes(&bytes).map_err(|error| error.message())
 }
 
 /// An editor of a scene that [`load`] gave for `name_or_file`. A scene from a file is saved to that file.

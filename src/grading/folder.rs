@@ -4,13 +4,14 @@
 //! that the outcome is the same on every machine.
 
 use std::collections::BTreeMap;
-use std::fmt::Display;
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
 use crate::clock::TICKS_PER_SECOND;
-use crate::editor::{CommandError, Editor, FileAccess, FileOutcome, Host, PathQuestion, WindowCommand};
+use crate::editor::{
+    CommandError, Editor, FileAccess, FileOutcome, Host, PathQuestion, WindowCommand, Writing, Written,
+};
 use crate::film::ExportOptions;
 use crate::keyframe::keyframes_to_json;
 use crate::scene::SceneGraph;
@@ -127,25 +128,20 @@ impl Host for Folder {
         &mut self.editor
     }
 
-    fn read(&mut self, path: &Path) -> Result<FileOutcome<Vec<u8>>, String> {
+    fn read(&mut self, _access: FileAccess, path: &Path) -> Result<FileOutcome<Vec<u8>>, String> {
         let bytes = self.files.get(&plain_name(path)?).cloned();
         Ok(bytes.ok_or_else(|| texts::STORAGE_NOT_FOUND.into()))
     }
 
-    fn write(
-        &mut self,
-        path: &Path,
-        text: &dyn Display,
-        _is_known: bool,
-    ) -> Result<FileOutcome<Option<PathBuf>>, String> {
-        let name = plain_name(path)?;
-        let bytes = text.to_string().into_bytes();
+    fn write(&mut self, writing: Writing<'_>) -> Result<Option<FileOutcome<Written>>, String> {
+        let name = plain_name(writing.path)?;
+        let bytes = writing.text.to_string().into_bytes();
         self.written += bytes.len();
         if self.written > MOST_WRITTEN_BYTES {
             return Err(format!("it writes more than {MOST_WRITTEN_BYTES} bytes"));
         }
         self.files.insert(name, bytes);
-        Ok(Ok(None))
+        Ok(Some(Ok(Written::default())))
     }
 
     fn take_screenshot(&mut self, path: Option<PathBuf>) -> Result<(PathBuf, FileOutcome<()>), String> {

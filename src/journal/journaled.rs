@@ -1,11 +1,12 @@
 //! A host without a window that keeps a journal.
 
-use std::fmt::Display;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::path::{Path, PathBuf};
 
 use super::{Ending, Writer};
-use crate::editor::{Command, CommandError, Editor, FileAccess, FileOutcome, Host, PathQuestion, WindowCommand};
+use crate::editor::{
+    Command, CommandError, Editor, FileAccess, FileOutcome, Host, PathQuestion, WindowCommand, Writing, Written,
+};
 use crate::film::ExportOptions;
 use crate::script::{NoWindow, Restore, Windowless};
 use crate::storage::StorageError;
@@ -75,21 +76,16 @@ impl<H: Windowless> Host for Journaled<H> {
         self.host.editor()
     }
 
-    fn read(&mut self, path: &Path) -> Result<FileOutcome<Vec<u8>>, H::Stop> {
-        let outcome = self.host.read(path)?;
+    fn read(&mut self, access: FileAccess, path: &Path) -> Result<FileOutcome<Vec<u8>>, H::Stop> {
+        let outcome = self.host.read(access, path)?;
         if let (Some(journal), Ok(bytes)) = (&mut self.journal, &outcome) {
-            journal.read(path, bytes);
+            journal.read(access, path, bytes);
         }
         Ok(outcome)
     }
 
-    fn write(
-        &mut self,
-        path: &Path,
-        text: &dyn Display,
-        is_known: bool,
-    ) -> Result<FileOutcome<Option<PathBuf>>, H::Stop> {
-        self.host.write(path, text, is_known)
+    fn write(&mut self, writing: Writing<'_>) -> Result<Option<FileOutcome<Written>>, H::Stop> {
+        self.host.write(writing)
     }
 
     fn take_screenshot(&mut self, path: Option<PathBuf>) -> Result<(PathBuf, FileOutcome<()>), H::Stop> {

@@ -14,6 +14,8 @@ pub(super) const KEYFRAMES: &str = "# keyframes ";
 pub(super) const SCENE: &str = "# scene ";
 /// The end of the head and of the lines that restore what was at first.
 pub(super) const START: &str = "# commands";
+/// What was done before cannot be undone: the program had just started.
+pub(super) const GROUND: &str = "# undo ends here";
 /// After it: the keyframe file that was written, in double quotes.
 pub(super) const WROTE: &str = "# wrote ";
 /// After it: the scene file that was written, in double quotes.
@@ -86,7 +88,7 @@ pub fn survey(bytes: &[u8]) -> Option<Survey> {
             survey.unsaved += usize::from(line.contains("\\\"has_unsaved_keyframes\\\":true"));
         } else if has_begun && !line.trim().is_empty() {
             survey.commands += 1;
-            let is_load = survey.unsaved == 0 && line.starts_with("imported ");
+            let is_load = survey.unsaved == 0 && line.starts_with("imported");
             survey.unsaved += usize::from(!is_load && !LOOKING.iter().any(|word| line.starts_with(word)));
         }
     }

@@ -1,10 +1,11 @@
 //! The host of a journal that is played: it has no files and no window, since a journal needs none.
 
 use std::convert::Infallible;
-use std::fmt::Display;
 use std::path::{Path, PathBuf};
 
-use crate::editor::{CommandError, Editor, FileAccess, FileOutcome, Host, PathQuestion, WindowCommand};
+use crate::editor::{
+    CommandError, Editor, FileAccess, FileOutcome, Host, PathQuestion, WindowCommand, Writing, Written,
+};
 use crate::film::ExportOptions;
 use crate::script::{NoWindow, Windowless};
 use crate::words::texts;
@@ -39,12 +40,12 @@ impl Host for Nowhere {
         &mut self.editor
     }
 
-    fn read(&mut self, _path: &Path) -> Result<FileOutcome<Vec<u8>>, Infallible> {
+    fn read(&mut self, _: FileAccess, _: &Path) -> Result<FileOutcome<Vec<u8>>, Infallible> {
         Ok(Err(texts::JOURNAL_NO_FILES.into()))
     }
 
-    fn write(&mut self, _: &Path, _: &dyn Display, _: bool) -> Result<FileOutcome<Option<PathBuf>>, Infallible> {
-        Ok(Err(texts::JOURNAL_NO_FILES.into()))
+    fn write(&mut self, _: Writing<'_>) -> Result<Option<FileOutcome<Written>>, Infallible> {
+        Ok(Some(Err(texts::JOURNAL_NO_FILES.into())))
     }
 
     fn take_screenshot(&mut self, path: Option<PathBuf>) -> Result<(PathBuf, FileOutcome<()>), Infallible> {

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use super::mark::{self, whole_lines};
 use super::nowhere::Nowhere;
-use crate::editor::{Editor, FileAccess};
+use crate::editor::{Editor, FileAccess, Written};
 use crate::scene::{DEFAULT_SCENE, built_in_scene};
 use crate::script::{Line, Runner, Windowless, parse_line};
 use crate::storage::{LeftLog, StorageError};
@@ -74,11 +74,15 @@ pub fn play<H: Windowless, E: From<H::Stop>>(
     let is_cut = !bytes.ends_with(b"\n") && !bytes.is_empty();
     let mut played = Played { passed_over, is_cut, ..Played::default() };
     for (number, text) in lines {
+        if text == mark::GROUND.as_bytes() {
+            runner.host().editor().begin_history();
+            continue;
+        }
         if let Some((access, path)) = written(text) {
             let editor = runner.host().editor();
             let _ = match access {
-                FileAccess::SceneWritten => editor.scene_written(&path, Ok(None)),
-                _ => editor.keyframes_written(&path, Ok(None)),
+                FileAccess::SceneWritten => editor.scene_written(&path, Ok(Written::default())),
+                _ => editor.keyframes_written(&path, Ok(Written::default())),
             };
             continue;
         }

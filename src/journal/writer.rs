@@ -175,8 +175,8 @@ impl Writer {
     }
 
     /// A file was read, and the editor is about to be told.
-    pub fn read(&mut self, path: &Path, bytes: &[u8]) {
-        if let Some(line) = imported_line(&start::plain(path), bytes) {
+    pub fn read(&mut self, access: FileAccess, path: &Path, bytes: &[u8]) {
+        if let Some(line) = imported_line(access == FileAccess::SceneRead, &start::plain(path), bytes) {
             self.line(&line);
             self.hand_over();
         }
@@ -185,13 +185,19 @@ impl Writer {
     /// A file was written.
     pub fn wrote(&mut self, access: FileAccess, path: &Path) {
         let mark = match access {
-            FileAccess::KeyframesRead => return,
+            FileAccess::KeyframesRead | FileAccess::SceneRead => return,
             FileAccess::KeyframesWritten => mark::WROTE,
             FileAccess::SceneWritten => mark::WROTE_SCENE,
             FileAccess::ScreenshotTaken => mark::WROTE_PICTURE,
         };
         self.end_of_ticks();
         self.push(&format!("{mark}{}", mark::quoted(&storage::absolute(path))));
+        self.hand_over();
+    }
+
+    /// What was done until now cannot be undone.
+    pub fn begins_history(&mut self) {
+        self.push(mark::GROUND);
         self.hand_over();
     }
 
@@ -292,6 +298,7 @@ const fn commits_drag(command: &FileCommand) -> bool {
             | FileCommand::Write
             | FileCommand::SaveAs(_)
             | FileCommand::WriteScene
+            | FileCommand::ReloadScene
             | FileCommand::SaveSceneAs(_)
     )
 }

@@ -13,6 +13,7 @@ use super::shape::{PlacedShape, Placement, Shape};
 use super::tracks::Tracks;
 use crate::colour::Colour;
 use crate::rbt::Rbt;
+use crate::text::str_without_byte_order_mark;
 use crate::timed::{KeyError, rotation_from_euler_degrees};
 use crate::words::{Argument, Message, Phrase, display_by_message, quoted, texts};
 
@@ -23,6 +24,11 @@ const VERSIONS: std::ops::RangeInclusive<u32> = 1..=2;
 /// Why a text is not a valid scene.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum SceneError {
+    /// The bytes are not UTF-8.
+    NotText {
+        /// The number of the first bad byte.
+        at: usize,
+    },
     /// The text is not JSON of the right shape; the message ends with line and column.
     Json {
         /// The message, with line and column.
@@ -105,6 +111,7 @@ impl SceneError {
     #[must_use]
     pub fn message(&self) -> Message {
         match self {
+            Self::NotText { at } => texts::scene_not_text(*at),
             Self::Json { message } => texts::foreign(message),
             Self::Format { found } => texts::scene_format(quoted(found)),
             Self::Version { found } => texts::scene_version(*found),
@@ -195,6 +202,15 @@ impl TryFrom<String> for ColourText {
     fn try_from(text: String) -> Result<Self, String> {
         Colour::from_hex(&text).map(Self).ok_or_else(|| format!("colour {text:?}, expected \"#rrggbb\""))
     }
+}
+
+/// Reads a scene file. A byte order mark is skipped.
+///
+/// # Errors
+/// As [`scene_from_json`]; or the bytes are not UTF-8.
+pub fn scene_from_bytes(bytes: &[u8]) -> Result<SceneGraph, SceneError> {
+    let text = std::str::from_utf8(bytes).map_err(|error| SceneError::NotText { at: error.valid_up_to() })?;
+    scene_from_json(str_without_byte_order_mark(text))
 }
 
 /// Reads a scene.

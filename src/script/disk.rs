@@ -1,17 +1,19 @@
 //! The host of `inbetween script`: it reads and writes files and takes screenshots.
 
-use std::fmt::Display;
 use std::path::{Path, PathBuf};
 
 use thiserror::Error;
 
 use super::run::{NoWindow, Windowless};
-use crate::editor::{CommandError, Editor, FileAccess, FileOutcome, Host, PathQuestion, WindowCommand};
+use crate::editor::{
+    CommandError, Editor, FileAccess, FileOutcome, Host, PathQuestion, WindowCommand, Writing, Written,
+};
 use crate::export::{ExportError, Painter};
+use crate::files;
 use crate::film::ExportOptions;
-use crate::keyframe::LARGEST_FILE_BYTES;
-use crate::storage;
+use crate::storage::{self, KnownFiles, OutsideChange};
 use crate::view::frame_of_editor;
+use crate::words::{Message, texts};
 
 /// Why a script ended early.
 #[derive(Debug, Error)]
@@ -29,19 +31,33 @@ pub struct Disk {
     editor: Editor,
     painter: Option<Painter>,
     no_window: NoWindow,
+    known: KnownFiles,
+    overwrites: bool,
+    /// Whether the write that the editor is told of next was refused because another program has changed the file.
+    is_refusing: bool,
+    refused: Vec<CommandError>,
 }
 
 impl Disk {
     /// A host; `painter` is there if any line takes a screenshot.
     #[must_use]
     pub fn new(editor: Editor, painter: Option<Painter>) -> Self {
-        Self { editor, painter, no_window: NoWindow::default() }
+        let known = files::known_at_start(&editor);
+        let (no_window, refused) = (NoWindow::default(), Vec::new());
+        Self { editor, painter, no_window, known, overwrites: false, is_refusing: false, refused }
     }
 
-    /// The editor as the script left it.
+    /// Whether files are written that another program has changed since they were read or written, or since the start. What they held
+    /// is kept beside them.
     #[must_use]
-    pub fn into_editor(self) -> Editor {
-        self.editor
+    pub fn overwriting(self, overwrites: bool) -> Self {
+        Self { overwrites, ..self }
+    }
+
+    /// The editor as the script left it, and why files were not written that another program has changed.
+    #[must_use]
+    pub fn finish(self) -> (Editor, Vec<CommandError>) {
+        (self.editor, self.refused)
     }
 }
 
@@ -58,18 +74,17 @@ impl Host for Disk {
         &mut self.editor
     }
 
-    fn read(&mut self, path: &Path) -> Result<FileOutcome<Vec<u8>>, DiskStop> {
-        Ok(storage::read(path, LARGEST_FILE_BYTES).map_err(|error| error.message()))
+    fn read(&mut self, access: FileAccess, path: &Path) -> Result<FileOutcome<Vec<u8>>, DiskStop> {
+        Ok(files::read_known(&mut self.known, access, path))
     }
 
-    fn write(
-        &mut self,
-        path: &Path,
-        text: &dyn Display,
-        _is_known: bool,
-    ) -> Result<FileOutcome<Option<PathBuf>>, DiskStop> {
-        let written = storage::write_with(path, |file| write!(file, "{text}"));
-        Ok(written.map(|()| None).map_err(|error| error.message()))
+    fn write(&mut self, writing: Writing<'_>) -> Result<Option<FileOutcome<Written>>, DiskStop> {
+        let change = self.known.change(writing.path);
+        if let Some(change) = change.filter(|_| !self.overwrites) {
+            self.is_refusing = true;
+            return Ok(Some(Err(refusal(change))));
+        }
+        Ok(Some(files::write_known(&mut self.known, writing, change.is_some())))
     }
 
     fn take_screenshot(&mut self, path: Option<PathBuf>) -> Result<(PathBuf, FileOutcome<()>), DiskStop> {
@@ -81,9 +96,18 @@ impl Host for Disk {
     }
 
     fn told(&mut self, access: FileAccess, _path: &Path, told: Result<(), CommandError>) -> Result<(), DiskStop> {
+        if std::mem::take(&mut self.is_refusing) {
+            self.refused.extend(told.err());
+            return Ok(());
+        }
         match access {
             // What is wrong with a file that is read is the editor's message, and the script goes on.
-            FileAccess::KeyframesRead => Ok(()),
+            FileAccess::KeyframesRead | FileAccess::SceneRead => {
+                if told.is_ok() {
+                    self.known.took_in();
+                }
+                Ok(())
+            }
             FileAccess::KeyframesWritten | FileAccess::SceneWritten | FileAccess::ScreenshotTaken => Ok(told?),
         }
     }
@@ -106,5 +130,12 @@ impl Host for Disk {
 
     fn change_window(&mut self, _command: WindowCommand) {
         // There is no window to change.
+    }
+}
+
+fn refusal(change: OutsideChange) -> Message {
+    match change {
+        OutsideChange::Appeared => texts::FILE_APPEARED_REFUSED.into(),
+        OutsideChange::Changed => texts::FILE_CHANGED_REFUSED.into(),
     }
 }

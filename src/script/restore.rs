@@ -30,12 +30,19 @@ pub enum Restore {
         /// What the file held.
         bytes: Arc<[u8]>,
     },
+    /// A scene of this text, as if it had been read from a file again.
+    ImportedScene {
+        /// The file that it was read from.
+        path: PathBuf,
+        /// What the file held.
+        bytes: Arc<[u8]>,
+    },
     /// A document and what is kept beside it; there is nothing to undo.
     Snapshot(Box<Snapshot>),
 }
 
 /// The first words of these lines.
-const NAMES: [&str; 4] = ["scene", "keyframe-file", "imported", "snapshot"];
+const NAMES: [&str; 5] = ["scene", "keyframe-file", "imported", "imported-scene", "snapshot"];
 
 /// Whether a line's first word is one of these.
 pub(super) fn is_restore(name: &str) -> bool {
@@ -55,13 +62,18 @@ pub(super) fn read(text: &str) -> Result<Option<Restore>, LineProblem> {
         ["scene", scene] => Some(Restore::Scene { scene: read_scene(scene)?, path: None }),
         ["scene", scene, path] => Some(Restore::Scene { scene: read_scene(scene)?, path: Some(path.into()) }),
         ["keyframe-file", path] => Some(Restore::KeyframeFile(path.into())),
-        ["imported", path, held] => Some(Restore::Imported { path: path.into(), bytes: held.as_bytes().into() }),
-        ["imported", path, "hex", digits] => {
-            bytes_of_hex(digits).map(|bytes| Restore::Imported { path: path.into(), bytes: bytes.into() })
+        [name @ ("imported" | "imported-scene"), path, held] => Some(imported(name, path, held.as_bytes().into())),
+        [name @ ("imported" | "imported-scene"), path, "hex", digits] => {
+            bytes_of_hex(digits).map(|bytes| imported(name, path, bytes.into()))
         }
         ["snapshot", text] => read_snapshot(text)?.map(|snapshot| Restore::Snapshot(Box::new(snapshot))),
         _ => None,
     })
+}
+
+fn imported(name: &str, path: &str, bytes: Arc<[u8]>) -> Restore {
+    let path = path.into();
+    if name == "imported" { Restore::Imported { path, bytes } } else { Restore::ImportedScene { path, bytes } }
 }
 
 fn read_scene(text: &str) -> Result<Arc<SceneGraph>, LineProblem> {
@@ -81,7 +93,8 @@ impl Restore {
                 format!("scene {} {}", scene_word(scene), quoted(path.to_str()?))
             }
             Self::KeyframeFile(path) => format!("keyframe-file {}", quoted(path.to_str()?)),
-            Self::Imported { path, bytes } => imported_line(path, bytes)?,
+            Self::Imported { path, bytes } => imported_line(false, path, bytes)?,
+            Self::ImportedScene { path, bytes } => imported_line(true, path, bytes)?,
             Self::Snapshot(snapshot) => format!("snapshot {}", quoted(&snapshot_text(snapshot)?)),
         })
     }
@@ -101,19 +114,23 @@ impl Restore {
                 // What is wrong with it is the editor's message, as it was when the file was read.
                 let _ = editor.keyframes_read(path, Ok(bytes.to_vec()));
             }
+            Self::ImportedScene { path, bytes } => {
+                let _ = editor.scene_read(path, Ok(bytes.to_vec()));
+            }
             Self::Snapshot(snapshot) => *editor = Editor::of_snapshot(snapshot),
         }
     }
 }
 
-/// The line of an import; `None` where the path is not Unicode.
+/// The line of an import, of keyframes or of a scene; `None` where the path is not Unicode.
 #[must_use]
-pub fn imported_line(path: &Path, bytes: &[u8]) -> Option<String> {
+pub fn imported_line(is_scene: bool, path: &Path, bytes: &[u8]) -> Option<String> {
+    let name = if is_scene { "imported-scene" } else { "imported" };
     let path = quoted(path.to_str()?);
     if let Ok(text) = std::str::from_utf8(bytes) {
-        return Some(format!("imported {path} {}", quoted(text)));
+        return Some(format!("{name} {path} {}", quoted(text)));
     }
-    let mut line = format!("imported {path} hex ");
+    let mut line = format!("{name} {path} hex ");
     for byte in bytes {
         let _ = write!(line, "{byte:02x}");
     }

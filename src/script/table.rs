@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use crate::editor::commands::{self, listed};
 
 /// Lines that are no commands of the editor: first word, usage and description.
-pub(super) const OWN_LINES: [(&str, &str, &str); 8] = [
+pub(super) const OWN_LINES: [(&str, &str, &str); 9] = [
     ("key", "key K", "a hotkey: the character itself, or a name such as `space`, `home`, `ctrl+d`"),
     (
         "do",
@@ -28,6 +28,11 @@ pub(super) const OWN_LINES: [(&str, &str, &str); 8] = [
         "imported",
         "imported \"PATH\" \"TEXT\"",
         "in journals: imports this text as if it stood in the file; `hex` and digits in its place for what is not UTF-8",
+    ),
+    (
+        "imported-scene",
+        "imported-scene \"PATH\" \"TEXT\"",
+        "in journals: reads the scene again from this text; `hex` and digits as for `imported`",
     ),
     ("snapshot", "snapshot \"JSON\"", "in journals: a document and what is kept beside it, without steps of undo"),
 ];

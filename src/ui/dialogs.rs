@@ -6,6 +6,7 @@ use egui::{Align, Align2, Frame, Id, Key, Layout, Margin, Modal, RichText, TextE
 
 use super::export::ExportDialog;
 use super::hotkeys::{DialogState, HotkeysDialog};
+use super::overwrite::{self, OverwriteQuestion};
 use super::palette::Palette;
 use super::theme::{CORNER, Tokens};
 use super::words::Words;
@@ -27,6 +28,8 @@ pub enum Dialog {
     },
     /// What about unsaved work?
     Quit,
+    /// Is a file to be replaced?
+    Overwrite(OverwriteQuestion),
     /// Which command?
     Commands(Palette),
     /// Which keys?
@@ -53,6 +56,7 @@ pub fn show(ui: &Ui, dialog: &mut Option<Dialog>, shown: PanelInput<'_>, output:
     let id = Id::unique(match question {
         Dialog::Commands(_) => "commands",
         Dialog::Export(_) => "export",
+        Dialog::Overwrite(_) => "overwrite",
         Dialog::Path { .. } | Dialog::Quit | Dialog::Hotkeys(_) => "dialog",
     });
     let mut modal = Modal::new(id).backdrop_color(Tokens::of(ui).shade).frame(frame);
@@ -63,6 +67,7 @@ pub fn show(ui: &Ui, dialog: &mut Option<Dialog>, shown: PanelInput<'_>, output:
     let response = modal.show(ui.ctx(), |ui| match question {
         Dialog::Path { purpose, typed, is_new } => at_width(ui, |ui| path(ui, *purpose, typed, is_new, output)),
         Dialog::Quit => at_width(ui, |ui| quit(ui, shown, output)),
+        Dialog::Overwrite(question) => outcome(overwrite::show(ui, question, output)),
         Dialog::Commands(palette) => outcome(palette.show(ui, shown, &mut output.commands)),
         Dialog::Hotkeys(keys) => keys.show(ui, shown, &mut output.commands),
         Dialog::Export(export) => outcome(export.show(ui, shown, shown.is_exporting, &mut output.commands)),
@@ -70,7 +75,7 @@ pub fn show(ui: &Ui, dialog: &mut Option<Dialog>, shown: PanelInput<'_>, output:
     let is_left = match question {
         // These lose nothing where one clicks beside them.
         Dialog::Commands(_) | Dialog::Hotkeys(_) => response.backdrop_response.clicked(),
-        Dialog::Path { .. } | Dialog::Quit | Dialog::Export(_) => false,
+        Dialog::Path { .. } | Dialog::Quit | Dialog::Overwrite(_) | Dialog::Export(_) => false,
     };
     if response.inner == DialogState::IsOver || is_left || (escape && response.inner != DialogState::TookEscape) {
         *dialog = None;

@@ -55,6 +55,7 @@ impl Panels {
             WindowCommand::ToggleStatistics => {
                 self.statistics = if self.statistics.is_some() { None } else { Some(Statistics::default()) };
             }
+            WindowCommand::ToggleReload => settings.reload = !settings.reload,
             WindowCommand::ToggleJournal => settings.journal = !settings.journal,
             WindowCommand::Larger => settings.scale_percent = settings.next_scale(true),
             WindowCommand::Smaller => settings.scale_percent = settings.next_scale(false),

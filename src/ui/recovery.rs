@@ -2,11 +2,9 @@
 
 use std::path::PathBuf;
 
-use egui::{Align, Button, Frame, Label, Layout, Margin, Panel, RichText, Ui};
+use egui::Ui;
 
-use super::icons::was_pressed;
-use super::theme::Tokens;
-use super::words::Words;
+use super::bar;
 use crate::words::{Message, texts};
 
 /// What can be got back.
@@ -35,31 +33,14 @@ pub enum RecoveryAnswer {
 
 /// Shows the bar; it stays until it is answered.
 pub(super) fn show(ui: &mut Ui, offer: &RecoveryOffer) -> Option<RecoveryAnswer> {
-    let tokens = Tokens::of(ui);
-    let words = Words::of(ui);
-    let frame = Frame::new().fill(tokens.panel).inner_margin(Margin::symmetric(12, 6));
-    let bar = Panel::top("recovery").frame(frame).show(ui, |ui| {
-        let mut answer = None;
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            for (text, meant) in [
-                (texts::JOURNAL_DISCARD, RecoveryAnswer::Discard),
-                (texts::JOURNAL_LATER, RecoveryAnswer::Later),
-                (texts::JOURNAL_RESTORE, RecoveryAnswer::Restore),
-            ] {
-                if was_pressed(&ui.add(Button::new(words.say(text)))) {
-                    answer = Some(meant);
-                }
-            }
-            ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                let commands = texts::journal_count(offer.commands);
-                let said = texts::journal_offer(&offer.file, commands, when(offer.seconds));
-                let label = Label::new(RichText::new(words.message(said)).color(tokens.text)).truncate();
-                ui.add(label).on_hover_text(offer.path.display().to_string());
-            });
-        });
-        answer
-    });
-    bar.inner
+    let commands = texts::journal_count(offer.commands);
+    let said = texts::journal_offer(&offer.file, commands, when(offer.seconds));
+    let answers = [
+        (texts::JOURNAL_RESTORE, RecoveryAnswer::Restore),
+        (texts::JOURNAL_LATER, RecoveryAnswer::Later),
+        (texts::JOURNAL_DISCARD, RecoveryAnswer::Discard),
+    ];
+    bar::show(ui, "recovery", said, offer.path.display().to_string(), &answers)
 }
 
 /// How long ago that is, in the largest unit of which one has passed.

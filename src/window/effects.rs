@@ -1,7 +1,6 @@
 //! What the editor asks of the shell, done: files read and written, pictures taken, questions asked.
 
 use std::convert::Infallible;
-use std::fmt::Display;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 
@@ -9,10 +8,10 @@ use super::dialog::{self, Question};
 use super::shell::Shell;
 use crate::editor::{
     Command, CommandError, Edit, Editor, FileAccess, FileCommand, FileOutcome, Host, PathQuestion, Severity,
-    WindowCommand,
+    WindowCommand, Writing, Written,
 };
+use crate::files;
 use crate::film::ExportOptions;
-use crate::keyframe::LARGEST_FILE_BYTES;
 use crate::storage;
 use crate::ui::words::Words;
 use crate::ui::{PathPurpose, QuitAnswer, RecoveryAnswer};
@@ -26,21 +25,16 @@ impl Host for Shell {
         &mut self.editor
     }
 
-    fn read(&mut self, path: &Path) -> Result<FileOutcome<Vec<u8>>, Infallible> {
-        let read = storage::read(path, LARGEST_FILE_BYTES).map_err(|error| error.message());
+    fn read(&mut self, access: FileAccess, path: &Path) -> Result<FileOutcome<Vec<u8>>, Infallible> {
+        let read = files::read_known(&mut self.outside.known, access, path);
         if let Ok(bytes) = &read {
-            self.keeper.read(path, bytes);
+            self.keeper.read(access, path, bytes);
         }
         Ok(read)
     }
 
-    fn write(
-        &mut self,
-        path: &Path,
-        text: &dyn Display,
-        is_known: bool,
-    ) -> Result<FileOutcome<Option<PathBuf>>, Infallible> {
-        Ok(write(path, text, is_known))
+    fn write(&mut self, writing: Writing<'_>) -> Result<Option<FileOutcome<Written>>, Infallible> {
+        Ok(self.write_or_ask(writing))
     }
 
     fn take_screenshot(&mut self, path: Option<PathBuf>) -> Result<(PathBuf, FileOutcome<()>), Infallible> {
@@ -52,7 +46,11 @@ impl Host for Shell {
     fn told(&mut self, access: FileAccess, path: &Path, told: Result<(), CommandError>) -> Result<(), Infallible> {
         let is_keyframe_file = matches!(access, FileAccess::KeyframesRead | FileAccess::KeyframesWritten);
         if told.is_ok() {
+            if matches!(access, FileAccess::KeyframesRead | FileAccess::SceneRead) {
+                self.outside.known.took_in();
+            }
             self.keeper.wrote(access, path);
+            self.settled_outside(path);
         }
         if is_keyframe_file && told.is_ok() {
             self.used(path);
@@ -109,6 +107,9 @@ impl Shell {
             self.editor.say(Message::from(texts::JOURNAL_PANICKED).with_severity(Severity::Error));
         }
         self.keeper.done(&self.editor);
+        if self.outside.has_noticed() {
+            self.offer_change();
+        }
         if let Some(problem) = self.keeper.take_problem() {
             self.editor.say(problem);
         }
@@ -120,6 +121,8 @@ impl Shell {
             RecoveryAnswer::Restore => {
                 if let Some((restored, said)) = self.keeper.restore(&self.editor) {
                     if let Some(mut restored) = restored {
+                        // What its document was made of may stand in no file any more.
+                        self.outside.forget();
                         restored.go_on_saying(&self.editor);
                         restored.set_keymap(self.ui.keymap().clone());
                         self.editor = restored;
@@ -144,7 +147,6 @@ impl Shell {
             Err(error) => self.editor.say(error.message()),
         }
         if self.settings_file.settings != before {
-            self.editor.set_keymap(self.ui.keymap().clone());
             self.keep_settings();
             self.keeper.want(self.settings_file.settings.journal, &self.editor);
         }
@@ -152,8 +154,11 @@ impl Shell {
 
     /// Writes the settings, and puts them in force.
     pub(super) fn keep_settings(&mut self) {
+        let written = self.settings_file.write();
+        // Another window may have changed settings as well.
         self.ui.adopt(&self.settings_file.settings);
-        match self.settings_file.write() {
+        self.editor.set_keymap(self.ui.keymap().clone());
+        match written {
             Ok(None) => {}
             Ok(Some(message)) => self.editor.say(message.with_severity(Severity::Outcome)),
             Err(message) => self.editor.say(message.with_severity(Severity::Error)),
@@ -234,20 +239,16 @@ impl Shell {
         if answer == QuitAnswer::KeepPoseAndSave {
             self.apply(Command::Edit(Edit::CreateKeyframe));
         }
+        self.outside.set_quitting(true);
         if self.editor.has_unsaved_keyframes() {
             self.apply(Command::File(FileCommand::Write));
         }
         let is_written = self.editor.message().is_none_or(|message| message.severity() != Severity::Error);
-        if is_written && self.editor.has_unsaved_scene() {
+        let goes_on = is_written && !self.outside.is_asking();
+        if goes_on && self.editor.has_unsaved_scene() {
             self.apply(Command::File(FileCommand::WriteScene));
         }
-        self.is_quitting = is_written && !self.editor.has_unsaved_changes();
+        self.outside.set_quitting(false);
+        self.is_quitting = goes_on && !self.editor.has_unsaved_changes();
     }
-}
-
-/// Writes a file; what stood there and is not known is kept beside it.
-fn write(path: &Path, text: &dyn Display, is_known: bool) -> Result<Option<PathBuf>, Message> {
-    let kept = if is_known { None } else { storage::keep_copy(path).map_err(|error| error.message())? };
-    storage::write_with(path, |file| write!(file, "{text}")).map_err(|error| error.message())?;
-    Ok(kept)
 }

@@ -109,6 +109,13 @@ impl Keeper {
         }
     }
 
+    /// What was done until now cannot be undone.
+    pub fn begins_history(&mut self) {
+        if let Some(writer) = &mut self.writer {
+            writer.begins_history();
+        }
+    }
+
     /// The editor took in ticks.
     pub fn ticked(&mut self, editor: &Editor, ticks: u64) {
         if let Some(writer) = &mut self.writer {
@@ -118,9 +125,9 @@ impl Keeper {
     }
 
     /// A file was read, and the editor is about to be told.
-    pub fn read(&mut self, path: &std::path::Path, bytes: &[u8]) {
+    pub fn read(&mut self, access: FileAccess, path: &std::path::Path, bytes: &[u8]) {
         if let Some(writer) = &mut self.writer {
-            writer.read(path, bytes);
+            writer.read(access, path, bytes);
         }
     }
 

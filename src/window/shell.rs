@@ -18,12 +18,14 @@ use super::hotkeys::{KeyInput, SpaceBar};
 use super::keeper::Keeper;
 use super::meter::{Meter, Work};
 use super::motion_path::PathDrag;
+use super::outside::Outside;
 use super::pointer::Pointer;
 use super::settings_file::SettingsFile;
 use super::stage::WindowSurface;
 use super::{ForTests, UserEvent, WindowError, desktop, display, ending, now};
 use crate::clock::AnimationClock;
 use crate::editor::{Command, Editor, FileCommand, Severity};
+use crate::files;
 use crate::journal::Ending;
 use crate::keyframe::KeyframeIndex;
 use crate::ui::Panels;
@@ -46,6 +48,7 @@ pub struct Shell {
     at_start: Vec<Command>,
     pub(super) settings_file: SettingsFile,
     pub(super) keeper: Keeper,
+    pub(super) outside: Outside,
     pub(super) export: Option<Export>,
     pub(super) modifiers: ModifiersState,
     pub(super) space: SpaceBar,
@@ -83,6 +86,7 @@ impl Shell {
             editor.say(problem);
         }
         ui.recovery = keeper.offer();
+        let outside = Outside::new(files::known_at_start(&editor));
         Self {
             editor,
             ui,
@@ -93,6 +97,7 @@ impl Shell {
             at_start,
             settings_file,
             keeper,
+            outside,
             export: None,
             modifiers: ModifiersState::empty(),
             space: SpaceBar::default(),
@@ -146,6 +151,7 @@ impl Shell {
             self.apply(command);
         }
         self.editor.begin_history();
+        self.keeper.begins_history();
     }
 
     /// Recreates all GPU objects after a device loss, in the same window.
@@ -178,14 +184,22 @@ impl Shell {
         let commands = std::mem::take(&mut laid_out.output.commands);
         let answer = laid_out.output.quit_answer.take();
         let recovery = laid_out.output.recovery.take();
+        let (change, overwrite) = (laid_out.output.change.take(), laid_out.output.overwrite.take());
         let panels = std::mem::take(&mut laid_out.output.panels);
-        let again = !commands.is_empty() || answer.is_some() || recovery.is_some() || laid_out.again_after.is_zero();
+        let is_answered = answer.is_some() || recovery.is_some() || change.is_some() || overwrite.is_some();
+        let again = !commands.is_empty() || is_answered || laid_out.again_after.is_zero();
         self.show_again = now().checked_add(laid_out.again_after).filter(|_| !laid_out.again_after.is_zero());
         for command in commands {
             self.apply(command);
         }
         if let Some(answer) = recovery {
             self.recovery_answered(answer);
+        }
+        if let Some(answer) = change {
+            self.change_answered(answer);
+        }
+        if let Some(answer) = overwrite {
+            self.overwrite_answered(answer);
         }
         assert!(!self.keeper.panics_in_drawing(), "a test asked for this panic in drawing");
         let dot = self.hovered_dot.and_then(|keyframe| self.editor.path_dot(keyframe));
@@ -275,8 +289,11 @@ impl Shell {
             }
             WindowEvent::MouseInput { state, button, .. } => self.button(state, button),
             WindowEvent::MouseWheel { delta, .. } => self.wheel(delta),
-            // What the desktop prefers may have been changed meanwhile.
-            WindowEvent::Focused(true) => desktop::ask_theme(self.proxy.clone()),
+            // What the desktop prefers may have been changed meanwhile, and files as well.
+            WindowEvent::Focused(true) => {
+                desktop::ask_theme(self.proxy.clone());
+                self.look_outside();
+            }
             WindowEvent::Focused(false) => {
                 self.space.release();
                 self.let_go_of_dot();
@@ -357,6 +374,7 @@ impl ApplicationHandler<UserEvent> for Shell {
     fn about_to_wait(&mut self, event_loop: &ActiveEventLoop) {
         let at = now();
         let next_tick = self.tick(at);
+        let next_look = self.look_outside_when_due(at);
         if self.show_again.is_some_and(|due| due <= at) {
             self.show_again = None;
             self.request_redraw();
@@ -366,7 +384,7 @@ impl ApplicationHandler<UserEvent> for Shell {
         if self.is_quitting {
             event_loop.exit();
         }
-        let due = [next_tick, self.show_again, self.thumbnail_due].into_iter().flatten().min();
+        let due = [next_tick, next_look, self.show_again, self.thumbnail_due].into_iter().flatten().min();
         event_loop.set_control_flow(due.map_or(ControlFlow::Wait, ControlFlow::WaitUntil));
     }
 }

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use glam::Vec3;
 use inbetween::editor::keymap::{Chord, Keymap, by_id};
-use inbetween::editor::{Command, Edit, Editor, PlaybackCommand, SceneEdit, TimelineEdit, ViewCommand};
+use inbetween::editor::{Command, Edit, Editor, PlaybackCommand, SceneEdit, TimelineEdit, ViewCommand, Written};
 use inbetween::film::ExportEnd;
 use inbetween::keyframe::KeyframeIndex;
 use inbetween::pose::RbtIndex;
@@ -24,7 +24,7 @@ pub fn settings(bytes: &[u8]) -> String {
 }
 
 /// Tells the editor how the writing of a file ended, and where the file's former content is kept.
-type Effect = fn(&mut Editor, &Path, Result<Option<PathBuf>, Message>);
+type Effect = fn(&mut Editor, &Path, Result<Written, Message>);
 
 /// What the editor says to commands that no script line can give, and of effects that only a window has.
 pub fn editor() -> String {
@@ -62,14 +62,15 @@ pub fn editor() -> String {
         let _ = writeln!(text, "{shown}\t{}", editor.message_text());
     }
     let path = Path::new("folder/walk.json");
-    let kept = || Ok(Some(PathBuf::from("folder/walk.json~")));
+    let kept = || Ok(Written { kept: Some(PathBuf::from("folder/walk.json~")), other_links: 0 });
+    let linked = || Ok(Written { kept: None, other_links: 2 });
     let failed = || texts::foreign("No space left on device (os error 28)");
     let effects: [(&str, Effect); 2] = [
         ("keyframes written", |editor, path, outcome| drop(editor.keyframes_written(path, outcome))),
         ("scene written", |editor, path, outcome| drop(editor.scene_written(path, outcome))),
     ];
     for (name, effect) in effects {
-        for outcome in [Ok(None), kept(), Err(failed())] {
+        for outcome in [Ok(Written::default()), kept(), linked(), Err(failed())] {
             effect(&mut editor, path, outcome);
             let _ = writeln!(text, "{name}\t{}", editor.message_text());
         }

@@ -57,7 +57,11 @@ fn keyframes() -> Vec<Row> {
 fn scene() -> Vec<Row> {
     let save = binding("scene-save", Command::File(FileCommand::WriteScene));
     let save_as = binding("scene-save-as", Command::File(FileCommand::ChooseSaveSceneAs));
+    let reload = binding("scene-reload", Command::File(FileCommand::ReloadScene));
     vec![
+        Row::listed(Changes::Document, reload)
+            .refused(texts::ACT_RELOAD_THE_SCENE)
+            .can(|editor, _| editor.scene_path.is_some()),
         Row::listed(Changes::Files, save),
         Row::listed(Changes::Files, save_as),
         Row::of(Changes::Files, "save-scene", |command| matches!(command, Command::File(FileCommand::SaveSceneAs(_))))

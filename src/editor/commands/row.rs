@@ -92,6 +92,8 @@ pub struct WindowState {
     pub statistics: bool,
     /// Whether a journal is kept.
     pub journal: bool,
+    /// Whether files are read again when another program changes them.
+    pub reload: bool,
 }
 
 /// The section of a menu that most items stand in.

@@ -17,6 +17,7 @@ fn lists() -> Vec<Row> {
     let hotkeys = binding("hotkeys", WindowCommand::ShowHotkeys);
     let messages = binding("messages", WindowCommand::ToggleMessages);
     let statistics = binding("statistics", WindowCommand::ToggleStatistics);
+    let reload = binding("reload-changed", WindowCommand::ToggleReload).menu(Menu::File);
     let journal = binding("journal", WindowCommand::ToggleJournal).menu(Menu::File);
     vec![
         Row::listed(Changes::Window, commands.hotkeys(&["Ctrl+Shift+P"]).menu(Menu::Help)),
@@ -24,6 +25,7 @@ fn lists() -> Vec<Row> {
         Row::listed(Changes::Window, hotkeys.menu(Menu::Help)),
         Row::listed(Changes::Window, messages.ticked(|_, window| window.messages)),
         Row::listed(Changes::Window, statistics.ticked(|_, window| window.statistics)),
+        Row::listed(Changes::Window, reload.ticked(|_, window| window.reload)),
         Row::listed(Changes::Window, journal.ticked(|_, window| window.journal)),
     ]
 }
