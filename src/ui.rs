@@ -107,6 +107,20 @@ impl Default for UiOutput {
     }
 }
 
+impl UiOutput {
+    /// Adds what came of showing the panels again.
+    pub fn go_on(&mut self, again: Self) {
+        let Self { commands, viewport, quit_answer, panels, recovery, change, overwrite } = again;
+        self.commands.extend(commands);
+        self.viewport = viewport;
+        self.quit_answer = self.quit_answer.or(quit_answer);
+        self.panels.extend(panels);
+        self.recovery = self.recovery.or(recovery);
+        self.change = self.change.or(change);
+        self.overwrite = self.overwrite.or(overwrite);
+    }
+}
+
 /// What all panels read.
 #[derive(Clone, Copy)]
 struct PanelInput<'a> {

@@ -87,7 +87,7 @@ pub enum WindowError {
 /// What tests ask of a window.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ForTests {
-    /// Whether it prints the number of lines in the journal after each command.
+    /// Whether it prints the number of lines in the journal after each command, and `picture` for each picture that it draws.
     pub prints: bool,
     /// The command of this number panics, counted from 1.
     pub panics_at: Option<u64>,

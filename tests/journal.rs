@@ -276,6 +276,22 @@ fn a_damaged_line_ends_the_reading_and_is_named() {
 }
 
 #[test]
+fn undo_ends_where_the_program_had_started() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.journal");
+    let mut kept = Kept::new(editor(), &path);
+    kept.import(text_of(&editor_with(3)).as_bytes());
+    kept.editor.begin_history();
+    kept.journal.begins_history();
+    kept.apply(Command::Edit(Edit::CreateKeyframe));
+    let (mut again, _) = play_alone(&std::fs::read(&path).unwrap());
+    assert_same(&again, &kept.editor);
+    press(&mut again, "ctrl+z");
+    press(&mut again, "ctrl+z");
+    assert_eq!(again.document().keyframes.len(), 3);
+}
+
+#[test]
 fn marked_lines_are_passed_over() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.journal");

@@ -34,7 +34,7 @@ pub struct Arguments {
     pub scene: Option<PathBuf>,
     /// The keyframe file to open in the window, loaded if it exists [default: animation.json, not loaded].
     pub file: Option<PathBuf>,
-    /// For tests: the window prints how many lines its journal has, after each command.
+    /// For tests: the window prints how many lines its journal has, after each command, and `picture` for each picture.
     #[arg(long, hide = true)]
     pub print_lines: bool,
     /// For tests: the command of this number panics in the window, counted from 1.

@@ -81,6 +81,13 @@ impl Keeper {
         }
     }
 
+    /// A picture was drawn: tests that count commands count pictures too.
+    pub fn drawn(&self) {
+        if self.tests.prints {
+            let _ = writeln!(std::io::stdout(), "picture");
+        }
+    }
+
     /// Whether a test wants drawing to panic now.
     pub fn panics_in_drawing(&self) -> bool {
         self.tests.panics_in_drawing_at.is_some_and(|count| self.count >= count)

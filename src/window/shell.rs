@@ -213,6 +213,7 @@ impl Shell {
         }
         if let Some(stage) = &mut self.stage {
             stage.paint(&self.editor, hovered, dot, laid_out, &mut self.meter);
+            self.keeper.drawn();
             if again {
                 stage.window.request_redraw();
             }

@@ -152,12 +152,7 @@ impl WindowSurface {
         let mut output = UiOutput::default();
         // The panels may be laid out twice in one go.
         let mut shown = self.context.run_ui(raw_input, |root| {
-            let now = ui.show(root, editor);
-            output.commands.extend(now.commands);
-            output.viewport = now.viewport;
-            output.quit_answer = output.quit_answer.or(now.quit_answer);
-            output.panels.extend(now.panels);
-            output.recovery = output.recovery.or(now.recovery);
+            output.go_on(ui.show(root, editor));
         });
         if let Some(cursor) = cursor {
             shown.platform_output.cursor_icon = cursor;
