@@ -7,6 +7,7 @@ mod log;
 mod stamp;
 mod walk;
 
+use std::ffi::{OsStr, OsString};
 use std::fs;
 use std::io::{self, Read as _, Write as _};
 use std::path::{Path, PathBuf};
@@ -21,6 +22,9 @@ pub use known::{KnownFiles, OutsideChange};
 pub use log::{LeftLog, Log, begins_with, epoch_seconds, logs, state_folder};
 pub use stamp::{Stamp, Stamping};
 pub use walk::{Entry, EntryKind, entries as list, inside, kind};
+
+/// The longest name of a file that file systems accept, in bytes.
+const LONGEST_NAME_BYTES: usize = 255;
 
 /// Why a file was not read or written. The message does not name the file; the caller adds the name.
 #[derive(Debug, Error)]
@@ -147,19 +151,25 @@ pub fn keep_copy(path: &Path) -> Result<Option<PathBuf>, StorageError> {
     if !path.is_file() {
         return Ok(None);
     }
-    let mut name = path.as_os_str().to_owned();
-    name.push(".bak");
-    let first = PathBuf::from(&name);
-    let free = std::iter::once(first)
-        .chain((2..).map(|count| {
-            let mut counted = name.clone();
-            counted.push(count.to_string());
-            PathBuf::from(counted)
-        }))
+    let name = path.file_name().unwrap_or_default();
+    let free = std::iter::once(String::new())
+        .chain((2..).map(|count: u32| count.to_string()))
+        .map(|count| path.with_file_name(with_ending(name, &format!(".bak{count}"))))
         .find(|candidate| !candidate.exists())
         .expect("the numbers do not end");
     fs::copy(path, &free)?;
     Ok(Some(free))
+}
+
+/// A name with an ending. The end of a long name is cut off, so that the system accepts it.
+fn with_ending(name: &OsStr, ending: &str) -> OsString {
+    let mut whole = name.to_owned();
+    if name.len() + ending.len() > LONGEST_NAME_BYTES {
+        let text = name.to_string_lossy();
+        whole = text[..text.floor_char_boundary(LONGEST_NAME_BYTES - ending.len())].into();
+    }
+    whole.push(ending);
+    whole
 }
 
 /// The first free name of `inbetween-0001.png` and on, in the folder of `beside`.

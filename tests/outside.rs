@@ -193,6 +193,22 @@ fn an_empty_list_is_not_written_over_keyframes_without_a_question() {
 }
 
 #[test]
+fn a_window_that_is_to_close_closes_after_the_answer() {
+    let mut window = Window::open("");
+    window.press(&["n"]);
+    window.change(7);
+    // Return saves, and then the question is asked.
+    window.press(&["ctrl+q", "Return"]);
+    assert!(window.process.0.try_wait().unwrap().is_none());
+    xdotool(&window.display, &["key", "Tab"]).unwrap();
+    window.settle();
+    xdotool(&window.display, &["key", "Return"]).unwrap();
+    assert!(wait_for(|| window.process.0.try_wait().is_ok_and(|end| end.is_some())), "the window does not close");
+    window.check("a.json", 5);
+    window.check("a.json.bak", 7);
+}
+
+#[test]
 fn undo_ends_where_the_program_was_started() {
     let window = Window::open("");
     window.press(&["n", "ctrl+z", "ctrl+z", "ctrl+z", "n", "w"]);

@@ -14,7 +14,11 @@ use inbetween::editor::{
 use inbetween::keyframe::KeyframeIndex;
 use inbetween::pose::RbtIndex;
 use inbetween::scene::{DEFAULT_SCENE, built_in_scene};
-use inbetween::ui::{Panels, PathPurpose, QuitAnswer, theme};
+use inbetween::ui::{
+    ChangeAnswer, ChangeOffer, OverwriteAnswer, OverwriteQuestion, OverwriteReason, Panels, PathPurpose, QuitAnswer,
+    UiOutput, theme,
+};
+use inbetween::words::texts;
 
 struct App {
     editor: Editor,
@@ -22,7 +26,7 @@ struct App {
     /// Whether commands reach the editor.
     applies: bool,
     commands: Vec<Command>,
-    quit_answer: Option<QuitAnswer>,
+    output: UiOutput,
     viewport: egui::Rect,
     is_dressed: bool,
 }
@@ -42,7 +46,7 @@ fn harness(editor: Editor) -> Harness<'static, App> {
         ui: Panels::new(),
         applies: true,
         commands: Vec::new(),
-        quit_answer: None,
+        output: UiOutput::default(),
         viewport: egui::Rect::NOTHING,
         is_dressed: false,
     };
@@ -53,13 +57,13 @@ fn harness(editor: Editor) -> Harness<'static, App> {
             }
             let output = app.ui.show(ui, &app.editor);
             app.viewport = output.viewport;
-            app.quit_answer = app.quit_answer.or(output.quit_answer);
-            for command in output.commands {
+            for command in output.commands.clone() {
                 if app.applies {
                     let _ = app.editor.apply(command.clone());
                 }
                 app.commands.push(command);
             }
+            app.output.go_on(output);
         },
         app,
     );
@@ -313,10 +317,74 @@ fn unsaved_work_is_asked_about() {
     harness.get_by_label("The robots stand in a pose that no keyframe holds.");
     harness.get_by_label("Discard");
     click(&mut harness, "Cancel");
-    assert_eq!(harness.state().quit_answer, None);
+    assert_eq!(harness.state().output.quit_answer, None);
     assert!(!harness.state().ui.has_dialog());
     harness.state_mut().ui.ask_before_quitting();
     harness.run();
     click(&mut harness, "Save");
-    assert_eq!(harness.state().quit_answer, Some(QuitAnswer::Save));
+    assert_eq!(harness.state().output.quit_answer, Some(QuitAnswer::Save));
+}
+
+fn question(reason: OverwriteReason) -> OverwriteQuestion {
+    OverwriteQuestion { path: PathBuf::from("folder/wave.json"), reason, differences: None }
+}
+
+#[test]
+fn a_file_that_others_changed_is_asked_about() {
+    for (label, answer) in [
+        ("Save as…", OverwriteAnswer::SaveAs),
+        ("Overwrite", OverwriteAnswer::Overwrite),
+        ("Reload", OverwriteAnswer::Reload),
+    ] {
+        let mut harness = harness(editor(1));
+        harness.state_mut().ui.ask_before_overwriting(question(OverwriteReason::Changed));
+        harness.run();
+        harness.get_by_label("Another program has changed wave.json.");
+        click(&mut harness, label);
+        assert_eq!((harness.state().output.overwrite, harness.state().ui.has_dialog()), (Some(answer), false));
+    }
+    let mut harness = harness(editor(1));
+    harness.state_mut().ui.ask_before_overwriting(question(OverwriteReason::HoldsKeyframes(1)));
+    harness.run();
+    harness.get_by_label("The list is empty, and wave.json has 1 keyframe.");
+    // Return loses nothing.
+    harness.key_press(Key::Enter);
+    harness.run();
+    assert_eq!(harness.state().output.overwrite, Some(OverwriteAnswer::SaveAs));
+}
+
+#[test]
+fn what_differs_is_shown_in_the_question() {
+    let mut harness = harness(editor(1));
+    harness.state_mut().ui.ask_before_overwriting(question(OverwriteReason::Appeared));
+    harness.run();
+    click(&mut harness, "What differs");
+    assert_eq!(harness.state().output.overwrite, Some(OverwriteAnswer::Compare));
+    harness.state_mut().ui.show_differences(vec![texts::differs_unreadable("no keyframes")]);
+    harness.run();
+    harness.get_by_label("The file cannot be read: no keyframes");
+    assert!(harness.query_by_label("What differs").is_none());
+    harness.key_press(Key::Escape);
+    harness.run();
+    assert!(!harness.state().ui.has_dialog());
+}
+
+#[test]
+fn a_changed_file_is_offered_in_a_bar_that_takes_no_keyboard() {
+    for (label, answer) in
+        [("Reload", ChangeAnswer::Reload), ("What differs", ChangeAnswer::Compare), ("Later", ChangeAnswer::Later)]
+    {
+        let mut harness = harness(editor(1));
+        let above = harness.state().viewport.min.y;
+        let (file, path) = ("wave.json".to_owned(), PathBuf::from("folder/wave.json"));
+        harness.state_mut().ui.changed = Some(ChangeOffer { file, path, replaces_unsaved: false });
+        harness.run();
+        harness.get_by_label("Another program has written wave.json.");
+        assert!(harness.state().viewport.min.y > above);
+        let context = harness.ctx.clone();
+        assert!(!harness.state().ui.has_keyboard(&context) && !context.egui_wants_keyboard_input());
+        click(&mut harness, label);
+        assert_eq!(harness.state().output.change, Some(answer));
+        assert!(!context.egui_wants_keyboard_input());
+    }
 }

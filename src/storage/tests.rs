@@ -57,6 +57,12 @@ fn a_name_of_255_bytes_can_be_written() {
     let path = folder.path().join("n".repeat(250) + ".json");
     write(&path, b"all").unwrap();
     assert_eq!(fs::read(&path).unwrap(), b"all");
+    for ending in [".bak", ".bak2"] {
+        let kept = keep_copy(&path).unwrap().unwrap();
+        let expected = "n".repeat(250) + ".json";
+        assert_eq!(kept.file_name().unwrap().to_str().unwrap(), format!("{}{ending}", &expected[..255 - ending.len()]));
+        assert_eq!(fs::read(kept).unwrap(), b"all");
+    }
 }
 
 #[test]

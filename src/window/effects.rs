@@ -97,9 +97,14 @@ impl Host for Shell {
 impl Shell {
     /// Applies a command and does what it asks for. Refusals are the editor's message already.
     pub(super) fn apply(&mut self, command: Command) {
+        self.guarded(|shell| shell.carry_out(command));
+    }
+
+    /// Does something with the editor. If it panics, the editor is as it was before.
+    pub(super) fn guarded(&mut self, act: impl FnOnce(&mut Self) -> Result<(), Infallible>) {
         let before = self.editor.before();
         let done = catch_unwind(AssertUnwindSafe(|| {
-            let Ok(()) = self.carry_out(command);
+            let Ok(()) = act(self);
         }));
         if done.is_err() {
             self.editor.go_back(before);

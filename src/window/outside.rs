@@ -5,9 +5,12 @@ use std::time::{Duration, Instant};
 
 use super::shell::Shell;
 use crate::animation_diff::{Version, keyframe_differences, scene_differences};
-use crate::editor::{Command, Edit, Editor, FileAccess, FileCommand, FileOutcome, Severity, Writing, Written};
+use crate::editor::{
+    Command, Edit, Editor, Effect, FileAccess, FileCommand, FileOutcome, Host as _, Severity, Writing, Written,
+};
 use crate::files;
 use crate::keyframe::{KeyframeFile, KeyframeIndex, LARGEST_FILE_BYTES};
+use crate::settings::Settings;
 use crate::storage::{self, KnownFiles, OutsideChange, Stamp};
 use crate::text_layouts::{Imported, Options, import};
 use crate::ui::{ChangeAnswer, ChangeOffer, OverwriteAnswer, OverwriteQuestion, OverwriteReason, QuitAnswer};
@@ -184,7 +187,8 @@ impl Shell {
     /// Reads a file again. The keyframe of the same number stays current.
     fn reload(&mut self, is_scene: bool, path: PathBuf) {
         if is_scene {
-            self.apply(Command::File(FileCommand::ReloadScene));
+            // Not the command, which reads the scene's own file: this may be another one.
+            self.guarded(|shell| shell.perform(Effect::ReadScene { path }));
             return;
         }
         let current = self.editor.document().keyframes.current();
@@ -241,9 +245,8 @@ impl Shell {
         }
         // A program that writes the file just now is given the time until the next look.
         let notice = place.map(|place| &mut outside.notices[place]).filter(|notice| !notice.is_answered);
-        if let Some(notice) = notice.filter(|_| self.settings_file.settings.reload)
-            && self.editor.is_at_rest()
-            && !replaces_unsaved(&self.editor, is_scene)
+        if let Some(notice) = notice
+            && is_read_by_itself(&self.settings_file.settings, &self.editor, is_scene)
         {
             // Where it cannot be read, it is not tried again until it changes.
             notice.is_answered = true;
@@ -252,18 +255,15 @@ impl Shell {
         }
     }
 
-    /// Shows or hides the offer to read a file again. Where files are read by themselves, it is only offered what is not.
+    /// Shows or hides the offer to read a file again that is not read by itself.
     pub(super) fn offer_change(&mut self) {
-        let reloads = self.settings_file.settings.reload;
-        let wanted = self
-            .outside
-            .notices
-            .iter()
-            .find(|notice| !notice.is_answered && (!reloads || replaces_unsaved(&self.editor, notice.is_scene)));
-        let offer = wanted.map(|notice| ChangeOffer {
+        let (settings, editor) = (&self.settings_file.settings, &self.editor);
+        let is_offered =
+            |notice: &&Notice| !notice.is_answered && !is_read_by_itself(settings, editor, notice.is_scene);
+        let offer = self.outside.notices.iter().find(is_offered).map(|notice| ChangeOffer {
             file: notice.path.file_name().unwrap_or(notice.path.as_os_str()).to_string_lossy().into_owned(),
             path: notice.path.clone(),
-            replaces_unsaved: replaces_unsaved(&self.editor, notice.is_scene),
+            replaces_unsaved: replaces_unsaved(editor, notice.is_scene),
         });
         if self.ui.changed != offer {
             self.ui.changed = offer;
@@ -300,6 +300,11 @@ impl Shell {
         }
         self.outside.due
     }
+}
+
+/// Whether a file that was changed is read without a word from the user.
+fn is_read_by_itself(settings: &Settings, editor: &Editor, is_scene: bool) -> bool {
+    settings.reload && editor.is_at_rest() && !replaces_unsaved(editor, is_scene)
 }
 
 /// Whether reading a file again replaces what is not saved.
