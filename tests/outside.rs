@@ -24,7 +24,7 @@ struct Window {
     process: Running,
     _server: Running,
     display: String,
-    window: String,
+    handle: String,
     pictures: Arc<AtomicUsize>,
     folder: tempfile::TempDir,
 }
@@ -57,8 +57,8 @@ impl Window {
                 counted.fetch_add(usize::from(line == "picture"), Ordering::Relaxed);
             }
         });
-        let window = focused_window(&display, &mut process);
-        let window = Self { process, _server: server, display, window, pictures, folder };
+        let handle = focused_window(&display, &mut process);
+        let window = Self { process, _server: server, display, handle, pictures, folder };
         window.settle();
         window
     }
@@ -119,9 +119,9 @@ impl Window {
 
     /// The window goes to the back and comes to the front again.
     fn come_back(&self) {
-        xdotool(&self.display, &["windowunmap", "--sync", &self.window]).unwrap();
-        xdotool(&self.display, &["windowmap", "--sync", &self.window]).unwrap();
-        xdotool(&self.display, &["windowfocus", "--sync", &self.window]).unwrap();
+        xdotool(&self.display, &["windowunmap", "--sync", &self.handle]).unwrap();
+        xdotool(&self.display, &["windowmap", "--sync", &self.handle]).unwrap();
+        xdotool(&self.display, &["windowfocus", "--sync", &self.handle]).unwrap();
         self.settle();
     }
 

@@ -88,7 +88,7 @@ fn a_scene_file_that_was_changed_on_disk_is_not_written_over() {
     };
     saved("put-control robot1\nsave-scene scene.json\n");
     saved("put-control robot2\nsave-scene other.json\n");
-    let change = || drop(std::fs::copy(sandbox.path("other.json"), sandbox.path("scene.json")).unwrap());
+    let change = || sandbox.write("scene.json", sandbox.read("other.json"));
     let script = "key v\n...\nput-control robot2\ndo scene-save\ndo scene-reload\nput-control robot1\ndo scene-save\n";
     let outcome = run_meanwhile(&sandbox, script, &["--scene", "scene.json"], change);
     assert_eq!((outcome.status, outcome.stderr), (1, format!("scene.json: {CHANGED}\n")));
