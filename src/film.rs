@@ -18,8 +18,8 @@ pub use format::{
     Encoder, EncodingError, Film, FilmEncoder, FilmFormat, Format, FormatProblem, Plan, StartStill, StillEncoder,
 };
 pub use formats::{
-    APNG, FORMATS, GIF, MOST_FRAMES_PER_SECOND, MP4, NOT_WRITTEN, PNG, Palette, Y4M, films, format_of_ending, listed,
-    opaque, still_names, stills, translucent, written_endings,
+    APNG, FORMATS, GIF, MOST_FRAMES_PER_SECOND, MP4, NOT_WRITTEN, PNG, Palette, Y4M, films, format_of_ending, opaque,
+    still_names, stills, translucent, written_endings,
 };
 pub use options::{ExportBackground, ExportEnd, ExportOptions};
 pub use sheet::{Cell, Grid, contact_sheet};

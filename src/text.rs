@@ -34,12 +34,12 @@ pub fn counted(count: usize, thing: &str) -> String {
     if count == 1 { format!("1 {thing}") } else { format!("{count} {thing}s") }
 }
 
-/// Alternatives in a sentence: `a, b or c`.
+/// Words in a sentence, with a conjunction such as `or` before the last: `a, b or c`.
 #[must_use]
-pub fn listed<T: AsRef<str>>(words: &[T]) -> String {
+pub fn listed<T: AsRef<str>>(words: &[T], conjunction: &str) -> String {
     let words: Vec<&str> = words.iter().map(AsRef::as_ref).collect();
     match words.as_slice() {
-        [all @ .., last] if !all.is_empty() => format!("{} or {last}", all.join(", ")),
+        [all @ .., last] if !all.is_empty() => format!("{} {conjunction} {last}", all.join(", ")),
         _ => words.concat(),
     }
 }
@@ -89,7 +89,8 @@ mod tests {
     #[test]
     fn numbers_and_alternatives() {
         assert_eq!([0, 1, 2].map(|count| counted(count, "key")), ["0 keys", "1 key", "2 keys"]);
-        assert_eq!(listed(&["a"; 0]), "");
-        assert_eq!([listed(&["a"]), listed(&["a", "b"]), listed(&["a", "b", "c"])], ["a", "a or b", "a, b or c"]);
+        assert_eq!(listed(&["a"; 0], "or"), "");
+        assert_eq!([listed(&["a"], "or"), listed(&["a", "b"], "or")], ["a", "a or b"]);
+        assert_eq!(listed(&["a", "b", "c"], "and"), "a, b and c");
     }
 }

@@ -75,16 +75,6 @@ pub fn translucent() -> Vec<&'static str> {
     stills().chain(films()).filter(|format| format.has_opacity).map(|format| format.name).collect()
 }
 
-/// A list of names in a sentence, with `and` before the last.
-#[must_use]
-pub fn listed(names: &[&str], and: &str) -> String {
-    match names {
-        [] => String::new(),
-        [only] => (*only).to_owned(),
-        [others @ .., last] => format!("{}{and}{last}", others.join(", ")),
-    }
-}
-
 /// The limits of formats that have none.
 const fn no_limit(_: [u32; 2], _: Option<u32>) -> Option<Phrase> {
     None
@@ -136,14 +126,5 @@ mod tests {
             assert_eq!(format.problem([640, 480], Some(format.most_frames_per_second), false), None, "{format:?}");
         }
         assert_eq!(problem(&GIF, [641, 480], 51, true).unwrap(), "a GIF shows at most 50 frames a second");
-    }
-
-    #[test]
-    fn lists_read_as_sentences_do() {
-        let list = |names: &[&str]| listed(names, " and ");
-        assert_eq!(
-            [list(&[]), list(&["a"]), list(&["a", "b"]), list(&["a", "b", "c"])],
-            ["", "a", "a and b", "a, b and c"]
-        );
     }
 }

@@ -2,7 +2,8 @@
 
 use std::fmt::Write as _;
 
-use crate::editor::commands::{self, listed};
+use crate::editor::commands;
+use crate::text::listed;
 
 /// Lines that are no commands of the editor: first word, usage and description.
 pub(super) const OWN_LINES: [(&str, &str, &str); 9] = [
@@ -45,7 +46,7 @@ fn lines() -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
 /// Every first word, in a sentence.
 pub(super) fn names_sentence() -> String {
     let names: Vec<&str> = lines().map(|(name, ..)| name).collect();
-    listed(&names).replace(" or ", " and ")
+    listed(&names, "and")
 }
 
 /// The lines as a table in Markdown, for the manual.

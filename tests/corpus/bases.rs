@@ -2,6 +2,8 @@
 
 use std::fmt::Write as _;
 
+use crate::student;
+
 /// The files that all cases can read, as `../shared/NAME`.
 pub const SHARED: [(&str, &str); 12] = [
     ("good.json", "keyframes 4"),
@@ -44,8 +46,11 @@ pub const NODES: [(&str, [&str; 3]); 22] = [
     ("robot2/head", ["0", "0.75", "0"]),
 ];
 
-/// A good file: its kind, and how many keyframes it has where that matters.
+/// A good file: its kind, and how many keyframes it has where that matters; of `shown` the mistake that a program shows.
 pub fn base(spec: &str) -> String {
+    if let Some(mistake) = spec.strip_prefix("shown ") {
+        return shown(mistake);
+    }
     let (kind, count) = spec.split_once(' ').unwrap_or((spec, "4"));
     let count: usize = count.parse().unwrap_or_else(|_| panic!("{spec} is no base"));
     match kind {
@@ -89,6 +94,18 @@ pub fn base(spec: &str) -> String {
         "samples" => samples(),
         "hotkeys" => "key i\nkey >\nkey +\nkey y\nwait 1s\nkey t\nwait 10s\nkey <\nundo\n".to_owned(),
         "joints" => NODES.iter().map(|(path, _)| format!("{path}\n")).collect(),
+        "animated" => student::file(&made(), &NODES.map(|(path, _)| path.to_owned()), "two-robots", "linear", 2000),
+        "outside" => "open ../elsewhere.json\nsave-scene /tmp/scene.json\n".to_owned(),
+        "journal-line" => "keyframe-file \"animation.json\"\nkey n\n".to_owned(),
+        "long-wait" => "key i\nwait 3601s\n".to_owned(),
+        "many-lines" => "key c\n".repeat(count),
+        "nonsense" => "fly away\n".to_owned(),
+        "turned" => keyframes(6, "").replace("[0.6, 0, 0, 0.8]", "[0, 0.6, 0, 0.8]"),
+        "cut-zip" => "PK\u{3}\u{4}\u{14}\0\0\0\0\0".to_owned(),
+        "cut-journal" => format!("{JOURNAL}do keyframe-new\ndo keyframe-"),
+        "trace" => TRACE.to_owned(),
+        "other-trace" => "{\"step\": 0}\n".to_owned(),
+        "one-picture" => ONE_PICTURE.to_owned(),
         "rubric" => RUBRIC.to_owned(),
         "rubric-toml" => RUBRIC_TOML.to_owned(),
         "pictures" => PICTURES.to_owned(),
@@ -235,6 +252,19 @@ fn samples() -> String {
     text
 }
 
+/// Keyframes in which everything moves.
+fn made() -> Vec<Vec<student::Placed>> {
+    student::keyframes(7, 8, NODES.len())
+}
+
+/// The samples that a program with a mistake shows of the base `animated`; after `catmull-rom` those of a spline.
+fn shown(mistake: &str) -> String {
+    let (plays_splines, mistake) = mistake.strip_prefix("catmull-rom ").map_or((false, mistake), |rest| (true, rest));
+    let keyframes = made();
+    let program = student::Student { mistake, plays_splines, keyframes: &keyframes };
+    program.samples(6.0, 2000.0, mistake == "integer-tick", 6)
+}
+
 const RUBRIC: &str = r#"{
   "format": "inbetween.rubric",
   "version": 1,
@@ -270,6 +300,22 @@ const PICTURES: &str = r#"{
   ]
 }
 "#;
+
+/// What the first line of the base `hotkeys` leaves of six keyframes.
+const TRACE: &str = r#"{"line": 1, "command": "key i", "message": "Imported 6 keyframes from animation.json.", "keyframes": 6, "current": 0, "playing": false, "ms_between_keyframes": 2000, "interpolation": "linear"}
+"#;
+
+const JOURNAL: &str = r#"# inbetween.journal 1
+# program 0.1.0
+# began 1700000000
+# keyframes "animation.json"
+# scene "two-robots"
+scene two-robots "animation.json"
+# commands
+"#;
+
+const ONE_PICTURE: &str =
+    r#"{ "format": "inbetween.pictures", "version": 1, "pictures": [ { "name": "rest", "size": [32, 24] } ] }"#;
 
 const SETTINGS: &str = r#"{
   "format": "inbetween.settings",

@@ -6,6 +6,8 @@
 //! * `run ARGUMENTS`: the arguments of the program, with `{}` for the case's file. Before the first case of a group it is for all that
 //!   follow; within a case it is for that case, and there can be several.
 //! * `with NAME = BASE`: a further file in the case's folder.
+//! * `link NAME = TARGET`: a symbolic link in the case's folder.
+//! * `env NAME=VALUE`: a variable of the environment of all runs.
 //! * `from BASE`: the text is that of `bases.rs`, changed by the directives that follow it.
 //! * `replace OLD => NEW`: the first OLD becomes NEW. `every OLD => NEW`: each does.
 //! * `lines COUNT`: only the first lines are kept. `cut COUNT`: the last bytes go. `append TEXT`, `prepend TEXT`.
@@ -25,14 +27,26 @@ pub struct Case {
     pub bytes: Vec<u8>,
     /// Further files.
     pub with: Vec<(String, Vec<u8>)>,
+    /// Symbolic links, and their targets.
+    pub links: Vec<(String, String)>,
     /// The arguments of each run, with `{}` for the file.
     pub runs: Vec<String>,
+    /// Variables of the environment, and their values.
+    pub environment: Vec<(String, String)>,
 }
 
 impl Case {
     /// A case with one run.
     pub fn new(name: String, bytes: Vec<u8>, run: &str) -> Self {
-        Self { file: name.clone(), name, bytes, with: Vec::new(), runs: vec![run.to_owned()] }
+        Self {
+            file: name.clone(),
+            name,
+            bytes,
+            with: Vec::new(),
+            links: Vec::new(),
+            runs: vec![run.to_owned()],
+            environment: Vec::new(),
+        }
     }
 }
 
@@ -41,6 +55,11 @@ pub const RUN_SCRIPT: &str = "script {} --trace --state state.json";
 /// The scripts.
 pub fn scripts(text: &str) -> Vec<Case> {
     cases(text, RUN_SCRIPT)
+}
+
+/// Whole commands, right and wrong.
+pub fn programs(text: &str) -> Vec<Case> {
+    cases(text, "")
 }
 
 /// The bad files.
@@ -77,8 +96,15 @@ fn take_group(text: &str, group: &mut Vec<String>) {
 
 fn case(name: &str, body: &str, group: &[String]) -> Case {
     let (name, file) = name.split_once(" > ").unwrap_or((name, name));
-    let mut case =
-        Case { name: name.to_owned(), file: file.to_owned(), bytes: Vec::new(), with: Vec::new(), runs: Vec::new() };
+    let mut case = Case {
+        name: name.to_owned(),
+        file: file.to_owned(),
+        bytes: Vec::new(),
+        with: Vec::new(),
+        links: Vec::new(),
+        runs: Vec::new(),
+        environment: Vec::new(),
+    };
     let mut literal: Vec<&str> = Vec::new();
     for line in body.lines() {
         let Some(directive) = line.strip_prefix("@ ") else {
@@ -91,6 +117,14 @@ fn case(name: &str, body: &str, group: &[String]) -> Case {
             "with" => {
                 let (file, base) = rest.split_once(" = ").expect("with NAME = BASE");
                 case.with.push((file.to_owned(), bases::base(base).into_bytes()));
+            }
+            "link" => {
+                let (file, target) = rest.split_once(" = ").expect("link NAME = TARGET");
+                case.links.push((file.to_owned(), target.to_owned()));
+            }
+            "env" => {
+                let (variable, value) = rest.split_once('=').expect("env NAME=VALUE");
+                case.environment.push((variable.to_owned(), value.to_owned()));
             }
             "from" => case.bytes = bases::base(rest).into_bytes(),
             _ => case.bytes = changed(name, &case.bytes, word, rest),

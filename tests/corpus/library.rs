@@ -131,3 +131,51 @@ pub fn keymap() -> String {
     }
     text
 }
+
+/// The sentences that only the window says, and those of failures that a test cannot bring about on every machine.
+pub fn window_and_failures() -> String {
+    let path = || "folder/walk.json";
+    let reason = || texts::foreign("it broke");
+    let times = [1_usize, 2]
+        .map(|count| [texts::journal_minutes(count), texts::journal_hours(count), texts::journal_days(count)]);
+    let messages = [
+        texts::FILE_EXPORT_BEGUN_ALREADY.into(),
+        texts::FILE_NO_DIALOG.into(),
+        texts::HOTKEYS_RESET.into(),
+        texts::hotkeys_removed("Play or stop"),
+        texts::settings_not_understood(path(), reason()),
+        texts::settings_copied(path()),
+        texts::settings_not_kept(reason()),
+        texts::STORAGE_READ_ONLY.into(),
+        texts::STORAGE_PERMISSION_DENIED.into(),
+        texts::STORAGE_IN_USE.into(),
+        texts::JOURNAL_NO_FILES.into(),
+        texts::JOURNAL_NO_PLACE.into(),
+        texts::journal_not_kept(reason()),
+        texts::JOURNAL_PANICKED.into(),
+        texts::journal_offer(path(), texts::journal_count(1), texts::JOURNAL_NOW),
+        texts::journal_offer(path(), texts::journal_count(2), texts::JOURNAL_NOW),
+        texts::JOURNAL_RESTORE.into(),
+        texts::JOURNAL_LATER.into(),
+        texts::JOURNAL_DISCARD.into(),
+        texts::journal_restored(path(), texts::journal_count(2)),
+        texts::journal_restored_part(path(), texts::journal_count(2)),
+        texts::journal_unreadable(reason()),
+        texts::timed_not_finite(f64::NAN),
+        texts::EXPORT_TOO_MANY_FRAMES.into(),
+        texts::export_ffmpeg_lost("it broke"),
+        texts::export_picture_not_encoded("it broke"),
+        texts::EXPORT_INTERRUPTED.into(),
+        texts::EXPORT_PROGRAM_FAILED.into(),
+        texts::export_one_image(texts::foreign("PNG")),
+        texts::film_too_large(70_000, 2),
+        texts::film_size(1, 2, 3, 4),
+        texts::film_not_encoded("it broke"),
+        texts::gpu_no_device("Adapter", "it broke"),
+        texts::gpu_no_surface(reason()),
+        texts::GPU_CANNOT_DRAW_ON_SURFACE.into(),
+        texts::gpu_not_read_back("Adapter", "it broke"),
+        texts::SCREENSHOT_NO_WINDOW.into(),
+    ];
+    messages.into_iter().chain(times.into_iter().flatten()).map(|message: Message| format!("{message}\n")).collect()
+}

@@ -1,8 +1,8 @@
 //! The corpus: scripts and bad files with what the program said about them, to the byte.
 //!
-//! `scripts.txt` and `files.txt` hold the cases that are written by hand; `random.rs` makes more from seeds. What each case must leave
-//! stands in `expected-scripts.txt`, `expected-files.txt` and `expected-library.txt`: exit status, standard output, standard error, and
-//! the SHA-256 of every file written. `messages.txt` lists every sentence that the program can say; each must occur at least once.
+//! `scripts.txt`, `files.txt` and `programs.txt` hold the cases that are written by hand; `random.rs` makes more from seeds. What each
+//! case must leave stands in `expected-scripts.txt`, `expected-files.txt`, `expected-programs.txt` and `expected-library.txt`: exit status, standard output, standard error, and
+//! the SHA-256 of every file written. Each message of `en.txt` and each sentence of `messages.txt` must occur at least once.
 //!
 //! To record the expectations anew: `UPDATE_CORPUS=1 cargo test --test corpus`. `CORPUS_BINARY=PATH` runs another binary than the one
 //! under test, for instance one built before a change.
@@ -18,6 +18,8 @@ mod library;
 mod messages;
 mod random;
 mod run;
+#[path = "../student/mod.rs"]
+mod student;
 mod trace;
 
 use std::collections::BTreeMap;
@@ -109,9 +111,18 @@ fn bad_files_give_the_same_sentences() {
 }
 
 #[test]
+fn whole_commands_say_the_same() {
+    check(&cases::programs(&text("programs.txt")), "expected-programs.txt");
+}
+
+#[test]
 fn the_library_says_the_same_of_what_no_command_line_reaches() {
     check_sections(
-        &[("editor".to_owned(), library::editor()), ("keymap".to_owned(), library::keymap())],
+        &[
+            ("editor".to_owned(), library::editor()),
+            ("keymap".to_owned(), library::keymap()),
+            ("window and failures".to_owned(), library::window_and_failures()),
+        ],
         "expected-library.txt",
     );
 }
@@ -122,19 +133,17 @@ fn every_message_occurs() {
         // The other tests are writing what this one reads.
         return;
     }
-    let said: Vec<String> = ["expected-scripts.txt", "expected-files.txt", "expected-library.txt"]
-        .into_iter()
-        .flat_map(|name| messages::said(&text(name)))
-        .collect();
+    let said: Vec<String> =
+        ["expected-scripts.txt", "expected-files.txt", "expected-programs.txt", "expected-library.txt"]
+            .into_iter()
+            .flat_map(|name| messages::said(&text(name)))
+            .collect();
     let list = text("messages.txt");
-    let patterns: Vec<&str> = messages::patterns(&list).collect();
-    let missing: Vec<&str> =
-        patterns.iter().copied().filter(|pattern| !said.iter().any(|line| messages::occurs(pattern, line))).collect();
-    assert!(
-        missing.is_empty(),
-        "{} of {} messages do not occur:\n{}",
-        missing.len(),
-        patterns.len(),
-        missing.join("\n")
-    );
+    let without_id = messages::patterns(&list).map(|pattern| (pattern, pattern.to_owned()));
+    let all: Vec<(&str, String)> =
+        messages::of_english(include_str!("../../assets/words/en.txt")).into_iter().chain(without_id).collect();
+    assert!(all.len() > 500, "{} messages", all.len());
+    let occurs = |pattern: &str| said.iter().any(|line| messages::occurs(pattern, line));
+    let missing: Vec<&str> = all.iter().filter(|(_, pattern)| !occurs(pattern)).map(|(name, _)| *name).collect();
+    assert!(missing.is_empty(), "{} of {} messages do not occur:\n{}", missing.len(), all.len(), missing.join("\n"));
 }

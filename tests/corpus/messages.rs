@@ -1,5 +1,34 @@
 //! Which sentences occur among what was recorded.
 
+/// Headings of `en.txt` under which stand labels, names and helps, which nothing says.
+const LABELS: [&str; 5] =
+    ["# Parts of the help", "# Names in the window", "# Commands by the ids", "# Texts of the window", "# The manual"];
+
+/// The messages of `en.txt`: each id, and its text with `{}` for each argument.
+pub fn of_english(text: &str) -> Vec<(&str, String)> {
+    let mut are_labels = false;
+    let mut messages = Vec::new();
+    let mut lines = text.lines().skip_while(|line| !line.is_empty());
+    while let Some(line) = lines.next() {
+        if line.starts_with("# ") {
+            are_labels = LABELS.iter().any(|heading| line.starts_with(heading));
+        } else if let Some((id, text)) = line.split_once(" = ").filter(|_| !are_labels && !line.starts_with('@')) {
+            messages.push((id, pattern(text)));
+        }
+    }
+    messages
+}
+
+/// A text of `en.txt` as a pattern of [`occurs`].
+fn pattern(text: &str) -> String {
+    let text = text.replace("{{", "\u{1}").replace("}}", "\u{2}");
+    let mut pieces = text.split('{');
+    let first = pieces.next().unwrap_or_default().to_owned();
+    let rest = pieces.map(|piece| piece.split_once('}').expect("each argument ends").1);
+    let pattern = rest.fold(first, |text, piece| text + "{}" + piece);
+    pattern.replace('\u{1}', "{").replace('\u{2}', "}")
+}
+
 /// The sentences of a list: one a line, with `{}` for what differs; headings begin with `#`.
 pub fn patterns(list: &str) -> impl Iterator<Item = &str> {
     list.lines().filter(|line| !line.is_empty() && !line.starts_with('#'))
@@ -25,4 +54,10 @@ fn pieces_occur_in_order() {
     assert!(occurs("Keyframe {} is {}.", "3\tKeyframe 2 is the last."));
     assert!(!occurs("Keyframe {} is {}!", "3\tKeyframe 2 is the last."));
     assert!(!occurs("is {} Keyframe", "Keyframe 2 is the last."));
+}
+
+#[test]
+fn english_texts_become_patterns() {
+    let text = "# Head\n@name = English\n\n# Said\na.b = x {y} of {{z}}\n# Names in the window: labels\nc = d\n";
+    assert_eq!(of_english(text), [("a.b", "x {} of {z}".to_owned())]);
 }

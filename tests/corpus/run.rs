@@ -3,8 +3,9 @@
 //! A case's section holds for each run `$ ARGUMENTS`, `! STATUS`, the lines of standard output after `| ` and those of standard error
 //! after `> `. Then come the files that were written, with the beginning of their SHA-256; short CSV files with their text.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
+use std::os::unix::fs::OpenOptionsExt as _;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::Mutex;
@@ -58,12 +59,24 @@ fn binary() -> PathBuf {
     std::env::var_os("CORPUS_BINARY").map_or_else(|| env!("CARGO_BIN_EXE_inbetween").into(), PathBuf::from)
 }
 
+/// Writes a file and the folders above it. What lies in `bin` can be run.
+fn write(folder: &Path, name: &str, bytes: &[u8]) {
+    let path = folder.join(name);
+    std::fs::create_dir_all(path.parent().expect("it is in the folder")).unwrap();
+    let mut options = std::fs::OpenOptions::new();
+    options.write(true).create(true).truncate(true).mode(if name.starts_with("bin/") { 0o755 } else { 0o644 });
+    std::io::Write::write_all(&mut options.open(path).unwrap(), bytes).unwrap();
+}
+
 fn section(case: &Case, root: &Path) -> String {
     let folder = root.join(&case.name);
     std::fs::create_dir(&folder).unwrap();
-    std::fs::write(folder.join(&case.file), &case.bytes).unwrap();
+    write(&folder, &case.file, &case.bytes);
     for (name, bytes) in &case.with {
-        std::fs::write(folder.join(name), bytes).unwrap();
+        write(&folder, name, bytes);
+    }
+    for (name, target) in &case.links {
+        std::os::unix::fs::symlink(target, folder.join(name)).unwrap();
     }
     let mut text = String::new();
     for run in &case.runs {
@@ -82,6 +95,7 @@ fn section(case: &Case, root: &Path) -> String {
             .stdin(Stdio::null())
             .env_remove("DISPLAY")
             .env_remove("WAYLAND_DISPLAY")
+            .envs(case.environment.iter().map(|(name, value)| (name, value)))
             .output()
             .unwrap();
         let status = output.status.code().unwrap_or_else(|| panic!("{} was killed: {output:?}", case.name));
@@ -109,18 +123,43 @@ fn written(case: &Case, folder: &Path) -> String {
         if was_given == Some(&bytes) {
             continue;
         }
+        if is_picture(&name) {
+            // Its bytes depend on the graphics driver.
+            let _ = writeln!(text, "# {name}");
+            continue;
+        }
         let _ = writeln!(text, "# {name} {}", hash(&bytes));
-        if Path::new(&name).extension().is_some_and(|ending| ending == "csv") && bytes.len() <= LONGEST {
+        let name = Path::new(&name);
+        if name.file_name().is_some_and(|name| name == "grades.csv") {
+            text += &marked(&String::from_utf8_lossy(&bytes), "= ");
+        } else if name.file_name().is_some_and(|name| name == "grades.json") {
+            text += &marked(&reasons(&bytes), "= ");
+        } else if name.file_name().is_some_and(|name| name == "report.html") {
+            let report = String::from_utf8_lossy(&bytes);
+            text += &report
+                .lines()
+                .filter(|line| line.contains("class=\"note\""))
+                .map(|note| format!("= {note}\n"))
+                .collect::<String>();
+        } else if name.extension().is_some_and(|ending| ending == "csv") && bytes.len() <= LONGEST {
             text += &shown(&String::from_utf8_lossy(&bytes), "= ");
         }
     }
     text
 }
 
+fn is_picture(name: &str) -> bool {
+    let ending = Path::new(name).extension().and_then(|ending| ending.to_str());
+    matches!(ending, Some("png" | "gif" | "apng" | "y4m" | "mp4" | "webp"))
+}
+
 fn list(root: &Path, folder: &Path, files: &mut Vec<(String, Vec<u8>)>) {
     let mut entries: Vec<PathBuf> = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
     entries.sort();
     for path in entries {
+        if path.is_symlink() {
+            continue;
+        }
         if path.is_dir() {
             list(root, &path, files);
         } else {
@@ -132,6 +171,20 @@ fn list(root: &Path, folder: &Path, files: &mut Vec<(String, Vec<u8>)>) {
 
 fn hash(bytes: &[u8]) -> String {
     Sha256::digest(bytes).iter().take(6).map(|byte| format!("{byte:02x}")).collect()
+}
+
+/// The reasons for points of `grades.json`, each once.
+fn reasons(grades: &[u8]) -> String {
+    let grades: serde_json::Value = serde_json::from_slice(grades).unwrap();
+    let submissions = grades["submissions"].as_array().unwrap();
+    let items = submissions.iter().flat_map(|submission| submission["items"].as_array().unwrap());
+    let reasons: BTreeSet<&str> = items.map(|item| item["reason"].as_str().unwrap()).collect();
+    reasons.into_iter().map(|reason| format!("{reason}\n")).collect()
+}
+
+/// The lines of a text with a mark before each.
+fn marked(text: &str, mark: &str) -> String {
+    text.lines().map(|line| format!("{mark}{line}\n")).collect()
 }
 
 /// The lines of a text with a mark before each; of a long one the first lines, the last three and its SHA-256.

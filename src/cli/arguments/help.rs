@@ -1,17 +1,18 @@
 //! Help texts that say which formats there are.
 
-use crate::film::{FORMATS, MOST_FRAMES_PER_SECOND, films, listed, written_endings};
+use crate::film::{FORMATS, MOST_FRAMES_PER_SECOND, films, written_endings};
+use crate::text::listed;
 
 /// Of `render --output`.
 pub fn output() -> String {
     let [stills, own_films, through_ffmpeg] = written_endings();
+    let dotted = |endings: &[&str]| -> Vec<String> { endings.iter().map(|ending| format!(".{ending}")).collect() };
     let marked = through_ffmpeg.iter().map(|ending| format!(".{ending} (through ffmpeg)"));
-    let films: Vec<String> = own_films.iter().map(|ending| format!(".{ending}")).chain(marked).collect();
-    let films: Vec<&str> = films.iter().map(String::as_str).collect();
+    let films: Vec<String> = dotted(&own_films).into_iter().chain(marked).collect();
     format!(
-        "What to write: OUT.{} is one image; OUT{} are films; a folder gets frame-00000.png and on",
-        listed(&stills, " or ."),
-        listed(&films, " and ")
+        "What to write: OUT{} is one image; OUT{} are films; a folder gets frame-00000.png and on",
+        listed(&dotted(&stills), "or"),
+        listed(&films, "and")
     )
 }
 
@@ -31,5 +32,5 @@ pub fn fps() -> String {
 /// Of `render --background`.
 pub fn background() -> String {
     let names: Vec<&str> = films().filter(|format| format.has_opacity).map(|format| format.name).collect();
-    format!("What is behind everything: sky, a colour, or transparent (in films: {})", listed(&names, " and "))
+    format!("What is behind everything: sky, a colour, or transparent (in films: {})", listed(&names, "and"))
 }

@@ -2,8 +2,9 @@
 
 use super::super::arguments::RenderArguments;
 use super::super::{CliError, misuse};
-use crate::film::{Format, NOT_WRITTEN, PNG, format_of_ending, listed, still_names, written_endings};
+use crate::film::{Format, NOT_WRITTEN, PNG, format_of_ending, still_names, written_endings};
 use crate::storage;
+use crate::text::listed;
 
 /// What is to be written.
 #[derive(Clone, Copy)]
@@ -44,7 +45,7 @@ impl Output {
     fn check(self, arguments: &RenderArguments) -> Result<(), CliError> {
         if !self.is_one_image {
             if arguments.at.is_some() || arguments.keyframe.is_some() || arguments.sheet.is_some() || arguments.id {
-                let names = listed(&still_names(), " or ");
+                let names = listed(&still_names(), "or");
                 return Err(misuse(&format!(
                     "--at, --keyframe, --sheet and --id make one image: --output names a {names}"
                 )));

@@ -11,6 +11,7 @@ use crate::keyframe::KeyframeIndex;
 use crate::pose::RbtIndex;
 use crate::rbt::Rbt;
 use crate::scene::SceneGraph;
+use crate::text::listed;
 
 type Value<T> = Result<T, ArgumentError>;
 
@@ -84,16 +85,7 @@ pub(super) fn one_of<T>(word: &str, what: &'static str, all: impl Iterator<Item 
         }
         names.push(name);
     }
-    Err(ArgumentError::Choice { word: word.to_owned(), what, expected: listed(&names) })
-}
-
-/// Words in a sentence: `a, b or c`.
-pub(crate) fn listed(words: &[&str]) -> String {
-    match words {
-        [] => String::new(),
-        [only] => (*only).to_owned(),
-        [all @ .., last] => format!("{} or {last}", all.join(", ")),
-    }
+    Err(ArgumentError::Choice { word: word.to_owned(), what, expected: listed(&names, "or") })
 }
 
 /// An index of the list, from 0. Whether the list has it is seen when the line runs.

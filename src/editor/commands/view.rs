@@ -2,8 +2,9 @@
 
 use super::line::{ArgumentError, Ending, Line};
 use super::row::{Binding, Changes, Group, Menu, Row};
-use super::values::{listed, rbt_path_text};
+use super::values::rbt_path_text;
 use crate::editor::{Command, ViewCommand};
+use crate::text::listed;
 
 fn binding(id: &'static str, command: ViewCommand) -> Binding {
     Binding::new(Group::View, id, Command::View(command))
@@ -31,7 +32,10 @@ fn eyes() -> Vec<Row> {
                     let eyes = arguments.scene.eyes();
                     let eye = eyes.iter().position(|&eye| eye == rbt).ok_or_else(|| ArgumentError::Eye {
                         path: arguments.text.to_owned(),
-                        expected: listed(&eyes.iter().map(|&eye| arguments.scene.rbt_path(eye)).collect::<Vec<_>>()),
+                        expected: listed(
+                            &eyes.iter().map(|&eye| arguments.scene.rbt_path(eye)).collect::<Vec<_>>(),
+                            "or",
+                        ),
                     })?;
                     Ok(Some(Command::View(ViewCommand::SetEye(eye))))
                 },
