@@ -16,6 +16,7 @@ mod bases;
 mod cases;
 mod library;
 mod messages;
+mod other_files;
 mod random;
 mod run;
 #[path = "../student/mod.rs"]
@@ -122,6 +123,7 @@ fn the_library_says_the_same_of_what_no_command_line_reaches() {
             ("editor".to_owned(), library::editor()),
             ("keymap".to_owned(), library::keymap()),
             ("window and failures".to_owned(), library::window_and_failures()),
+            ("files of other programs".to_owned(), other_files::said()),
         ],
         "expected-library.txt",
     );
