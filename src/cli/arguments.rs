@@ -174,6 +174,9 @@ pub struct ConvertArguments {
     /// The nodes of a keyframe's rows: a file with a path on each line; - marks a row that is not used.
     #[arg(long, value_name = "FILE")]
     pub joints: Option<PathBuf>,
+    /// Write OUT also where it is IN.
+    #[arg(long)]
+    pub overwrite: bool,
     /// Accept a text that breaks off or disagrees with its header, and take its whole keyframes.
     #[arg(long)]
     pub salvage: bool,
