@@ -32,6 +32,11 @@ pub enum StorageError {
     ReadOnly,
     /// Another program uses the file.
     InUse,
+    /// A stream, whose size is not known before it is read, has more bytes than the limit.
+    StreamTooLarge {
+        /// The limit in bytes.
+        limit: u64,
+    },
     /// Standard input was read before.
     ReadTwice,
     /// The file is larger than the limit.
@@ -58,6 +63,7 @@ impl StorageError {
             },
             Self::ReadOnly => texts::STORAGE_READ_ONLY.into(),
             Self::InUse => texts::STORAGE_IN_USE.into(),
+            Self::StreamTooLarge { limit } => texts::storage_stream_too_large(*limit),
             Self::ReadTwice => texts::STORAGE_READ_TWICE.into(),
             Self::TooLarge { found, limit } => texts::storage_too_large(*found, *limit),
         }
@@ -98,7 +104,7 @@ fn read_stream(stream: impl io::Read, limit: u64, expected: u64) -> Result<Vec<u
     let mut bytes = Vec::with_capacity(usize::try_from(expected).unwrap_or_default());
     let read = stream.take(limit + 1).read_to_end(&mut bytes)?;
     if u64::try_from(read).unwrap_or(u64::MAX) > limit {
-        return Err(StorageError::TooLarge { found: limit + 1, limit });
+        return Err(StorageError::StreamTooLarge { limit });
     }
     Ok(bytes)
 }

@@ -31,7 +31,9 @@ pub fn run(arguments: &GradeArguments, named_scene: Option<&Path>) -> Result<(),
     let places = rubric.files.iter().fold(places(arguments, named_scene), |places, file| {
         places.reads_as(storage::input_name(file), "a file of the rubric", file)
     });
-    submissions.iter().fold(places, |places, one| places.reads_as(one.name.clone(), "SUBMISSION", one.path())).check()?;
+    // Standard input is among the arguments.
+    let named = submissions.iter().filter(|one| !storage::is_standard(one.path()));
+    named.fold(places, |places, one| places.reads_as(one.name.clone(), "SUBMISSION", one.path())).check()?;
     let marks = grading::mark_all(&submissions, &rubric, &scene);
     let mut pictures = vec![Vec::new(); marks.len()];
     if let Some(mut painter) = painter {

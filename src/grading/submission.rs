@@ -81,6 +81,16 @@ pub fn find(arguments: &[PathBuf]) -> Result<Vec<Submission>, FileError> {
     Ok(found)
 }
 
+/// The files of a submission that is one file: what is packed in a zip, or the file itself. In the order of their names.
+///
+/// # Errors
+/// Why there are none: a sentence, with the bound that was hit.
+pub fn unpacked(name: &str, bytes: Vec<u8>) -> Result<Vec<Member>, String> {
+    let mut files = Files::default();
+    files.put(name, bytes)?;
+    Ok(files.sorted())
+}
+
 impl Submission {
     /// Where it is: a file, a folder, or `-` for standard input.
     #[must_use]
@@ -96,8 +106,7 @@ impl Submission {
         let mut files = Files::default();
         if storage::is_standard(&self.path) {
             let bytes = storage::read(&self.path, LARGEST_FILE_BYTES).map_err(|error| error.to_string())?;
-            files.put(&self.name, bytes)?;
-            return Ok(files.sorted());
+            return unpacked(&self.name, bytes);
         }
         let path = match (storage::kind(&self.path).map_err(|error| error.to_string())?, &self.root) {
             (EntryKind::Link, Some(root)) => storage::inside(&self.path, root)

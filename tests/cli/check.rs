@@ -98,7 +98,7 @@ fn json_that_is_wrong_has_line_and_column() {
         (good.replacen("[0,0,0,1]", "[0,0,0,NaN]", 1), "a value is missing"),
         (good.replacen("[0,0,0,1]", "[0,0,0,1e999]", 1), "the number is too large"),
         (good.replacen("[0,0,0,1]", "[0,0,0]", 1), "found a list of 3 values, expected a list of 4 values"),
-        (good[..good.len() / 2].to_owned(), "the file ends in the middle of "),
+        (good[..good.len() / 2].to_owned(), "the file ends "),
         (good.clone() + "]", "there is more after the end"),
         ("[]".to_owned(), "found a list of 0 values, expected an object"),
     ] {
