@@ -37,7 +37,8 @@ fn syntax(words: &str, next: Option<u8>) -> Phrase {
         "expected ident" => texts::DECODE_MISSPELT,
         // The value is one, but of another kind than the type has.
         "expected value" if begins_value => texts::DECODE_OTHER,
-        "expected value" => texts::DECODE_NO_VALUE,
+        "expected value" if matches!(next, Some(b',' | b':' | b']' | b'}')) => texts::DECODE_NO_VALUE,
+        "expected value" => texts::DECODE_BAD_VALUE,
         "key must be a string" | "expected `\"`" => texts::DECODE_NO_NAME,
         "invalid escape" | "lone leading surrogate in hex escape" | "unexpected end of hex escape" => {
             texts::DECODE_BAD_ESCAPE
@@ -59,7 +60,7 @@ pub(super) fn is_missing_field(words: &str) -> bool {
     words.starts_with("missing field `")
 }
 
-/// A reason of toml's.
+/// A reason of toml's: in its syntax, or serde's.
 pub(super) fn toml(words: &str) -> Message {
     // What it would have expected instead follows in further lines, or after a comma.
     let first = words.lines().next().unwrap_or_default();
@@ -75,7 +76,7 @@ pub(super) fn toml(words: &str) -> Message {
         "unclosed table" | "unclosed array table" => texts::DECODE_TABLE_LEFT_OPEN,
         "invalid key" | "invalid table" | "invalid key-value pair" => texts::DECODE_BAD_KEY,
         "cannot recurse further; max recursion depth met" => texts::DECODE_TOO_DEEP,
-        _ => return data(words),
+        _ => return known(words).unwrap_or_else(|| texts::DECODE_NOT_TOML.into()),
     };
     phrase.into()
 }
@@ -109,9 +110,12 @@ fn known(words: &str) -> Option<Message> {
         let (length, wanted) = rest.split_once(", expected ")?;
         return Some(texts::decode_found_expected(texts::decode_list_of(length.parse::<usize>().ok()?), kind(wanted)));
     }
-    let rest = words.strip_prefix("invalid type: ").or_else(|| words.strip_prefix("invalid value: "))?;
-    let (given, wanted) = rest.rsplit_once(", expected ")?;
-    Some(texts::decode_found_expected(found(given), kind(wanted)))
+    if let Some(rest) = words.strip_prefix("invalid type: ") {
+        let (given, wanted) = rest.rsplit_once(", expected ")?;
+        return Some(texts::decode_found_expected(found(given), kind(wanted)));
+    }
+    let (given, wanted) = words.strip_prefix("invalid value: ")?.rsplit_once(", expected ")?;
+    Some(texts::decode_found_expected(found(given), range(wanted).unwrap_or_else(|| kind(wanted))))
 }
 
 /// A phrase that a type of this program names instead of a wording.
@@ -158,20 +162,27 @@ fn found(words: &str) -> Argument {
     }
 }
 
+/// The range of a type of whole numbers, for a number that is not in it.
+fn range(words: &str) -> Option<Argument> {
+    let up_to = |most: u64| texts::decode_kind_whole_up_to(most).into();
+    Some(match words {
+        "u8" => up_to(u8::MAX.into()),
+        "u16" => up_to(u16::MAX.into()),
+        "u32" => up_to(u32::MAX.into()),
+        "u64" | "usize" => texts::DECODE_KIND_WHOLE_FROM_0.into(),
+        _ => return None,
+    })
+}
+
 /// What serde calls a kind of values.
 fn kind(words: &str) -> Argument {
     if let Some(phrase) = own_phrase(words) {
         return phrase.into();
     }
-    let whole = |most: u64| texts::decode_kind_whole(0_u64, most).into();
     match words {
         "a string" | "a borrowed string" | "string" | "path string" => texts::DECODE_KIND_TEXT.into(),
         "a boolean" => texts::DECODE_KIND_TRUTH.into(),
-        "u8" => whole(u8::MAX.into()),
-        "u16" => whole(u16::MAX.into()),
-        "u32" => whole(u32::MAX.into()),
-        "u64" | "usize" => whole(u64::MAX),
-        "i64" => texts::decode_kind_whole(i64::MIN, i64::MAX).into(),
+        "u8" | "u16" | "u32" | "u64" | "usize" | "i32" | "i64" => texts::DECODE_KIND_WHOLE.into(),
         "f32" | "f64" => texts::DECODE_KIND_NUMBER.into(),
         "a sequence" => texts::DECODE_KIND_LIST.into(),
         "a map" => texts::DECODE_KIND_OBJECT.into(),

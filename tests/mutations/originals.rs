@@ -41,7 +41,7 @@ pub const SCENE: &str = r##"{
 
 pub const SCRIPT: &str = "key n\nselect robot1/head\ntranslate 1 0 0\nrotate x 30\nkey n\nput-control robot1\nundo\nput-control robot2\n\
     drag begin\ndrag move 0 1 0\ndrag end\nkey n\nwait 700ms\nrename 0 the #1\nkey n\nkey n\nkey y\nwait 2s\nkey w\nkey i\n# no line\n\
-    screenshot a.png\nsave-scene scene.json\ncommand keyframe-new\nkey ctrl+z\n";
+    screenshot a.png\nsave-scene scene.json\nkey ctrl+z\n";
 
 pub const PICTURES: &str = r#"{ "format": "inbetween.pictures", "version": 1, "pictures": [
     { "name": "rest" },
