@@ -80,7 +80,8 @@ pub fn toml<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, DecodeError> {
         let (line, column) = line_and_column(bytes, at);
         DecodeError { line, column, problem }
     };
-    let text = std::str::from_utf8(bytes).map_err(|error| placed(error.valid_up_to(), texts::DECODE_NOT_UTF_8.into()))?;
+    let text =
+        std::str::from_utf8(bytes).map_err(|error| placed(error.valid_up_to(), texts::DECODE_NOT_UTF_8.into()))?;
     toml::from_str(text).map_err(|error| {
         let start = error.span().map_or(bytes.len(), |span| span.start);
         // A field that is missing in the whole is reported at the start: it is missing at the end.

@@ -276,8 +276,14 @@ mod tests {
         check_refused(r#"{"format": "inbetween.keyframes", "version": 1}"#, "\"inbetween.keyframes\"");
         check_refused(r#"{"format": "inbetween.settings", "version": 2, "more": 1}"#, "version is 2");
         check_refused(r#"{"format": "inbetween.settings", "version": 1, "more": 1}"#, "unknown field \"more\"");
-        check_refused(r#"{"format": "inbetween.settings", "version": 1, "theme": "pink"}"#, "unknown value \"pink\", expected system, light or dark");
-        check_refused(r#"{"format": "inbetween.settings", "version": 1, "language": "xx"}"#, "unknown value \"xx\", expected en or ko");
+        check_refused(
+            r#"{"format": "inbetween.settings", "version": 1, "theme": "pink"}"#,
+            "unknown value \"pink\", expected system, light or dark",
+        );
+        check_refused(
+            r#"{"format": "inbetween.settings", "version": 1, "language": "xx"}"#,
+            "unknown value \"xx\", expected en or ko",
+        );
         check_refused(r#"{"format": "inbetween.settings", "version": 1, "scale_percent": 9}"#, "is 9");
         check_refused(r#"{"format": "inbetween.settings", "version": 1, "panels": {"side": 1e9}}"#, "\"side\"");
     }

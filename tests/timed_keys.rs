@@ -137,6 +137,6 @@ fn bad_keys_in_a_scene_file_are_refused_with_their_place() {
     refused(r#""control": {}, "shape": {"sphere": {"radius": 1}}"#, "cannot stand beside a shape");
     refused(
         r#""shape": {"sphere": {"radius": 1}}, "colour_keys": [[0, "red"]]"#,
-        "colour \"red\", expected \"#rrggbb\"",
+        "found the text \"red\", expected a colour: \"#rrggbb\"",
     );
 }

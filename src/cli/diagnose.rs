@@ -26,13 +26,13 @@ pub fn run(arguments: &DiagnoseArguments, scene: Option<&Path>) -> Result<(), Cl
     let scene = &scene::load(scene)?;
     let keyframe_bytes = files::read(keyframes, LARGEST_FILE_BYTES)?;
     let sample_bytes = files::read(samples, LARGEST_SAMPLES_BYTES)?;
-    let file =
-        read_keyframes(&keyframe_bytes, scene).map_err(|problems| FileError::all(input_name(keyframes), problems))?.file;
+    let file = read_keyframes(&keyframe_bytes, scene)
+        .map_err(|problems| FileError::all(input_name(keyframes), problems))?
+        .file;
     let sequence = Sequence::new(&file.keyframes).map_err(|error| FileError::new(input_name(keyframes), error))?;
     let ms_between_keyframes = file.ms_between_keyframes.unwrap_or(DEFAULT_MS_BETWEEN_KEYFRAMES);
     let located = |error| FileError::new(input_name(samples), error);
-    let samples = samples_from_csv(&sample_bytes, scene.rbt_count(), ms_between_keyframes)
-        .map_err(located)?;
+    let samples = samples_from_csv(&sample_bytes, scene.rbt_count(), ms_between_keyframes).map_err(located)?;
     let diagnosis = diagnosis::diagnose(&sequence, &samples);
     let text = if arguments.json { to_json(&diagnosis) } else { sentences(&diagnosis) };
     output::say(&text)

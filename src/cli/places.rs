@@ -85,7 +85,8 @@ impl Places {
                 Place::Standard => same.get(1).map(|second| (first, second)),
                 Place::File(_) => {
                     let is_any_written = same.iter().any(|named| named.is_written);
-                    let is_other = |named: &&Named| is_any_written && (named.kind.is_none() || named.kind != first.kind);
+                    let is_other =
+                        |named: &&Named| is_any_written && (named.kind.is_none() || named.kind != first.kind);
                     same.iter().skip(1).find(is_other).map(|second| (first, second))
                 }
             };

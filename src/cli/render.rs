@@ -106,9 +106,10 @@ fn places(arguments: &RenderArguments, scene: Option<&Path>, output: Output) -> 
     let is_folder = !output.is_one_image && output.format.is_still();
     let places = if is_folder { places } else { places.writes("--output", &arguments.output) };
     let Some(manifest) = &arguments.manifest else { return places };
-    let frame = manifest.file_name().and_then(|name| name.to_str()).filter(|name| {
-        is_folder && is_frame_name(name, output.format.ending)
-    });
+    let frame = manifest
+        .file_name()
+        .and_then(|name| name.to_str())
+        .filter(|name| is_folder && is_frame_name(name, output.format.ending));
     let places = match frame {
         Some(name) => places.writes("--output", &arguments.output.join(name)),
         None => places,

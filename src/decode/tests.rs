@@ -1,3 +1,5 @@
+//! Each wording of the libraries, and what is said instead.
+
 use serde::Deserialize;
 
 use super::*;
@@ -41,7 +43,10 @@ fn every_wording_of_the_json_reader_has_a_sentence() {
     check(r#"{"name": "\q"}"#, r#"line 1 column 12: after \ comes ", \, /, b, f, n, r, t, or u with four digits"#);
     check(r#"{"count": 01}"#, "line 1 column 12: the number is not written as one");
     check(r#"{"place": [1e999]}"#, "line 1 column 16: the number is too large");
-    check("{\"name\": \"a\n\"}", "line 2 column 1: a text has no line end and no other control character in it: they are written as \\n or \\u001b");
+    check(
+        "{\"name\": \"a\n\"}",
+        "line 2 column 1: a text has no line end and no other control character in it: they are written as \\n or \\u001b",
+    );
     check(r#"{"name": "a",}"#, "line 1 column 14: nothing follows after this comma");
     check(r#"{"place": [1, 2, 3, 4]}"#, "line 1 column 21: the list is longer than expected");
     check(&format!("{GOOD} {{"), "line 1 column 47: there is more after the end");
@@ -60,7 +65,10 @@ fn every_wording_of_serde_has_a_sentence() {
     check(r#"{"name": {}}"#, "line 1 column 9: found an object, expected a text in double quotes");
     check(r#"{"count": -1}"#, "line 1 column 12: found -1, expected a whole number from 0 to 65535");
     check(r#"{"count": 1.5}"#, "line 1 column 13: found 1.5, expected a whole number");
-    check(r#"{"count": "a, expected b"}"#, "line 1 column 25: found the text \"a, expected b\", expected a whole number");
+    check(
+        r#"{"count": "a, expected b"}"#,
+        "line 1 column 25: found the text \"a, expected b\", expected a whole number",
+    );
     check(r#"{"place": [1]}"#, "line 1 column 13: found a list of 1 value, expected a list of 3 values");
     check(r#"{"place": [1, true]}"#, "line 1 column 18: found true, expected a number");
     check(r#"{"flag": []}"#, "line 1 column 9: found a list, expected true or false");
@@ -72,7 +80,9 @@ fn every_wording_of_serde_has_a_sentence() {
 
 #[test]
 fn what_is_not_known_shows_no_wording() {
-    for words in ["", "struct Text", "invalid type: ", "unknown field `x", "invalid length x, expected y", "usize", "foreign"] {
+    for words in
+        ["", "struct Text", "invalid type: ", "unknown field `x", "invalid length x, expected y", "usize", "foreign"]
+    {
         assert_eq!(wordings::toml(words), texts::DECODE_NOT_TOML.into(), "{words}");
     }
 }
@@ -90,7 +100,10 @@ fn shapes_and_values_of_scenes_are_named() {
     refused(r#""shape": 5"#, &format!("found 5, {shape}"));
     refused(r#""shape": "sphere""#, &format!("found the text \"sphere\", {shape}"));
     refused(r#""shape": {}"#, shape);
-    refused(r#""shape": {"ball": {}}"#, r#"unknown field "ball", expected box, sphere, cylinder, cone, capsule or plane"#);
+    refused(
+        r#""shape": {"ball": {}}"#,
+        r#"unknown field "ball", expected box, sphere, cylinder, cone, capsule or plane"#,
+    );
     refused(r#""shape": {"sphere": {"radius": 1}, "box": {}}"#, "expected one shape");
     refused(r#""shape": {"sphere": 1}"#, "found 1, expected an object");
     refused(r#""rotation": 5"#, "expected a rotation: [x, y, z, w], or {");

@@ -173,8 +173,8 @@ impl Rubric {
     /// [`FileError`]
     pub fn load(path: &Path, scene: &SceneGraph) -> Result<Self, FileError> {
         let bad = |problem: String| FileError::new(path.display(), problem);
-        let text = parse(path, &files::read(path, LARGEST_BYTES)?)
-            .map_err(|error| FileError::new(path.display(), error))?;
+        let text =
+            parse(path, &files::read(path, LARGEST_BYTES)?).map_err(|error| FileError::new(path.display(), error))?;
         if let Some(problem) = text.problem() {
             return Err(bad(problem));
         }

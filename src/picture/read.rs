@@ -39,9 +39,7 @@ impl ImageReadError {
     pub fn message(&self) -> Message {
         match self {
             Self::NotPng => texts::PICTURE_NOT_PNG.into(),
-            Self::TooLarge { width, height } => {
-                texts::picture_too_large(*width, *height, LONGEST_SIDE, MOST_PIXELS)
-            }
+            Self::TooLarge { width, height } => texts::picture_too_large(*width, *height, LONGEST_SIDE, MOST_PIXELS),
             Self::Damaged => texts::PICTURE_DAMAGED.into(),
         }
     }

@@ -189,12 +189,14 @@ fn standard_input_and_output_have_one_use_each() {
     ] {
         misuses(&sandbox, arguments, "cannot both go to standard output");
     }
-    misuses(&sandbox, &["render", "a.json", "-o", "-", "--fps", "5"], "numbered images of a film are files in a folder");
-    for arguments in [
-        &["grade", "rubric.json", "a.json", "-o", "-"][..],
-        &["verify", "-"],
-        &["verify", "all", "-o", "-"],
-    ] {
+    misuses(
+        &sandbox,
+        &["render", "a.json", "-o", "-", "--fps", "5"],
+        "numbered images of a film are files in a folder",
+    );
+    for arguments in
+        [&["grade", "rubric.json", "a.json", "-o", "-"][..], &["verify", "-"], &["verify", "all", "-o", "-"]]
+    {
         misuses(&sandbox, arguments, "a folder cannot be standard input or standard output");
     }
     for arguments in [&["-"][..], &["recover", "-"], &["script", "script.txt", "--journal", "-"]] {
@@ -285,7 +287,10 @@ fn pictures_too_large_to_compare_are_refused_by_their_heads() {
     head("huge.png", 16_384, 16_384);
     head("wide.png", 25, 16);
     for (arguments, sentence) in [
-        (["huge.png", "a.png"], "huge.png: a picture of 16384x16384 pixels, and at most 16384 on a side and 67108864 in all are read"),
+        (
+            ["huge.png", "a.png"],
+            "huge.png: a picture of 16384x16384 pixels, and at most 16384 on a side and 67108864 in all are read",
+        ),
         (["a.png", "wide.png"], "a.png and wide.png: the pictures have different sizes: 24x16 and 25x16"),
     ] {
         let Outcome { status, stderr, .. } = sandbox.run(&[&["compare"][..], &arguments].concat());

@@ -4,7 +4,7 @@ use std::io::{Cursor, Write as _};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use inbetween::editor::{Editor, FileCommand};
+use inbetween::editor::{Command, Editor, FileCommand};
 use inbetween::interpolation::Interpolation;
 use inbetween::journal::Writer;
 use inbetween::keyframe::{Keyframe, KeyframeList, keyframes_to_json};
@@ -109,22 +109,19 @@ pub fn journals(folder: &Path) -> Vec<Vec<u8>> {
     let mut editor = Editor::new(Arc::new(scene), PathBuf::from("a.json"));
     let mut journal = Writer::begin(Log::create(&path, |_| true).expect("the folder is writable"), &editor);
     for line in lines {
-        match line.action {
-            Action::Apply(command) => {
-                journal.command(&editor, &command);
-                let is_import = command == inbetween::editor::Command::File(FileCommand::Import);
-                let _ = editor.apply(command);
-                if is_import {
-                    let bytes = keyframe_files().remove(2);
-                    journal.read(Path::new("a.json"), &bytes);
-                    let _ = editor.keyframes_read(Path::new("a.json"), Ok(bytes));
-                }
+        if let Action::Apply(command) = line.action {
+            journal.command(&editor, &command);
+            let is_import = command == Command::File(FileCommand::Import);
+            let _ = editor.apply(command);
+            if is_import {
+                let bytes = keyframe_files().remove(2);
+                journal.read(Path::new("a.json"), &bytes);
+                let _ = editor.keyframes_read(Path::new("a.json"), Ok(bytes));
             }
-            _ => {
-                let was_playing = editor.is_playing();
-                editor.tick(40);
-                journal.ticked(was_playing, &editor, 40);
-            }
+        } else {
+            let was_playing = editor.is_playing();
+            editor.tick(40);
+            journal.ticked(was_playing, &editor, 40);
         }
     }
     drop(journal);
@@ -147,9 +144,11 @@ pub fn zips() -> Vec<Vec<u8>> {
         let mut bytes = Vec::new();
         let mut zip = zip::ZipWriter::new(Cursor::new(&mut bytes));
         let options = SimpleFileOptions::default().compression_method(method);
-        for (name, content) in
-            [("keys/a.json", keyframe_files().remove(1)), ("trace.jsonl", TRACE.into()), ("notes.md", vec![b'a'; 50_000])]
-        {
+        for (name, content) in [
+            ("keys/a.json", keyframe_files().remove(1)),
+            ("trace.jsonl", TRACE.into()),
+            ("notes.md", vec![b'a'; 50_000]),
+        ] {
             zip.start_file(name, options).expect("it is a name");
             zip.write_all(&content).expect("memory takes it");
         }

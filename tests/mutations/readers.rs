@@ -16,12 +16,15 @@ use inbetween::text_layouts::{FieldOrder, Imported, JointList, Options, import};
 
 use super::{originals, samples};
 
+/// Reads an input.
+pub type Read = Box<dyn Fn(&[u8])>;
+
 /// A reader of one kind of input.
 pub struct Reader {
     pub name: &'static str,
     pub originals: Vec<Vec<u8>>,
     /// Reads an input, and checks what came of it.
-    pub read: Box<dyn Fn(&[u8])>,
+    pub read: Read,
     /// The most bytes that reading may take, the input's own among them.
     pub most_bytes: fn(&[u8]) -> usize,
     /// The most allocations for each byte of the input.
@@ -51,7 +54,8 @@ fn text(name: &'static str, originals: Vec<Vec<u8>>, read: impl Fn(&[u8]) + 'sta
 /// All of them. Those that read a file get one in a folder that is kept.
 pub fn all() -> Vec<Reader> {
     let scene: &'static SceneGraph = Box::leak(Box::new(samples::scene()));
-    let folder: &'static Path = Box::leak(tempfile::tempdir().expect("there is a folder for it").keep().into_boxed_path());
+    let folder: &'static Path =
+        Box::leak(tempfile::tempdir().expect("there is a folder for it").keep().into_boxed_path());
     for name in ["reference.json", "hotkeys.txt"] {
         fs::copy(originals::grading().join(name), folder.join(name)).expect("it is in the package");
     }
@@ -190,7 +194,11 @@ fn check_samples(bytes: &[u8], scene: &SceneGraph) {
             assert!(samples.rows.iter().all(is_good));
             let keyframes = vec![Keyframe::new(scene.rest_pose().clone()); 5];
             let diagnosis = diagnose(&Sequence::new(&keyframes).expect("they are enough"), &samples);
-            assert!(diagnosis.candidates.iter().all(|candidate| candidate.residual >= 0.0), "{:?}", diagnosis.candidates);
+            assert!(
+                diagnosis.candidates.iter().all(|candidate| candidate.residual >= 0.0),
+                "{:?}",
+                diagnosis.candidates
+            );
             assert!(!diagnosis.best().name.is_empty());
         }
     }

@@ -97,11 +97,7 @@ pub fn read(bytes: &[u8], scene: &SceneGraph) -> Result<KeyframeFile, Vec<Keyfra
                 return Err(vec![problem]);
             }
             let too_large = too_large::numbers_too_large(bytes);
-            return Err(if too_large.is_empty() {
-                vec![KeyframeFileError::Json(error)]
-            } else {
-                too_large
-            });
+            return Err(if too_large.is_empty() { vec![KeyframeFileError::Json(error)] } else { too_large });
         }
     };
     if let Some(problem) = header_problem(&text.format, text.version) {
