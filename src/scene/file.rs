@@ -1,7 +1,10 @@
 //! The scene file: JSON text to a [`SceneGraph`]. The manual documents the format.
 
+use std::fmt;
+
 use glam::{Quat, Vec3, Vec4};
-use serde::Deserialize;
+use serde::de::{self, Unexpected, Visitor};
+use serde::{Deserialize, Deserializer};
 use thiserror::Error;
 
 use super::builder::SceneBuilder;
@@ -12,6 +15,7 @@ use super::keys::keys_error;
 use super::shape::{PlacedShape, Placement, Shape};
 use super::tracks::Tracks;
 use crate::colour::Colour;
+use crate::decode::{self, DecodeError};
 use crate::rbt::Rbt;
 use crate::timed::{KeyError, rotation_from_euler_degrees};
 use crate::words::{Argument, Message, Phrase, display_by_message, quoted, texts};
@@ -23,11 +27,8 @@ const VERSIONS: std::ops::RangeInclusive<u32> = 1..=2;
 /// Why a text is not a valid scene.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum SceneError {
-    /// The text is not JSON of the right shape; the message ends with line and column.
-    Json {
-        /// The message, with line and column.
-        message: String,
-    },
+    /// The text is not JSON of the right shape.
+    Json(DecodeError),
     /// `format` names something else.
     Format {
         /// The value in the file.
@@ -105,7 +106,7 @@ impl SceneError {
     #[must_use]
     pub fn message(&self) -> Message {
         match self {
-            Self::Json { message } => texts::foreign(message),
+            Self::Json(error) => error.message(),
             Self::Format { found } => texts::scene_format(quoted(found)),
             Self::Version { found } => texts::scene_version(*found),
             Self::NodeName { name, parent } => texts::scene_node_name(quoted(name), parent),
@@ -166,7 +167,7 @@ struct ControlText {
 }
 
 #[derive(Clone, Copy, Deserialize)]
-#[serde(untagged, expecting = "a rotation: [x, y, z, w], or { \"euler_degrees\": [yaw, pitch, roll] }")]
+#[serde(untagged, expecting = "decode.kind.rotation")]
 enum RotationText {
     Quaternion([f32; 4]),
     Euler(EulerText),
@@ -179,21 +180,33 @@ struct EulerText {
 }
 
 #[derive(Clone, Copy, Deserialize)]
-#[serde(untagged, expecting = "a scale: one number, or [x, y, z]")]
+#[serde(untagged, expecting = "decode.kind.scale")]
 enum ScaleText {
     Uniform(f32),
     PerAxis([f32; 3]),
 }
 
-#[derive(Clone, Copy, Deserialize)]
-#[serde(try_from = "String")]
+#[derive(Clone, Copy)]
 struct ColourText(Colour);
 
-impl TryFrom<String> for ColourText {
-    type Error = String;
+impl<'de> Deserialize<'de> for ColourText {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct ColourVisitor;
 
-    fn try_from(text: String) -> Result<Self, String> {
-        Colour::from_hex(&text).map(Self).ok_or_else(|| format!("colour {text:?}, expected \"#rrggbb\""))
+        impl Visitor<'_> for ColourVisitor {
+            type Value = ColourText;
+
+            fn expecting(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+                formatter.write_str("decode.kind.colour")
+            }
+
+            fn visit_str<E: de::Error>(self, text: &str) -> Result<ColourText, E> {
+                let colour = Colour::from_hex(text).map(ColourText);
+                colour.ok_or_else(|| E::invalid_value(Unexpected::Str(text), &self))
+            }
+        }
+
+        deserializer.deserialize_str(ColourVisitor)
     }
 }
 
@@ -202,8 +215,7 @@ impl TryFrom<String> for ColourText {
 /// # Errors
 /// One [`SceneError`] with the line and column, or the path of the node.
 pub fn scene_from_json(text: &str) -> Result<SceneGraph, SceneError> {
-    let text: SceneText =
-        serde_json::from_str(text).map_err(|error| SceneError::Json { message: crate::json::sentence(&error) })?;
+    let text: SceneText = decode::json(text.as_bytes()).map_err(SceneError::Json)?;
     if text.format != FORMAT {
         return Err(SceneError::Format { found: text.format });
     }

@@ -9,6 +9,7 @@ mod films;
 mod grade;
 mod help;
 mod journal;
+mod places;
 mod playback;
 mod render;
 mod sample;

@@ -63,7 +63,7 @@ pub fn editor() -> String {
     }
     let path = Path::new("folder/walk.json");
     let kept = || Ok(Some(PathBuf::from("folder/walk.json~")));
-    let failed = || texts::foreign("No space left on device (os error 28)");
+    let failed = || texts::foreign("No space left on device");
     let effects: [(&str, Effect); 2] = [
         ("keyframes written", |editor, path, outcome| drop(editor.keyframes_written(path, outcome))),
         ("scene written", |editor, path, outcome| drop(editor.scene_written(path, outcome))),
