@@ -21,6 +21,7 @@ mod interrupt;
 mod mistyped;
 mod nodes;
 mod output;
+mod places;
 mod progress;
 mod recover;
 mod reference;
@@ -86,7 +87,6 @@ fn dispatch(arguments: &[OsString]) -> Result<Ended, CliError> {
             Err(help) => return Err(help.into()),
         };
     let scene = scene.as_deref();
-    let load = || scene::load(scene);
     match command {
         None => {
             if let Some(error) = file.as_ref().and_then(|_| mistyped()) {
@@ -99,12 +99,12 @@ fn dispatch(arguments: &[OsString]) -> Result<Ended, CliError> {
             return Err(misuse("a FILE to open in the window and a command cannot go together"));
         }
         Some(Subcommand::Help(arguments)) => help::run(&arguments)?,
-        Some(Subcommand::Check(arguments)) => check::run(&arguments, &load()?)?,
-        Some(Subcommand::Convert(arguments)) => convert::run(&arguments, &load()?)?,
-        Some(Subcommand::Nodes) => nodes::run(&load()?)?,
-        Some(Subcommand::Sample(arguments)) => sample::run(&arguments, &load()?)?,
+        Some(Subcommand::Check(arguments)) => check::run(&arguments, scene)?,
+        Some(Subcommand::Convert(arguments)) => convert::run(&arguments, scene)?,
+        Some(Subcommand::Nodes) => nodes::run(&scene::load(scene)?)?,
+        Some(Subcommand::Sample(arguments)) => sample::run(&arguments, scene)?,
         Some(Subcommand::Render(arguments)) => render::run(&arguments, scene)?,
-        Some(Subcommand::Diagnose(arguments)) => diagnose::run(&arguments, &load()?)?,
+        Some(Subcommand::Diagnose(arguments)) => diagnose::run(&arguments, scene)?,
         Some(Subcommand::Diff(arguments)) => return diff::run(&arguments, scene),
         Some(Subcommand::Grade(arguments)) => grade::run(&arguments, scene)?,
         Some(Subcommand::Verify(arguments)) => return verify::run(&arguments, scene),

@@ -25,4 +25,4 @@ pub use pipeline::{Drawing, Watch};
 pub use request::{PlannedRender, RenderRequest, Subject, check_format, check_sheet, write_picture};
 pub use stage::{Stage, Viewpoint};
 pub use times::{FrameTime, frame_times};
-pub use write::{write_film, write_folder};
+pub use write::{is_frame_name, write_film, write_folder};

@@ -11,7 +11,7 @@ pub mod scene;
 
 pub use animation::{keyframe_file, keyframes_of_any_layout};
 pub use error::{FileError, WorkError};
-pub use image::{LARGEST_IMAGE_BYTES, image};
+pub use image::{LARGEST_IMAGE_BYTES, image, image_size};
 pub use known::{known_at_start, read_known, write_known};
 
 use std::path::Path;
@@ -23,7 +23,7 @@ use crate::storage;
 /// # Errors
 /// [`FileError`]
 pub fn read(path: &Path, limit: u64) -> Result<Vec<u8>, FileError> {
-    storage::read(path, limit).map_err(|reason| FileError::storage(path, reason))
+    storage::read(path, limit).map_err(|reason| FileError::storage(storage::input_name(path), reason))
 }
 
 /// Writes a whole file, as [`storage::write`].
@@ -31,7 +31,7 @@ pub fn read(path: &Path, limit: u64) -> Result<Vec<u8>, FileError> {
 /// # Errors
 /// [`FileError`]; the file is as it was then.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
-    storage::write(path, bytes).map_err(|reason| FileError::storage(path, reason))
+    storage::write(path, bytes).map_err(|reason| FileError::storage(storage::output_name(path), reason))
 }
 
 /// Makes a folder and those above it, where they are missing.
@@ -39,5 +39,5 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
 /// # Errors
 /// [`FileError`]
 pub fn create_folder(path: &Path) -> Result<(), FileError> {
-    storage::create_folder(path).map_err(|reason| FileError::storage(path, reason))
+    storage::create_folder(path).map_err(|reason| FileError::storage(path.display(), reason))
 }

@@ -13,6 +13,7 @@ use std::io;
 
 use thiserror::Error;
 
+use crate::text::system_words;
 use crate::words::{Message, display_by_message, texts};
 pub use format::{
     Encoder, EncodingError, Film, FilmEncoder, FilmFormat, Format, FormatProblem, Plan, StartStill, StillEncoder,
@@ -62,7 +63,7 @@ impl FilmError {
                 texts::film_size(*found_width, *found_height, *width, *height)
             }
             Self::TooLarge { width, height } => texts::film_too_large(*width, *height),
-            Self::Unwritten(error) => texts::foreign(error.to_string()),
+            Self::Unwritten(error) => texts::foreign(system_words(error)),
             Self::Encoding(reason) => texts::film_not_encoded(reason.to_string()),
         }
     }

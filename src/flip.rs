@@ -48,6 +48,14 @@ pub struct Comparison {
     largest: f32,
 }
 
+/// Checks that two pictures can be compared, by their widths and heights in pixels.
+///
+/// # Errors
+/// [`CompareError::Sizes`]
+pub fn check_sizes(first: [u32; 2], second: [u32; 2]) -> Result<(), CompareError> {
+    if first == second { Ok(()) } else { Err(CompareError::Sizes { first, second }) }
+}
+
 /// Compares two pictures of one size. If either is translucent, both are composited over black and over white, and the larger error is
 /// used. The order of the two does not matter.
 ///
@@ -55,9 +63,7 @@ pub struct Comparison {
 /// [`CompareError`]
 pub fn compare(first: &Image, second: &Image) -> Result<Comparison, CompareError> {
     let (width, height) = (first.width, first.height);
-    if (width, height) != (second.width, second.height) {
-        return Err(CompareError::Sizes { first: [width, height], second: [second.width, second.height] });
-    }
+    check_sizes([width, height], [second.width, second.height])?;
     if width == 0 || height == 0 {
         return Err(CompareError::Empty);
     }

@@ -34,7 +34,7 @@ pub use pictures::{ReportPicture, SIZE as PICTURE_SIZE, pictures_of};
 pub use report::html;
 pub use rubric::Rubric;
 pub use samples::SampleDiagnosis;
-pub use submission::{Submission, find};
+pub use submission::{Member, Submission, find, unpacked};
 pub use tables::{csv, json};
 
 use crate::parallel::map_in_order;

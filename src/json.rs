@@ -1,4 +1,4 @@
-//! Shared by all JSON formats: the text of parse errors, and the writing of numbers.
+//! Writing of JSON, shared by all of its formats.
 
 use std::fmt::{self, Write as _};
 
@@ -41,13 +41,6 @@ pub fn push_rbts(text: &mut String, rbts: impl Iterator<Item = Rbt>) {
         text.push('}');
     }
     text.push(']');
-}
-
-/// A parse error as a sentence that ends with its location: `line L column C`.
-#[must_use]
-pub fn sentence(error: &serde_json::Error) -> String {
-    let text = error.to_string();
-    if text.contains(" at line ") { text } else { format!("{text} at line {} column {}", error.line(), error.column()) }
 }
 
 /// Appends a finite number in its shortest form that reads back to the same value: `0.25`, `4`, `1e-7`, `-0`.

@@ -9,7 +9,7 @@ pub use list::{LIST_NAME, Shot, read_list};
 
 use crate::export::{Animation, ErrorKind, Moment, Painter, Size, Source, Stage, Viewpoint};
 use crate::files::{self, FileError, LARGEST_IMAGE_BYTES, WorkError, scene};
-use crate::flip::{CompareError, Comparison, compare};
+use crate::flip::{CompareError, Comparison, check_sizes, compare};
 use crate::render::Image;
 use crate::storage;
 
@@ -90,6 +90,18 @@ impl<'a> References<'a> {
         Self { folder, scene, painter }
     }
 
+    /// Where the picture that is drawn goes in the folder `actual`.
+    #[must_use]
+    pub fn drawn_path(actual: &Path, shot: &Shot) -> PathBuf {
+        actual.join(format!("{}.png", shot.name))
+    }
+
+    /// Where its difference from the reference goes in the folder `actual`.
+    #[must_use]
+    pub fn difference_path(actual: &Path, shot: &Shot) -> PathBuf {
+        actual.join(format!("{}-difference.png", shot.name))
+    }
+
     /// Draws a picture and takes it as the reference.
     ///
     /// # Errors
@@ -113,11 +125,10 @@ impl<'a> References<'a> {
     /// [`WorkError`]: it cannot be drawn or written.
     pub fn verify(&mut self, shot: &Shot, actual: &Path) -> Result<Verdict, WorkError> {
         let drawn = self.draw(shot)?;
-        let name = &shot.name;
-        files::write(&actual.join(format!("{name}.png")), &drawn.to_png()?)?;
-        let difference = actual.join(format!("{name}-difference.png"));
+        files::write(&Self::drawn_path(actual, shot), &drawn.to_png()?)?;
+        let difference = Self::difference_path(actual, shot);
         // Remove the difference image of an earlier run.
-        storage::remove(&difference).map_err(|reason| FileError::storage(&difference, reason))?;
+        storage::remove(&difference).map_err(|reason| FileError::storage(difference.display(), reason))?;
         let verdict = self.verdict(shot, &drawn);
         if let Verdict::Compared { found, .. } = &verdict
             && !verdict.is_good()
@@ -131,6 +142,14 @@ impl<'a> References<'a> {
         let path = self.folder.join(shot.reference());
         if !storage::exists(&path) {
             return Verdict::Missing(path);
+        }
+        let size = match files::image_size(&path) {
+            Ok(size) => size.unwrap_or(shot.size),
+            Err(error) => return Verdict::Unreadable(error),
+        };
+        // A reference of another size is not decoded.
+        if let Err(error) = check_sizes(size, shot.size) {
+            return Verdict::Incomparable(error);
         }
         match files::image(&path).map(|reference| compare(&reference, drawn)) {
             Ok(Ok(found)) => Verdict::Compared { found: Box::new(found), tolerance: shot.tolerance },

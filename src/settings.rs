@@ -11,6 +11,7 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
+use crate::decode::{self, DecodeError};
 use crate::words::{Argument, Language, Message, display_by_message, texts};
 
 /// The value of `format`.
@@ -133,10 +134,7 @@ pub enum SettingsError {
         found: u32,
     },
     /// It is not JSON, or has unknown fields or values.
-    Json {
-        /// The message, with line and column.
-        reason: String,
-    },
+    Json(#[from] DecodeError),
     /// A number is out of range.
     Range {
         /// The field's name.
@@ -159,15 +157,9 @@ impl SettingsError {
         match self {
             Self::Format { found } => texts::settings_format(found, FORMAT),
             Self::Version { found } => texts::settings_version(*found, VERSION),
-            Self::Json { reason } => texts::foreign(reason),
+            Self::Json(error) => error.message(),
             Self::Range { what, found, least, most } => texts::settings_range(what.clone(), found, *least, *most),
         }
-    }
-}
-
-impl From<serde_json::Error> for SettingsError {
-    fn from(error: serde_json::Error) -> Self {
-        Self::Json { reason: error.to_string() }
     }
 }
 
@@ -177,14 +169,14 @@ impl Settings {
     /// # Errors
     /// [`SettingsError`]; a file with any error is refused as a whole.
     pub fn from_json(bytes: &[u8]) -> Result<Self, SettingsError> {
-        let header: Header = serde_json::from_slice(bytes)?;
+        let header: Header = decode::json(bytes)?;
         if header.format != FORMAT {
             return Err(SettingsError::Format { found: header.format });
         }
         if header.version != VERSION {
             return Err(SettingsError::Version { found: header.version });
         }
-        let file: File = serde_json::from_slice(bytes)?;
+        let file: File = decode::json(bytes)?;
         let (least, most) = (SCALES[0], SCALES[SCALES.len() - 1]);
         if !(least..=most).contains(&file.scale_percent) {
             let found = file.scale_percent.to_string();
@@ -289,12 +281,18 @@ mod tests {
 
     #[test]
     fn what_is_not_understood_is_refused() {
-        check_refused("", "line 1 column 0");
+        check_refused("", "line 1 column 1: the file ends");
         check_refused(r#"{"format": "inbetween.keyframes", "version": 1}"#, "\"inbetween.keyframes\"");
         check_refused(r#"{"format": "inbetween.settings", "version": 2, "more": 1}"#, "version is 2");
-        check_refused(r#"{"format": "inbetween.settings", "version": 1, "more": 1}"#, "`more`");
-        check_refused(r#"{"format": "inbetween.settings", "version": 1, "theme": "pink"}"#, "`pink`");
-        check_refused(r#"{"format": "inbetween.settings", "version": 1, "language": "xx"}"#, "variant `xx`, expected");
+        check_refused(r#"{"format": "inbetween.settings", "version": 1, "more": 1}"#, "unknown field \"more\"");
+        check_refused(
+            r#"{"format": "inbetween.settings", "version": 1, "theme": "pink"}"#,
+            "unknown value \"pink\", expected system, light or dark",
+        );
+        check_refused(
+            r#"{"format": "inbetween.settings", "version": 1, "language": "xx"}"#,
+            "unknown value \"xx\", expected en or ko",
+        );
         check_refused(r#"{"format": "inbetween.settings", "version": 1, "scale_percent": 9}"#, "is 9");
         check_refused(r#"{"format": "inbetween.settings", "version": 1, "panels": {"side": 1e9}}"#, "\"side\"");
     }

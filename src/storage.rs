@@ -4,6 +4,7 @@ mod destination;
 mod draft;
 mod known;
 mod log;
+mod place;
 mod stamp;
 mod walk;
 
@@ -14,12 +15,14 @@ use std::path::{Path, PathBuf};
 
 use thiserror::Error;
 
+use crate::text::system_words;
 use crate::words::{Message, display_by_message, texts};
 
 pub use destination::is_stream;
 pub use draft::{Committed, Draft, Foreign};
 pub use known::{KnownFiles, OutsideChange};
 pub use log::{LeftLog, Log, begins_with, epoch_seconds, logs, state_folder};
+pub use place::{Place, input_name, is_standard, output_name};
 pub use stamp::{Stamp, Stamping};
 pub use walk::{Entry, EntryKind, entries as list, inside, kind};
 
@@ -35,6 +38,13 @@ pub enum StorageError {
     ReadOnly,
     /// Another program uses the file.
     InUse,
+    /// A stream, whose size is not known before it is read, has more bytes than the limit.
+    StreamTooLarge {
+        /// The limit in bytes.
+        limit: u64,
+    },
+    /// Standard input was read before.
+    ReadTwice,
     /// The file is larger than the limit.
     TooLarge {
         /// Its size in bytes.
@@ -55,20 +65,25 @@ impl StorageError {
                 io::ErrorKind::NotFound => texts::STORAGE_NOT_FOUND.into(),
                 io::ErrorKind::PermissionDenied => texts::STORAGE_PERMISSION_DENIED.into(),
                 io::ErrorKind::IsADirectory => texts::STORAGE_IS_FOLDER.into(),
-                _ => texts::foreign(error.to_string()),
+                _ => texts::foreign(system_words(error)),
             },
             Self::ReadOnly => texts::STORAGE_READ_ONLY.into(),
             Self::InUse => texts::STORAGE_IN_USE.into(),
+            Self::StreamTooLarge { limit } => texts::storage_stream_too_large(*limit),
+            Self::ReadTwice => texts::STORAGE_READ_TWICE.into(),
             Self::TooLarge { found, limit } => texts::storage_too_large(*found, *limit),
         }
     }
 }
 
-/// Reads a whole file of at most `limit` bytes; a larger one is refused before it is read.
+/// Reads a whole file of at most `limit` bytes; a larger one is refused before it is read. `-` is standard input.
 ///
 /// # Errors
 /// [`StorageError`]
 pub fn read(path: &Path, limit: u64) -> Result<Vec<u8>, StorageError> {
+    if place::is_standard(path) {
+        return read_stream(place::standard_input()?, limit, 0);
+    }
     let file = fs::File::open(path)?;
     let metadata = file.metadata()?;
     if metadata.is_dir() {
@@ -80,15 +95,22 @@ pub fn read(path: &Path, limit: u64) -> Result<Vec<u8>, StorageError> {
     read_stream(file, limit, metadata.len())
 }
 
-/// Reads a stream, such as standard input or a pipe, of at most `limit` bytes. Reserves memory for `expected` bytes.
+/// Reads the first bytes of a file, at most `most`.
 ///
 /// # Errors
 /// [`StorageError`]
-pub fn read_stream(stream: impl io::Read, limit: u64, expected: u64) -> Result<Vec<u8>, StorageError> {
+pub fn read_head(path: &Path, most: usize) -> Result<Vec<u8>, StorageError> {
+    let mut head = Vec::with_capacity(most);
+    fs::File::open(path)?.take(most as u64).read_to_end(&mut head)?;
+    Ok(head)
+}
+
+/// Reads a stream of at most `limit` bytes. Reserves memory for `expected` bytes.
+fn read_stream(stream: impl io::Read, limit: u64, expected: u64) -> Result<Vec<u8>, StorageError> {
     let mut bytes = Vec::with_capacity(usize::try_from(expected).unwrap_or_default());
     let read = stream.take(limit + 1).read_to_end(&mut bytes)?;
     if u64::try_from(read).unwrap_or(u64::MAX) > limit {
-        return Err(StorageError::TooLarge { found: limit + 1, limit });
+        return Err(StorageError::StreamTooLarge { limit });
     }
     Ok(bytes)
 }
@@ -207,20 +229,6 @@ pub fn absolute(path: &Path) -> PathBuf {
 #[must_use]
 pub fn exists(path: &Path) -> bool {
     path.exists()
-}
-
-/// Whether two paths name one file, which may not exist yet.
-#[must_use]
-pub fn is_same_place(one: &Path, other: &Path) -> bool {
-    one == other || matches!((resolved(one), resolved(other)), (Some(one), Some(other)) if one == other)
-}
-
-/// The path of a file without links, which may not exist yet.
-fn resolved(path: &Path) -> Option<PathBuf> {
-    fs::canonicalize(path).ok().or_else(|| {
-        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or_else(|| Path::new("."));
-        Some(fs::canonicalize(folder).ok()?.join(path.file_name()?))
-    })
 }
 
 /// Whether the path is a folder.

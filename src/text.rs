@@ -1,6 +1,7 @@
 //! Helpers for reading and writing texts: byte order marks, locations, counts and alternatives in sentences.
 
 use std::borrow::Cow;
+use std::io;
 
 const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
@@ -32,6 +33,16 @@ pub fn line_and_column(bytes: &[u8], at: usize) -> (usize, usize) {
 #[must_use]
 pub fn counted(count: usize, thing: &str) -> String {
     if count == 1 { format!("1 {thing}") } else { format!("{count} {thing}s") }
+}
+
+/// The system's words for an error, without the number that Rust adds.
+#[must_use]
+pub fn system_words(error: &io::Error) -> String {
+    let words = error.to_string();
+    match (error.raw_os_error(), words.rsplit_once(" (os error ")) {
+        (Some(_), Some((words, _))) => words.to_owned(),
+        _ => words,
+    }
 }
 
 /// Words in a sentence, with a conjunction such as `or` before the last: `a, b or c`.

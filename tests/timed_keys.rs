@@ -133,10 +133,10 @@ fn bad_keys_in_a_scene_file_are_refused_with_their_place() {
     refused(r#""control": {"scale": [[1, 2], [1, 3]]}"#, "node \"it\": control.scale: two keys are at 1 s");
     refused(r#""control": {"scale": [[1, 0]]}"#, "node \"it\": scale is");
     refused(r#""control": {"rotation": [[0, [1, 1, 1, 1]]]}"#, "node \"it\": rotation is of length 2");
-    refused(r#""control": {"spin": []}"#, "unknown field `spin`");
+    refused(r#""control": {"spin": []}"#, "unknown field \"spin\", expected translation, rotation or scale");
     refused(r#""control": {}, "shape": {"sphere": {"radius": 1}}"#, "cannot stand beside a shape");
     refused(
         r#""shape": {"sphere": {"radius": 1}}, "colour_keys": [[0, "red"]]"#,
-        "colour \"red\", expected \"#rrggbb\"",
+        "found the text \"red\", expected a colour: \"#rrggbb\"",
     );
 }

@@ -174,6 +174,9 @@ pub struct ConvertArguments {
     /// The nodes of a keyframe's rows: a file with a path on each line; - marks a row that is not used.
     #[arg(long, value_name = "FILE")]
     pub joints: Option<PathBuf>,
+    /// Write OUT also where it is IN.
+    #[arg(long)]
+    pub overwrite: bool,
     /// Accept a text that breaks off or disagrees with its header, and take its whole keyframes.
     #[arg(long)]
     pub salvage: bool,
@@ -469,15 +472,17 @@ fn background(text: &str) -> Result<Background, String> {
     }
 }
 
-/// Sides are at most 65536 here; what the GPU adapter takes may be less.
+/// The longest side of a picture that can be asked for, in pixels. What the GPU adapter takes may be less.
+const LONGEST_SIDE: u32 = 65_536;
+
 fn size(text: &str) -> Result<Size, String> {
     let side = |text: &str| {
         let digits_only = !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
-        text.parse().ok().filter(|side| digits_only && (1..=65536).contains(side))
+        text.parse().ok().filter(|side| digits_only && (1..=LONGEST_SIDE).contains(side))
     };
     text.split_once('x')
         .and_then(|(width, height)| Some(Size { width: side(width)?, height: side(height)? }))
-        .ok_or_else(|| "expected WIDTHxHEIGHT in pixels, as in 640x480, each at least 1".to_owned())
+        .ok_or_else(|| format!("expected WIDTHxHEIGHT in pixels, as in 640x480, each from 1 to {LONGEST_SIDE}"))
 }
 
 fn interpolation() -> impl TypedValueParser<Value = Interpolation> {

@@ -1,9 +1,11 @@
 //! `inbetween compare`: compares two images.
 
 use super::arguments::CompareArguments;
+use super::places::Places;
 use super::{CliError, Ended, output};
 use crate::files::{self, FileError};
-use crate::flip::{Comparison, compare};
+use crate::flip::{CompareError, Comparison, check_sizes, compare};
+use crate::storage;
 
 /// Compares two images, writes their difference where asked to, and prints the result.
 ///
@@ -12,16 +14,25 @@ use crate::flip::{Comparison, compare};
 pub fn run(arguments: &CompareArguments) -> Result<Ended, CliError> {
     let trouble = |error: FileError| CliError::from(error).into_trouble();
     let (first, second) = (&arguments.first, &arguments.second);
+    let places = Places::default().reads("A.png", first).reads("B.png", second);
+    arguments.output.iter().fold(places, |places, output| places.writes("--output", output)).check()?;
+    let incomparable = |error: CompareError| {
+        let location = format!("{} and {}", storage::input_name(first), storage::input_name(second));
+        trouble(FileError::new(location, error))
+    };
+    // What the heads of the files say is checked before either is decoded.
+    let sizes = [files::image_size(first).map_err(trouble)?, files::image_size(second).map_err(trouble)?];
+    if let [Some(one), Some(other)] = sizes {
+        check_sizes(one, other).map_err(incomparable)?;
+    }
     let [one, other] = [files::image(first).map_err(trouble)?, files::image(second).map_err(trouble)?];
-    let found = compare(&one, &other).map_err(|error| {
-        trouble(FileError::new(format_args!("{} and {}", first.display(), second.display()), error))
-    })?;
+    let found = compare(&one, &other).map_err(incomparable)?;
     if let Some(path) = &arguments.output {
         files::write(path, &found.difference().to_png()?).map_err(trouble)?;
     }
     let tolerance = arguments.tolerance;
     let line = if arguments.json { json(&found, tolerance) } else { found.sentence(tolerance) };
-    output::say(&format!("{line}\n"))?;
+    output::say_beside(arguments.output.as_deref(), &format!("{line}\n"))?;
     Ok(if found.is_within(tolerance) { Ended::Well } else { Ended::Beyond })
 }
 

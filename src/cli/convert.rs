@@ -4,7 +4,8 @@ use std::fmt::Display;
 use std::path::Path;
 
 use super::arguments::ConvertArguments;
-use super::{CliError, output};
+use super::places::Places;
+use super::{CliError, output, scene};
 use crate::files::{self, FileError};
 use crate::keyframe::{Keyframe, KeyframeFile, KeyframesJson, LARGEST_FILE_BYTES};
 use crate::scene::SceneGraph;
@@ -19,8 +20,10 @@ const LARGEST_LIST_BYTES: u64 = 16 << 20;
 ///
 /// # Errors
 /// [`CliError`]: bad input, with nothing written; an output that cannot be written.
-pub fn run(arguments: &ConvertArguments, scene: &SceneGraph) -> Result<(), CliError> {
-    let input = arguments.input.display();
+pub fn run(arguments: &ConvertArguments, scene: Option<&Path>) -> Result<(), CliError> {
+    places(arguments, scene).check()?;
+    let scene = &scene::load(scene)?;
+    let input = storage::input_name(&arguments.input);
     let joints = arguments.joints.as_deref().map(|file| joint_list(file, scene)).transpose()?;
     let options = Options { order: arguments.order, joints, salvage: arguments.salvage };
     let imported = {
@@ -47,12 +50,19 @@ pub fn run(arguments: &ConvertArguments, scene: &SceneGraph) -> Result<(), CliEr
             report
         }
     };
-    output::say(&format!("{input}: {report}\n"))
+    output::say_beside(Some(&arguments.output), &format!("{input}: {report}\n"))
+}
+
+fn places(arguments: &ConvertArguments, scene: Option<&Path>) -> Places {
+    let kind = if arguments.overwrite { "IN" } else { "--output" };
+    let places = Places::with_scene(scene).reads("IN", &arguments.input);
+    let places = arguments.joints.iter().fold(places, |places, joints| places.reads("--joints", joints));
+    places.writes_as("--output".to_owned(), kind, &arguments.output)
 }
 
 fn joint_list(file: &Path, scene: &SceneGraph) -> Result<JointList, FileError> {
     let bytes = files::read(file, LARGEST_LIST_BYTES)?;
-    JointList::from_text(&bytes, scene).map_err(|error| FileError::new(file.display(), error))
+    JointList::from_text(&bytes, scene).map_err(|error| FileError::new(storage::input_name(file), error))
 }
 
 fn keyframe_file_report(file: &KeyframeFile, scene: &SceneGraph, options: &Options, to: Option<Layout>) -> Report {
@@ -83,7 +93,7 @@ fn write_keyframes(arguments: &ConvertArguments, scene: &SceneGraph, file: Keyfr
         let names: Vec<&str> =
             Layout::WRITTEN.into_iter().filter(|layout| layout.can_be_empty()).map(Layout::name).collect();
         let problem = format!("there are no keyframes, and only {} can say so", names.join(", "));
-        return Err(CliError::bad_input(arguments.input.display(), problem));
+        return Err(CliError::bad_input(storage::input_name(&arguments.input), problem));
     }
     let text = KeyframeText { keyframes: &file.keyframes, nodes: scene.rbt_count(), layout, is_exact: arguments.exact };
     write(&arguments.output, &text)

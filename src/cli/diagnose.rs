@@ -1,13 +1,15 @@
 //! `inbetween diagnose`: names the known mistake that explains a student's samples.
 
 use std::fmt::Write as _;
+use std::path::Path;
 
 use super::arguments::DiagnoseArguments;
-use super::{CliError, output};
+use super::places::Places;
+use super::{CliError, output, scene};
 use crate::diagnosis::{self, Candidate, Diagnosis, LARGEST_SAMPLES_BYTES, Sequence, samples_from_csv};
 use crate::files::{self, FileError};
 use crate::keyframe::{DEFAULT_MS_BETWEEN_KEYFRAMES, LARGEST_FILE_BYTES};
-use crate::scene::SceneGraph;
+use crate::storage::input_name;
 use crate::text::counted;
 use crate::text_layouts::read_keyframes;
 
@@ -18,16 +20,19 @@ const RUNNERS_UP: usize = 3;
 ///
 /// # Errors
 /// [`CliError`]: the keyframes or the samples are bad.
-pub fn run(arguments: &DiagnoseArguments, scene: &SceneGraph) -> Result<(), CliError> {
+pub fn run(arguments: &DiagnoseArguments, scene: Option<&Path>) -> Result<(), CliError> {
     let (keyframes, samples) = (&arguments.keyframes, &arguments.samples);
+    Places::with_scene(scene).reads("KEYFRAMES", keyframes).reads("SAMPLES.csv", samples).check()?;
+    let scene = &scene::load(scene)?;
     let keyframe_bytes = files::read(keyframes, LARGEST_FILE_BYTES)?;
     let sample_bytes = files::read(samples, LARGEST_SAMPLES_BYTES)?;
-    let file =
-        read_keyframes(&keyframe_bytes, scene).map_err(|problems| FileError::all(keyframes.display(), problems))?.file;
-    let sequence = Sequence::new(&file.keyframes).map_err(|error| FileError::new(keyframes.display(), error))?;
+    let file = read_keyframes(&keyframe_bytes, scene)
+        .map_err(|problems| FileError::all(input_name(keyframes), problems))?
+        .file;
+    let sequence = Sequence::new(&file.keyframes).map_err(|error| FileError::new(input_name(keyframes), error))?;
     let ms_between_keyframes = file.ms_between_keyframes.unwrap_or(DEFAULT_MS_BETWEEN_KEYFRAMES);
-    let samples = samples_from_csv(&sample_bytes, scene.rbt_count(), ms_between_keyframes)
-        .map_err(|error| FileError::new(samples.display(), error))?;
+    let located = |error| FileError::new(input_name(samples), error);
+    let samples = samples_from_csv(&sample_bytes, scene.rbt_count(), ms_between_keyframes).map_err(located)?;
     let diagnosis = diagnosis::diagnose(&sequence, &samples);
     let text = if arguments.json { to_json(&diagnosis) } else { sentences(&diagnosis) };
     output::say(&text)

@@ -6,12 +6,14 @@ use std::path::Path;
 use serde_json::{Value, json};
 
 use super::arguments::DiffArguments;
+use super::places::Places;
 use super::{CliError, Ended, output};
 use crate::animation_diff::{Deviation, Difference, Played, Tolerances, compare, frame_times_ms};
 use crate::files::{self, FileError, scene};
 use crate::interpolation::Interpolation;
 use crate::keyframe::{KeyframeList, PlayRange, to_f64};
 use crate::scene::SceneGraph;
+use crate::storage::input_name;
 
 /// The most frames that are compared.
 const MOST_FRAMES: usize = 1_000_000;
@@ -22,6 +24,7 @@ const MOST_FRAMES: usize = 1_000_000;
 /// # Errors
 /// [`CliError`] with status 2: they cannot be compared.
 pub fn run(arguments: &DiffArguments, scene: Option<&Path>) -> Result<Ended, CliError> {
+    Places::with_scene(scene).reads("A", &arguments.a).reads("B", &arguments.b).check()?;
     let report = report(arguments, scene).map_err(CliError::into_trouble)?;
     output::say(&report.text).map_err(CliError::into_trouble)?;
     Ok(if report.is_within { Ended::Well } else { Ended::Beyond })
@@ -42,14 +45,14 @@ impl Side {
     fn load(file: &Path, scene: &SceneGraph, interpolation: Option<Interpolation>) -> Result<Self, FileError> {
         let read = files::keyframes_of_any_layout(file, scene)?;
         for warning in read.warnings() {
-            output::complain(&format!("{}: warning: {warning}", file.display()));
+            output::complain(&format!("{}: warning: {warning}", input_name(file)));
         }
         let (list, in_file, ms_between_keyframes) = read.file.into_parts();
         Ok(Self { list, interpolation: interpolation.unwrap_or(in_file), ms_between_keyframes })
     }
 
     fn range(&self, file: &Path) -> Result<PlayRange<'_>, FileError> {
-        PlayRange::new(&self.list).map_err(|error| FileError::new(file.display(), error))
+        PlayRange::new(&self.list).map_err(|error| FileError::new(input_name(file), error))
     }
 
     fn played<'a>(&self, range: &'a PlayRange<'a>) -> Played<'a> {
@@ -66,7 +69,7 @@ fn report(arguments: &DiffArguments, scene: Option<&Path>) -> Result<Report, Cli
     let tolerances =
         Tolerances { translation: arguments.tolerance_translation, rotation_degrees: arguments.tolerance_rotation };
     let length_ms = played_a.length_ms().max(played_b.length_ms());
-    let bad = |problem: String| CliError::bad_input(arguments.a.display(), problem);
+    let bad = |problem: String| CliError::bad_input(input_name(&arguments.a), problem);
     let times = frame_times_ms(&length_ms, arguments.fps, MOST_FRAMES)
         .ok_or_else(|| bad(format!("more than {MOST_FRAMES} frames to compare: choose a lower --fps")))?;
     let difference = compare(played_a, played_b, &times, tolerances).map_err(|error| bad(error.to_string()))?;

@@ -10,7 +10,8 @@ use crate::export::{ErrorKind, ExportError};
 use crate::files::{FileError, WorkError};
 use crate::render::GpuError;
 use crate::script::DiskStop;
-use crate::storage::StorageError;
+use crate::storage::{self, StorageError};
+use crate::text::system_words;
 use crate::window::WindowError;
 
 /// How a successful command ends.
@@ -59,12 +60,12 @@ impl CliError {
 
     /// A file that could not be written.
     pub fn unwritten(path: &Path, reason: StorageError) -> Self {
-        FileError::storage(path, reason).into()
+        FileError::storage(storage::output_name(path), reason).into()
     }
 
     /// Standard output does not take what is written to it.
     pub fn standard_output(error: io::Error) -> Self {
-        Self::failed(BAD_INPUT, format!("standard output: {error}"), error)
+        Self::failed(BAD_INPUT, format!("standard output: {}", system_words(&error)), error)
     }
 
     fn failed(status: u8, sentence: String, source: impl Into<Box<dyn Error + Send + Sync>>) -> Self {

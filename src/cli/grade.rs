@@ -1,25 +1,39 @@
 //! `inbetween grade`: a folder of submissions, marked by a rubric.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use super::arguments::GradeArguments;
+use super::places::Places;
 use super::progress::Progress;
-use super::{CliError, output};
+use super::{CliError, misuse, output};
 use crate::export::Painter;
 use crate::files::{self, scene};
 use crate::grading::{self, PICTURE_SIZE, Rubric};
+use crate::storage;
 use crate::text::counted;
+use crate::words::texts;
 
 /// Grades, and writes `grades.csv`, `grades.json` and `report.html`.
 ///
 /// # Errors
 /// [`CliError`]: a bad rubric, a submission that is not there, no GPU adapter for the pictures, a result that cannot be written. What
 /// is wrong with a submission is no error but its marks.
-pub fn run(arguments: &GradeArguments, scene: Option<&Path>) -> Result<(), CliError> {
+pub fn run(arguments: &GradeArguments, named_scene: Option<&Path>) -> Result<(), CliError> {
+    let folder = &arguments.output;
+    if storage::is_standard(folder) {
+        return Err(misuse(&texts::places_no_folder("--output").to_string()));
+    }
+    places(arguments, named_scene).check()?;
     let painter = if arguments.no_images { None } else { Some(Painter::headless(PICTURE_SIZE, None)?) };
-    let scene = scene::load(scene)?;
+    let scene = scene::load(named_scene)?;
     let rubric = Rubric::load(&arguments.rubric, &scene)?;
     let submissions = grading::find(&arguments.submissions)?;
+    let places = rubric.files.iter().fold(places(arguments, named_scene), |places, file| {
+        places.reads_as(storage::input_name(file), "a file of the rubric", file)
+    });
+    // Standard input is among the arguments.
+    let named = submissions.iter().filter(|one| !storage::is_standard(one.path()));
+    named.fold(places, |places, one| places.reads_as(one.name.clone(), "SUBMISSION", one.path())).check()?;
     let marks = grading::mark_all(&submissions, &rubric, &scene);
     let mut pictures = vec![Vec::new(); marks.len()];
     if let Some(mut painter) = painter {
@@ -29,12 +43,24 @@ pub fn run(arguments: &GradeArguments, scene: Option<&Path>) -> Result<(), CliEr
             progress.step();
         }
     }
-    let folder = &arguments.output;
     files::create_folder(folder)?;
-    let report = folder.join("report.html");
-    files::write(&folder.join("grades.csv"), grading::csv(&marks).as_bytes())?;
-    files::write(&folder.join("grades.json"), grading::json(&marks, &rubric).as_bytes())?;
+    let [table, json, report] = results(folder);
+    files::write(&table, grading::csv(&marks).as_bytes())?;
+    files::write(&json, grading::json(&marks, &rubric).as_bytes())?;
     files::write(&report, grading::html(&marks, &rubric, &pictures).as_bytes())?;
     let submissions = counted(marks.len(), "submission");
     output::say(&format!("{submissions} graded: {}\n", report.display()))
+}
+
+/// The files that are written.
+fn results(folder: &Path) -> [PathBuf; 3] {
+    ["grades.csv", "grades.json", "report.html"].map(|name| folder.join(name))
+}
+
+/// Where it reads and writes, as far as the arguments say.
+fn places(arguments: &GradeArguments, scene: Option<&Path>) -> Places {
+    let places = Places::with_scene(scene).reads("RUBRIC", &arguments.rubric);
+    let standard = arguments.submissions.iter().filter(|path| storage::is_standard(path));
+    let places = standard.fold(places, |places, path| places.reads("SUBMISSION", path));
+    results(&arguments.output).iter().fold(places, |places, path| places.writes_once(storage::output_name(path), path))
 }

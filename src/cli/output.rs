@@ -1,8 +1,10 @@
 //! Standard output and standard error.
 
 use std::io::{self, BufWriter, IsTerminal as _, Write};
+use std::path::Path;
 
 use super::CliError;
+use crate::storage::Place;
 use crate::text::visible;
 
 /// Standard output with a buffer that is large enough for it to keep up.
@@ -28,6 +30,18 @@ pub fn print(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(),
 /// [`CliError`]: it does not take them.
 pub fn say(sentences: &str) -> Result<(), CliError> {
     print(|output| output.write_all(visible(sentences).as_bytes()))
+}
+
+/// Like [`say`]; where `data` names standard output, which has the command's data then, to standard error.
+///
+/// # Errors
+/// [`CliError`]: it does not take them.
+pub fn say_beside(data: Option<&Path>, sentences: &str) -> Result<(), CliError> {
+    if data.is_some_and(|path| Place::of_output(path) == Place::Standard) {
+        complain(sentences.trim_end());
+        return Ok(());
+    }
+    say(sentences)
 }
 
 /// Writes data to standard output: as it is into a file or a pipe, as [`say`] does to a terminal.

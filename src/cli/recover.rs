@@ -3,13 +3,15 @@
 use std::path::{Path, PathBuf};
 
 use super::arguments::RecoverArguments;
-use super::{CliError, output};
+use super::places::Places;
+use super::{CliError, misuse, output};
 use crate::editor::Editor;
 use crate::files;
 use crate::journal::{self, Left};
 use crate::keyframe::keyframes_to_json;
 use crate::scene::scene_to_json;
 use crate::storage;
+use crate::words::texts;
 
 /// Lists journals, or writes what one holds to a keyframe file.
 ///
@@ -19,6 +21,11 @@ pub fn run(arguments: &RecoverArguments) -> Result<(), CliError> {
     if arguments.list {
         return list(&all());
     }
+    if arguments.journal.as_deref().is_some_and(storage::is_standard) {
+        return Err(misuse(&texts::places_needs_a_file("JOURNAL").to_string()));
+    }
+    let places = arguments.journal.iter().fold(Places::default(), |places, journal| places.reads("JOURNAL", journal));
+    arguments.output.iter().fold(places, |places, output| places.writes("--output", output)).check()?;
     let left = match &arguments.journal {
         Some(path) => named(path)?,
         None => all().into_iter().next().ok_or_else(|| CliError::bad_input("recover", "nothing is left to recover"))?,
@@ -37,7 +44,8 @@ pub fn run(arguments: &RecoverArguments) -> Result<(), CliError> {
     }
     left.take_over();
     let keyframes = editor.document().keyframes.len();
-    output::print(|out| writeln!(out, "{}: {keyframes} keyframes out of {}", target.display(), lines(played.lines)))
+    let said = format!("{}: {keyframes} keyframes out of {}\n", storage::output_name(&target), lines(played.lines));
+    output::say_beside(Some(&target), &said)
 }
 
 fn lines(count: usize) -> String {
@@ -86,7 +94,8 @@ fn write(editor: &Editor, target: &Path) -> Result<(), CliError> {
     let (interpolation, ms) = (document.interpolation, document.ms_between_keyframes);
     let text = keyframes_to_json(editor.scene(), &document.keyframes, interpolation, ms);
     files::write(target, text.as_bytes())?;
-    if editor.has_unsaved_scene() {
+    // Standard output takes one of the two.
+    if editor.has_unsaved_scene() && !storage::is_standard(target) {
         let scene = target.with_extension("scene.json");
         files::write(&scene, scene_to_json(editor.scene()).as_bytes())?;
     }

@@ -9,10 +9,12 @@ use std::path::Path;
 
 use super::arguments::RenderArguments;
 use super::interrupt::Interrupt;
+use super::places::Places;
 use super::progress::Progress;
 use super::{CliError, scene};
 use crate::export::{
-    Animation, Painter, PlannedRender, RenderRequest, Size, Source, Subject, check_format, check_sheet, write_picture,
+    Animation, Painter, PlannedRender, RenderRequest, Size, Source, Subject, check_format, check_sheet, is_frame_name,
+    write_picture,
 };
 use crate::render::Background;
 use manifest::Manifest;
@@ -29,6 +31,7 @@ const SHEET_SIZE: Size = Size { width: 320, height: 240 };
 /// [`CliError`]
 pub fn run(arguments: &RenderArguments, scene: Option<&Path>) -> Result<(), CliError> {
     let output = Output::of(arguments)?;
+    places(arguments, scene, output).check()?;
     let is_opaque = arguments.background != Background::Transparent;
     let size = arguments.size.unwrap_or(if arguments.sheet.is_some() { SHEET_SIZE } else { DEFAULT_SIZE });
     check_format(output.format, size, arguments.fps, is_opaque, &arguments.output)?;
@@ -94,6 +97,24 @@ fn draw(
         manifest.write(path)?;
     }
     Ok(())
+}
+
+/// Where it reads and writes. Of the pictures in a folder, those are of interest that a manifest could be.
+fn places(arguments: &RenderArguments, scene: Option<&Path>, output: Output) -> Places {
+    let places = Places::with_scene(scene);
+    let places = arguments.file.iter().fold(places, |places, file| places.reads("FILE", file));
+    let is_folder = !output.is_one_image && output.format.is_still();
+    let places = if is_folder { places } else { places.writes("--output", &arguments.output) };
+    let Some(manifest) = &arguments.manifest else { return places };
+    let frame = manifest
+        .file_name()
+        .and_then(|name| name.to_str())
+        .filter(|name| is_folder && is_frame_name(name, output.format.ending));
+    let places = match frame {
+        Some(name) => places.writes("--output", &arguments.output.join(name)),
+        None => places,
+    };
+    places.writes("--manifest", manifest)
 }
 
 /// Shows a line of progress and checks for Ctrl+C.

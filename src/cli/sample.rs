@@ -2,27 +2,33 @@
 
 use std::fmt::Write as _;
 use std::io;
+use std::path::Path;
 
 use glam::Mat4;
 
 use super::arguments::{SampleArguments, SampleFormat, Space};
 use super::output;
-use super::{CliError, misuse};
+use super::places::Places;
+use super::{CliError, misuse, scene};
 use crate::blend::AlignedAffine;
 use crate::export::{Animation, FrameTime, frame_times};
 use crate::json::{push_f32, push_f32s, push_rbts, push_strings};
 use crate::keyframe::SampleError;
 use crate::pose::Pose;
 use crate::scene::SceneGraph;
+use crate::storage::input_name;
 
 /// Prints samples, all in the scene's order. Nothing is printed before all of the input is known to be good.
 ///
 /// # Errors
 /// [`CliError`]
-pub fn run(arguments: &SampleArguments, scene: &SceneGraph) -> Result<(), CliError> {
+pub fn run(arguments: &SampleArguments, scene: Option<&Path>) -> Result<(), CliError> {
     if arguments.space == Space::World && arguments.format == SampleFormat::Csv {
         return Err(misuse("--space world is printed as JSON: leave --format csv out"));
     }
+    let places = Places::with_scene(scene);
+    arguments.file.iter().fold(places, |places, file| places.reads("FILE", file)).check()?;
+    let scene = &scene::load(scene)?;
     let Some(file) = &arguments.file else {
         let rest = (FrameTime { key_time: 0.0, ms: 0.0 }, scene.rest_pose().clone());
         return print(arguments, scene, std::iter::once(Ok(rest)));
@@ -38,7 +44,7 @@ pub fn run(arguments: &SampleArguments, scene: &SceneGraph) -> Result<(), CliErr
     let problems: Vec<String> = key_times
         .iter()
         .filter_map(|&key_time| range.check(key_time).err())
-        .map(|error| format!("{}: {error}", file.display()))
+        .map(|error| format!("{}: {error}", input_name(file)))
         .collect();
     if !problems.is_empty() {
         return Err(CliError::bad_inputs(problems));

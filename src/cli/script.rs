@@ -4,14 +4,16 @@ use std::io::{self, BufWriter, StdoutLock, Write as _};
 use std::path::Path;
 
 use super::arguments::ScriptArguments;
-use super::{CliError, output};
-use crate::editor::Editor;
+use super::places::Places;
+use super::{CliError, misuse, output};
+use crate::editor::{Command, Editor, FileCommand};
 use crate::export::Painter;
 use crate::files::{self, FileError, scene};
 use crate::journal::{self, Journaled, Writer};
 use crate::scene::SceneGraph;
-use crate::script::{self, Disk, Line, Runner, TraceLine, state_json};
+use crate::script::{self, Action, Disk, Line, Runner, TraceLine, state_json};
 use crate::storage::{self, Log};
+use crate::words::texts;
 
 /// The largest script that is read: 16 MiB.
 const LARGEST_SCRIPT_BYTES: u64 = 16 << 20;
@@ -21,11 +23,17 @@ const LARGEST_SCRIPT_BYTES: u64 = 16 << 20;
 /// # Errors
 /// [`CliError`]: bad lines before anything has run, a missing GPU adapter if the script needs one, a file that cannot be written.
 pub fn run(arguments: &ScriptArguments, named_scene: Option<&Path>) -> Result<(), CliError> {
+    if arguments.journal.as_deref().is_some_and(storage::is_standard) {
+        return Err(misuse(&texts::places_needs_a_file("--journal").to_string()));
+    }
+    places(arguments, named_scene, &[]).check()?;
     let scene = scene::load(named_scene)?;
-    let (location, bytes) = read(&arguments.file);
-    let bytes = bytes.map_err(|error| FileError::new(&location, error))?;
+    let location = storage::input_name(&arguments.file);
+    let bytes = storage::read(&arguments.file, limit(&arguments.file));
+    let bytes = bytes.map_err(|error| FileError::storage(&location, error))?;
     let is_journal = journal::is_journal(&bytes);
     let lines = if is_journal { Vec::new() } else { parsed(&location, &bytes, &scene)? };
+    places(arguments, named_scene, &lines).check()?;
     let takes_pictures = lines.iter().any(Line::takes_screenshot);
     let painter = takes_pictures.then(|| Painter::headless(arguments.size, None)).transpose()?;
     let editor = scene::editor_of(scene, named_scene, arguments.keyframes.clone());
@@ -71,17 +79,54 @@ fn begin_journal(path: &Path, editor: &Editor) -> Result<Writer, CliError> {
     Ok(Writer::begin(log, editor))
 }
 
-fn read(file: &Path) -> (String, Result<Vec<u8>, storage::StorageError>) {
-    if file == Path::new("-") {
-        ("standard input".to_owned(), storage::read_stream(io::stdin().lock(), LARGEST_SCRIPT_BYTES, 0))
+/// As many bytes are read: of a journal as many as one may have.
+fn limit(file: &Path) -> u64 {
+    if !storage::is_standard(file) && storage::begins_with(file, journal::is_journal) {
+        journal::LARGEST_READ_BYTES
     } else {
-        let limit = if storage::begins_with(file, journal::is_journal) {
-            journal::LARGEST_READ_BYTES
-        } else {
-            LARGEST_SCRIPT_BYTES
-        };
-        (file.display().to_string(), storage::read(file, limit))
+        LARGEST_SCRIPT_BYTES
     }
+}
+
+/// Where a script reads and writes. What a line reads and writes again is no conflict: it is done in order.
+fn places(arguments: &ScriptArguments, scene: Option<&Path>, lines: &[Line]) -> Places {
+    const KEYFRAMES: &str = "--keyframes";
+    const SCENE: &str = "--scene";
+    let mut places = Places::with_scene(scene).reads("FILE", &arguments.file);
+    let outputs = [("--state", &arguments.state), ("--journal", &arguments.journal)];
+    for (name, path) in outputs.into_iter().filter_map(|(name, path)| Some((name, path.as_deref()?))) {
+        places = places.writes(name, path);
+    }
+    if arguments.trace {
+        places = places.prints("--trace");
+    }
+    let mut keyframes = arguments.keyframes.as_path();
+    if !storage::is_standard(keyframes) {
+        places = places.writes(KEYFRAMES, keyframes);
+    } else if arguments.state.as_deref().is_some_and(storage::is_standard) {
+        // Also where no line writes it: what is meant is not known.
+        return places.writes(KEYFRAMES, keyframes);
+    }
+    for line in lines {
+        let Action::Apply(Command::File(command)) = &line.action else { continue };
+        let name = || format!("line {} ({})", line.number, line.text);
+        places = match command {
+            FileCommand::Import => places.reads_as(name(), KEYFRAMES, keyframes),
+            FileCommand::Open(path) => {
+                keyframes = path;
+                places.reads_as(name(), KEYFRAMES, path)
+            }
+            FileCommand::Write => places.writes_as(name(), KEYFRAMES, keyframes),
+            FileCommand::SaveAs(path) => {
+                keyframes = path;
+                places.writes_as(name(), KEYFRAMES, path)
+            }
+            FileCommand::SaveSceneAs(path) => places.writes_as(name(), SCENE, path),
+            FileCommand::Screenshot(Some(path)) => places.writes_as(name(), "screenshot", path),
+            _ => places,
+        };
+    }
+    places
 }
 
 /// The trace on standard output, where one is asked for. When its reader leaves, the script goes on without.

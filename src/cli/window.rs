@@ -3,16 +3,20 @@
 use std::path::{Path, PathBuf};
 
 use super::arguments::DEFAULT_KEYFRAME_FILE;
-use super::{CliError, scene};
+use super::{CliError, misuse, scene};
 use crate::editor::{Command, FileCommand};
 use crate::storage;
 use crate::window::ForTests;
+use crate::words::texts;
 
 /// Opens the window on a scene, with a keyframe file, which is loaded if it is named and exists. The window reports errors of the file.
 ///
 /// # Errors
 /// [`CliError`]: a bad scene, no display, no GPU adapter.
 pub fn run(scene: Option<&Path>, file: Option<PathBuf>, tests: ForTests) -> Result<(), CliError> {
+    if file.as_deref().is_some_and(storage::is_standard) {
+        return Err(misuse(&texts::places_needs_a_file("FILE").to_string()));
+    }
     let loaded = scene::load(scene)?;
     let at_start = match &file {
         Some(file) if storage::exists(file) => vec![Command::File(FileCommand::Import)],

@@ -8,7 +8,7 @@ use super::ffmpeg::FfmpegError;
 use crate::film::{EncodingError, FilmError, FormatProblem};
 use crate::keyframe::SampleError;
 use crate::render::GpuError;
-use crate::storage::StorageError;
+use crate::storage::{StorageError, output_name};
 use crate::words::{Message, display_by_message, texts};
 
 /// Why there is no film or picture.
@@ -130,11 +130,11 @@ impl ExportError {
             Self::Ffmpeg { path, cause } => texts::export_at(path.display(), cause.message()),
             Self::Gpu(error) => error.message(),
             Self::Picture(error) => error.message(),
-            Self::Unwritten { path, cause } => texts::export_at(path.display(), cause.message()),
+            Self::Unwritten { path, cause } => texts::export_at(output_name(path), cause.message()),
             Self::Stale { folder, count, first, last } => {
                 texts::export_at(folder.display(), texts::export_stale(*count, first, last))
             }
-            Self::Film { path, cause } => texts::export_at(path.display(), cause.message()),
+            Self::Film { path, cause } => texts::export_at(output_name(path), cause.message()),
             Self::Cancelled => texts::EXPORT_INTERRUPTED.into(),
         }
     }

@@ -7,6 +7,7 @@ use std::process::{Child, ChildStdin, Command, ExitStatus, Stdio};
 use thiserror::Error;
 
 use crate::film::written_endings;
+use crate::text::system_words;
 use crate::words::{Message, display_by_message, one_of, texts};
 
 /// Why ffmpeg made no film.
@@ -34,9 +35,9 @@ impl FfmpegError {
                 let films: Vec<String> = films.iter().map(|ending| format!(".{ending}")).collect();
                 texts::export_no_ffmpeg(one_of(&films))
             }
-            Self::Start(error) => texts::export_ffmpeg_not_started(error.to_string()),
+            Self::Start(error) => texts::export_ffmpeg_not_started(system_words(error)),
             Self::Ended(status) => texts::export_ffmpeg_ended(status.to_string()),
-            Self::Wait(error) => texts::export_ffmpeg_lost(error.to_string()),
+            Self::Wait(error) => texts::export_ffmpeg_lost(system_words(error)),
         }
     }
 }

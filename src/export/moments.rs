@@ -9,6 +9,7 @@ use super::{Animation, ExportError, FrameTime, Size, Viewpoint, frame_times};
 use crate::film::{Grid, Plan};
 use crate::keyframe::{KeyframeIndex, KeyframeList, PlayRange, SampleError};
 use crate::scene::SceneGraph;
+use crate::storage::input_name;
 
 /// Duration of a turn of the turntable if nothing else moves, in milliseconds.
 const TURN_MS: u32 = 4000;
@@ -84,7 +85,7 @@ impl Source<'_> {
     /// The name for errors: the file, or the scene if there is no file.
     pub(super) fn name(&self) -> String {
         match self.file {
-            Some(file) => file.display().to_string(),
+            Some(file) => input_name(file),
             None => format!("scene \"{}\"", self.scene.name()),
         }
     }

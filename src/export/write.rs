@@ -24,6 +24,12 @@ fn frame_index(name: &str, ending: &str) -> Option<usize> {
     (frame_name(index, ending) == name).then_some(index)
 }
 
+/// Whether a numbered picture of a folder can have this name.
+#[must_use]
+pub fn is_frame_name(name: &str, ending: &str) -> bool {
+    frame_index(name, ending).is_some()
+}
+
 /// Sees to it that a folder will hold no picture of an earlier, longer film beside the `count` of this one: an encoder would take them
 /// for its end. Other files stay.
 ///

@@ -7,6 +7,7 @@ use crate::export::Animation;
 use crate::interpolation::Interpolation;
 use crate::keyframe::{KeyframeFile, LARGEST_FILE_BYTES, PlayRange, keyframes_from_json};
 use crate::scene::SceneGraph;
+use crate::storage;
 use crate::text_layouts::{Reading, read_keyframes};
 
 /// Reads a keyframe file.
@@ -15,7 +16,7 @@ use crate::text_layouts::{Reading, read_keyframes};
 /// [`FileError`] with everything that is wrong with it.
 pub fn keyframe_file(file: &Path, scene: &SceneGraph) -> Result<KeyframeFile, FileError> {
     let bytes = super::read(file, LARGEST_FILE_BYTES)?;
-    keyframes_from_json(&bytes, scene).map_err(|problems| FileError::all(file.display(), problems))
+    keyframes_from_json(&bytes, scene).map_err(|problems| FileError::all(storage::input_name(file), problems))
 }
 
 /// Reads keyframes: a keyframe file, or a text in any layout that `convert` reads.
@@ -24,7 +25,7 @@ pub fn keyframe_file(file: &Path, scene: &SceneGraph) -> Result<KeyframeFile, Fi
 /// [`FileError`] with everything that is wrong with it.
 pub fn keyframes_of_any_layout(file: &Path, scene: &SceneGraph) -> Result<Reading, FileError> {
     let bytes = super::read(file, LARGEST_FILE_BYTES)?;
-    read_keyframes(&bytes, scene).map_err(|problems| FileError::all(file.display(), problems))
+    read_keyframes(&bytes, scene).map_err(|problems| FileError::all(storage::input_name(file), problems))
 }
 
 impl Animation {
@@ -42,6 +43,6 @@ impl Animation {
     /// # Errors
     /// [`FileError`]: fewer than 4 keyframes.
     pub fn play_range(&self, file: &Path) -> Result<PlayRange<'_>, FileError> {
-        PlayRange::new(&self.keyframes).map_err(|error| FileError::new(file.display(), error))
+        PlayRange::new(&self.keyframes).map_err(|error| FileError::new(storage::input_name(file), error))
     }
 }

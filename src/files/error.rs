@@ -1,7 +1,6 @@
 //! Errors with file names.
 
 use std::fmt::Display;
-use std::path::Path;
 
 use thiserror::Error;
 
@@ -36,10 +35,10 @@ impl FileError {
         Self { sentences, source: None }
     }
 
-    /// A file that could not be read or written.
+    /// A file that could not be read or written; `location` is what it is called.
     #[must_use]
-    pub fn storage(path: &Path, reason: StorageError) -> Self {
-        let sentences = vec![format!("{}: {reason}", path.display())];
+    pub fn storage(location: impl Display, reason: StorageError) -> Self {
+        let sentences = vec![format!("{location}: {reason}")];
         Self { sentences, source: Some(reason) }
     }
 

@@ -21,7 +21,7 @@ pub fn load(name_or_file: Option<&Path>) -> Result<SceneGraph, FileError> {
     if let Some(scene) = name_or_file.to_str().and_then(built_in_scene) {
         return Ok(scene);
     }
-    let location = name_or_file.display();
+    let location = storage::input_name(name_or_file);
     let bytes = storage::read(name_or_file, LARGEST_SCENE_BYTES).map_err(|error| {
         let names = built_in_scene_names().collect::<Vec<_>>().join(", ");
         FileError::new(&location, format!("neither a built-in scene ({names}) nor a file that can be read: {error}"))
@@ -38,12 +38,18 @@ pub fn load_file(path: &Path) -> Result<SceneGraph, Message> {
     scene_from_bytes(&bytes).map_err(|error| error.message())
 }
 
+/// The file that [`load`] reads for `name_or_file`; `None` for a built-in scene.
+#[must_use]
+pub fn file_of(name_or_file: Option<&Path>) -> Option<&Path> {
+    name_or_file.filter(|file| file.to_str().and_then(built_in_scene).is_none())
+}
+
 /// An editor of a scene that [`load`] gave for `name_or_file`. A scene from a file is saved to that file.
 #[must_use]
 pub fn editor_of(scene: SceneGraph, name_or_file: Option<&Path>, keyframes: PathBuf) -> Editor {
     let editor = Editor::new(Arc::new(scene), keyframes);
-    match name_or_file {
-        Some(file) if file.to_str().and_then(built_in_scene).is_none() => editor.with_scene_path(file.to_owned()),
-        _ => editor,
+    match file_of(name_or_file) {
+        Some(file) => editor.with_scene_path(file.to_owned()),
+        None => editor,
     }
 }

@@ -1,18 +1,18 @@
 //! The rubric: graded items and their points, as JSON or TOML.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
 
 use super::folder::{self, Traced};
 use super::item::ItemKind;
 use crate::animation_diff::Tolerances;
+use crate::decode::{self, DecodeError};
 use crate::files::{self, FileError};
 use crate::interpolation::Interpolation;
 use crate::keyframe::{KeyframeList, PlayRange};
 use crate::scene::SceneGraph;
 use crate::script::Line;
-use crate::text::{line_and_column, without_byte_order_mark};
 use crate::text_layouts::read_keyframes;
 
 /// The largest rubric, and the largest of the files that it names, in bytes.
@@ -90,6 +90,8 @@ pub struct Rubric {
     pub ms_between_keyframes: u32,
     /// The hotkey script, where one is graded.
     pub script: Option<RubricScript>,
+    /// The files that it names.
+    pub files: Vec<PathBuf>,
 }
 
 /// A hotkey script with its expected trace.
@@ -117,24 +119,10 @@ impl Rubric {
     }
 }
 
-/// Parses a rubric: TOML where its name ends so, else JSON. What is wrong is a sentence that ends with its line and column.
-fn parse(path: &Path, bytes: &[u8]) -> Result<RubricText, String> {
+/// Parses a rubric: TOML where its name ends so, else JSON.
+fn parse(path: &Path, bytes: &[u8]) -> Result<RubricText, DecodeError> {
     let is_toml = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
-    if !is_toml {
-        return serde_json::from_slice(bytes).map_err(|error| crate::json::sentence(&error));
-    }
-    let placed = |at: usize, what: &str| {
-        let (line, column) = line_and_column(bytes, at);
-        format!("{what} at line {line} column {column}")
-    };
-    let text = std::str::from_utf8(bytes).map_err(|error| placed(error.valid_up_to(), "not UTF-8"))?;
-    toml::from_str(text).map_err(|error| {
-        // The parser's messages may have several lines. A missing field is reported at the end of the text.
-        let what = error.message().lines().collect::<Vec<_>>().join(", ");
-        let is_missing = what.starts_with("missing field") && error.span().is_none_or(|span| span.start == 0);
-        let at = if is_missing { bytes.len() } else { error.span().map_or(bytes.len(), |span| span.start) };
-        placed(at, &what)
-    })
+    if is_toml { decode::toml(bytes) } else { decode::json(bytes) }
 }
 
 impl RubricText {
@@ -185,13 +173,17 @@ impl Rubric {
     /// [`FileError`]
     pub fn load(path: &Path, scene: &SceneGraph) -> Result<Self, FileError> {
         let bad = |problem: String| FileError::new(path.display(), problem);
-        let text = parse(path, without_byte_order_mark(&files::read(path, LARGEST_BYTES)?)).map_err(bad)?;
+        let text =
+            parse(path, &files::read(path, LARGEST_BYTES)?).map_err(|error| FileError::new(path.display(), error))?;
         if let Some(problem) = text.problem() {
             return Err(bad(problem));
         }
         let folder = path.parent().unwrap_or(Path::new(""));
+        // Standard input is read by its own name alone.
+        let beside = |name: &str| if name == "-" { PathBuf::from(name) } else { folder.join(name) };
+        let files = text.script.iter().chain([&text.reference]).map(|name| beside(name)).collect();
         let script = text.script.as_deref().map(|name| {
-            let path = folder.join(name);
+            let path = beside(name);
             Ok((files::read(&path, LARGEST_BYTES)?, path))
         });
         let script = script.transpose()?;
@@ -200,7 +192,7 @@ impl Rubric {
         });
         let lines = lines.transpose()?;
         let Reference { bytes: reference_bytes, list: reference, ms_between_keyframes } =
-            Reference::load(&folder.join(&text.reference), scene)?;
+            Reference::load(&beside(&text.reference), scene)?;
         let script = lines.map(|lines| RubricScript {
             expected: folder::run(&lines, scene, Some(&reference_bytes)).map(|ran| ran.trace),
             lines,
@@ -214,6 +206,7 @@ impl Rubric {
             reference,
             ms_between_keyframes,
             script,
+            files,
         })
     }
 }
@@ -266,12 +259,10 @@ mod tests {
                     broken.push([&text[..at], &[byte], &text[at..]].concat());
                 }
                 for text in broken {
-                    if let Err(sentence) = parse(&path, &text).map(|_| ()) {
-                        let location =
-                            sentence.rsplit_once(" at line ").and_then(|(_, location)| location.split_once(" column "));
-                        let (line, column) = location.unwrap_or_else(|| panic!("{sentence}"));
-                        assert!(line.parse::<usize>().is_ok() && column.parse::<usize>().is_ok(), "{sentence}");
-                        assert!(!sentence.contains('\n'), "{sentence}");
+                    if let Err(error) = parse(&path, &text).map(|_| ()) {
+                        let lines = text.split(|&byte| byte == b'\n').count();
+                        assert!((1..=lines).contains(&error.line) && error.column >= 1, "{error}");
+                        assert!(!error.to_string().contains('\n'), "{error}");
                         refused += 1;
                     }
                 }

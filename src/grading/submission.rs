@@ -3,6 +3,8 @@
 use std::io::{Cursor, Read as _};
 use std::path::{Path, PathBuf};
 
+use zip::result::ZipError;
+
 use crate::files::FileError;
 use crate::storage::{self, EntryKind};
 
@@ -44,7 +46,11 @@ pub struct Member {
 pub fn find(arguments: &[PathBuf]) -> Result<Vec<Submission>, FileError> {
     let mut found: Vec<Submission> = Vec::new();
     for path in arguments {
-        let bad = |error| FileError::storage(path, error);
+        let bad = |error| FileError::storage(path.display(), error);
+        if storage::is_standard(path) {
+            found.push(Submission { name: storage::input_name(path), path: path.clone(), root: None });
+            continue;
+        }
         // Follow a link that the user named.
         if storage::list(path, 0).is_err() {
             storage::kind(path).map_err(bad)?;
@@ -75,13 +81,33 @@ pub fn find(arguments: &[PathBuf]) -> Result<Vec<Submission>, FileError> {
     Ok(found)
 }
 
+/// The files of a submission that is one file: what is packed in a zip, or the file itself. In the order of their names.
+///
+/// # Errors
+/// Why there are none: a sentence, with the bound that was hit.
+pub fn unpacked(name: &str, bytes: Vec<u8>) -> Result<Vec<Member>, String> {
+    let mut files = Files::default();
+    files.put(name, bytes)?;
+    Ok(files.sorted())
+}
+
 impl Submission {
+    /// Where it is: a file, a folder, or `-` for standard input.
+    #[must_use]
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
     /// Reads the files, in the order of their names.
     ///
     /// # Errors
     /// Why not: a sentence, with the bound that was hit.
     pub fn read(&self) -> Result<Vec<Member>, String> {
         let mut files = Files::default();
+        if storage::is_standard(&self.path) {
+            let bytes = storage::read(&self.path, LARGEST_FILE_BYTES).map_err(|error| error.to_string())?;
+            return unpacked(&self.name, bytes);
+        }
         let path = match (storage::kind(&self.path).map_err(|error| error.to_string())?, &self.root) {
             (EntryKind::Link, Some(root)) => storage::inside(&self.path, root)
                 .ok_or_else(|| "it is a link out of the folder, which is not followed".to_owned())?,
@@ -94,15 +120,10 @@ impl Submission {
             }
             Err(_) => {
                 let bytes = storage::read(&path, LARGEST_FILE_BYTES).map_err(|error| error.to_string())?;
-                if bytes.starts_with(b"PK\x03\x04") || bytes.starts_with(b"PK\x05\x06") {
-                    files.unpack(bytes)?;
-                } else {
-                    files.add(self.name.clone(), bytes)?;
-                }
+                files.put(&self.name, bytes)?;
             }
         }
-        files.members.sort_by(|a, b| a.name.cmp(&b.name));
-        Ok(files.members)
+        Ok(files.sorted())
     }
 }
 
@@ -113,6 +134,21 @@ struct Files {
 }
 
 impl Files {
+    /// The files in the order of their names.
+    fn sorted(mut self) -> Vec<Member> {
+        self.members.sort_by(|a, b| a.name.cmp(&b.name));
+        self.members
+    }
+
+    /// Adds the file of a submission that is one file: what is packed in it, or itself.
+    fn put(&mut self, name: &str, bytes: Vec<u8>) -> Result<(), String> {
+        if bytes.starts_with(b"PK\x03\x04") || bytes.starts_with(b"PK\x05\x06") {
+            self.unpack(bytes)
+        } else {
+            self.add(name.to_owned(), bytes)
+        }
+    }
+
     fn add(&mut self, name: String, bytes: Vec<u8>) -> Result<(), String> {
         self.bytes += bytes.len() as u64;
         if self.bytes > MOST_BYTES {
@@ -150,7 +186,17 @@ impl Files {
     }
 
     fn unpack(&mut self, bytes: Vec<u8>) -> Result<(), String> {
-        let broken = |error: zip::result::ZipError| format!("the zip is broken or cut off: {error}");
+        let broken = |error: ZipError| {
+            let is_locked = matches!(error, ZipError::InvalidPassword)
+                || matches!(error, ZipError::UnsupportedArchive(ZipError::PASSWORD_REQUIRED));
+            match error {
+                _ if is_locked => "the zip needs a password".to_owned(),
+                ZipError::UnsupportedArchive(_) | ZipError::CompressionMethodNotSupported(_) => {
+                    "the zip is packed in a way that is not read: make it with deflate, as every program can".to_owned()
+                }
+                _ => "the zip is broken or cut off".to_owned(),
+            }
+        };
         let mut archive = zip::ZipArchive::new(Cursor::new(bytes)).map_err(broken)?;
         if archive.len() > 4 * MOST_FILES {
             return Err(format!("the zip has {} entries, and at most {} are looked at", archive.len(), 4 * MOST_FILES));
@@ -166,7 +212,7 @@ impl Files {
             }
             let left = LARGEST_FILE_BYTES.min(MOST_BYTES.saturating_sub(self.bytes));
             let mut bytes = Vec::new();
-            entry.take(left + 1).read_to_end(&mut bytes).map_err(|error| format!("{name} in the zip: {error}"))?;
+            entry.take(left + 1).read_to_end(&mut bytes).map_err(|_| format!("{name} in the zip: it is damaged"))?;
             if bytes.len() as u64 > left {
                 let (file, all) = (LARGEST_FILE_BYTES >> 20, MOST_BYTES >> 20);
                 return Err(format!(

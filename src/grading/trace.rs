@@ -4,6 +4,7 @@ use serde_json::Value;
 
 use super::Verdict;
 use super::folder::{self, Traced};
+use crate::decode;
 use crate::text::str_without_byte_order_mark;
 
 /// Reads a trace: an object of JSON on each line, as `script --trace` prints them. At most one line more than can be right is read.
@@ -13,9 +14,9 @@ use crate::text::str_without_byte_order_mark;
 pub fn objects(bytes: &[u8]) -> Result<Vec<Value>, String> {
     let text = std::str::from_utf8(bytes).map_err(|error| format!("not UTF-8 at byte {}", error.valid_up_to()))?;
     let lines = (1..).zip(str_without_byte_order_mark(text).lines()).filter(|(_, line)| !line.trim().is_empty());
-    let values = lines.take(folder::MOST_LINES + 1).map(|(number, line)| {
-        serde_json::from_str(line).map_err(|error| format!("line {number}: not a JSON object: {error}"))
-    });
+    let values = lines
+        .take(folder::MOST_LINES + 1)
+        .map(|(number, line)| decode::json(line.as_bytes()).map_err(|error| error.in_line(number).to_string()));
     values.collect()
 }
 

@@ -1,7 +1,10 @@
 //! The scene file: JSON text to a [`SceneGraph`]. The manual documents the format.
 
+use std::fmt;
+
 use glam::{Quat, Vec3, Vec4};
-use serde::Deserialize;
+use serde::de::{self, Unexpected, Visitor};
+use serde::{Deserialize, Deserializer};
 use thiserror::Error;
 
 use super::builder::SceneBuilder;
@@ -12,6 +15,7 @@ use super::keys::keys_error;
 use super::shape::{PlacedShape, Placement, Shape};
 use super::tracks::Tracks;
 use crate::colour::Colour;
+use crate::decode::{self, DecodeError};
 use crate::rbt::Rbt;
 use crate::text::str_without_byte_order_mark;
 use crate::timed::{KeyError, rotation_from_euler_degrees};
@@ -29,11 +33,8 @@ pub enum SceneError {
         /// The number of the first bad byte.
         at: usize,
     },
-    /// The text is not JSON of the right shape; the message ends with line and column.
-    Json {
-        /// The message, with line and column.
-        message: String,
-    },
+    /// The text is not JSON of the right shape.
+    Json(DecodeError),
     /// `format` names something else.
     Format {
         /// The value in the file.
@@ -112,7 +113,7 @@ impl SceneError {
     pub fn message(&self) -> Message {
         match self {
             Self::NotText { at } => texts::scene_not_text(*at),
-            Self::Json { message } => texts::foreign(message),
+            Self::Json(error) => error.message(),
             Self::Format { found } => texts::scene_format(quoted(found)),
             Self::Version { found } => texts::scene_version(*found),
             Self::NodeName { name, parent } => texts::scene_node_name(quoted(name), parent),
@@ -173,7 +174,7 @@ struct ControlText {
 }
 
 #[derive(Clone, Copy, Deserialize)]
-#[serde(untagged, expecting = "a rotation: [x, y, z, w], or { \"euler_degrees\": [yaw, pitch, roll] }")]
+#[serde(untagged, expecting = "decode.kind.rotation")]
 enum RotationText {
     Quaternion([f32; 4]),
     Euler(EulerText),
@@ -186,21 +187,33 @@ struct EulerText {
 }
 
 #[derive(Clone, Copy, Deserialize)]
-#[serde(untagged, expecting = "a scale: one number, or [x, y, z]")]
+#[serde(untagged, expecting = "decode.kind.scale")]
 enum ScaleText {
     Uniform(f32),
     PerAxis([f32; 3]),
 }
 
-#[derive(Clone, Copy, Deserialize)]
-#[serde(try_from = "String")]
+#[derive(Clone, Copy)]
 struct ColourText(Colour);
 
-impl TryFrom<String> for ColourText {
-    type Error = String;
+impl<'de> Deserialize<'de> for ColourText {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct ColourVisitor;
 
-    fn try_from(text: String) -> Result<Self, String> {
-        Colour::from_hex(&text).map(Self).ok_or_else(|| format!("colour {text:?}, expected \"#rrggbb\""))
+        impl Visitor<'_> for ColourVisitor {
+            type Value = ColourText;
+
+            fn expecting(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+                formatter.write_str("decode.kind.colour")
+            }
+
+            fn visit_str<E: de::Error>(self, text: &str) -> Result<ColourText, E> {
+                let colour = Colour::from_hex(text).map(ColourText);
+                colour.ok_or_else(|| E::invalid_value(Unexpected::Str(text), &self))
+            }
+        }
+
+        deserializer.deserialize_str(ColourVisitor)
     }
 }
 
@@ -218,8 +231,7 @@ pub fn scene_from_bytes(bytes: &[u8]) -> Result<SceneGraph, SceneError> {
 /// # Errors
 /// One [`SceneError`] with the line and column, or the path of the node.
 pub fn scene_from_json(text: &str) -> Result<SceneGraph, SceneError> {
-    let text: SceneText =
-        serde_json::from_str(text).map_err(|error| SceneError::Json { message: crate::json::sentence(&error) })?;
+    let text: SceneText = decode::json(text.as_bytes()).map_err(SceneError::Json)?;
     if text.format != FORMAT {
         return Err(SceneError::Format { found: text.format });
     }

@@ -1,7 +1,10 @@
 //! Shapes: the geometry under RBT nodes, as dimensions and a colour. The meshes are in the renderer.
 
+use std::fmt;
+
 use glam::{Affine3A, Quat, Vec3, Vec4};
-use serde::Deserialize;
+use serde::de::{Error as _, MapAccess, Visitor};
+use serde::{Deserialize, Deserializer};
 
 use super::channel::Channel;
 use super::shapes::{Capsule, Cone, Cylinder, Plane, RoundedBox, Solid, Sphere};
@@ -9,8 +12,7 @@ use super::tracks::Tracks;
 use crate::colour::Colour;
 
 /// A solid in its own shape space: centred at the origin, its axis along Y. Lengths in scene units, all positive.
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Shape {
     /// A box with rounded edges.
     Box(RoundedBox),
@@ -46,6 +48,42 @@ pub enum MeshKind {
 impl MeshKind {
     /// All meshes, in drawing order.
     pub const ALL: [Self; 6] = [Self::Box, Self::Sphere, Self::Cylinder, Self::Cone, Self::Capsule, Self::Plane];
+}
+
+/// The shapes' names in scene files.
+const NAMES: [&str; 6] = ["box", "sphere", "cylinder", "cone", "capsule", "plane"];
+
+impl<'de> Deserialize<'de> for Shape {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct ShapeVisitor;
+
+        impl<'de> Visitor<'de> for ShapeVisitor {
+            type Value = Shape;
+
+            fn expecting(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+                formatter.write_str("decode.kind.shape")
+            }
+
+            fn visit_map<A: MapAccess<'de>>(self, mut fields: A) -> Result<Shape, A::Error> {
+                let name = fields.next_key::<String>()?.ok_or_else(|| A::Error::custom("decode.kind.shape"))?;
+                let shape = match name.as_str() {
+                    "box" => Shape::Box(fields.next_value()?),
+                    "sphere" => Shape::Sphere(fields.next_value()?),
+                    "cylinder" => Shape::Cylinder(fields.next_value()?),
+                    "cone" => Shape::Cone(fields.next_value()?),
+                    "capsule" => Shape::Capsule(fields.next_value()?),
+                    "plane" => Shape::Plane(fields.next_value()?),
+                    _ => return Err(A::Error::unknown_field(&name, &NAMES)),
+                };
+                match fields.next_key::<String>()? {
+                    None => Ok(shape),
+                    Some(_) => Err(A::Error::custom("decode.kind.one-shape")),
+                }
+            }
+        }
+
+        deserializer.deserialize_map(ShapeVisitor)
+    }
 }
 
 impl Shape {

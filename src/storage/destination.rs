@@ -5,6 +5,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use super::StorageError;
+use super::place::is_standard;
 
 /// The longest chain of links, as on Linux.
 const MOST_LINKS: usize = 40;
@@ -26,6 +27,9 @@ pub(super) enum Destination {
 /// # Errors
 /// [`StorageError`]: a folder, a read-only file, too many links, or the system refuses.
 pub(super) fn destination_of(path: &Path) -> Result<Destination, StorageError> {
+    if is_standard(path) {
+        return Ok(Destination::Stream(standard_output()?));
+    }
     let target = followed(path)?;
     if let Some(file) = own_output(&target)? {
         return Ok(Destination::Stream(file));
@@ -42,16 +46,19 @@ pub(super) fn destination_of(path: &Path) -> Result<Destination, StorageError> {
     }
 }
 
-/// Whether a path leads to a device or a pipe, which is never replaced.
+/// Whether a path leads to a device or a pipe, which is never replaced; also `-`.
 #[must_use]
 pub fn is_stream(path: &Path) -> bool {
+    if is_standard(path) {
+        return true;
+    }
     let Ok(target) = followed(path) else { return false };
     fs::metadata(&target).is_ok_and(|metadata| (!metadata.is_file() && !metadata.is_dir()) || is_in_proc(&target))
 }
 
 /// Follows symbolic links, also to a target that does not exist. A descriptor's link under `/proc` is not followed: the open file may have
 /// no name.
-fn followed(path: &Path) -> io::Result<PathBuf> {
+pub(super) fn followed(path: &Path) -> io::Result<PathBuf> {
     let mut target = path.to_owned();
     for _ in 0..MOST_LINKS {
         if is_in_proc(&target) {
@@ -75,16 +82,33 @@ fn is_in_proc(path: &Path) -> bool {
 #[cfg(unix)]
 fn own_output(target: &Path) -> io::Result<Option<File>> {
     use std::os::fd::AsFd as _;
-    let own = format!("/proc/{}/fd", std::process::id());
-    let is_own = target
-        .parent()
-        .is_some_and(|parent| [Path::new("/proc/self/fd"), Path::new("/dev/fd"), Path::new(&own)].contains(&parent));
-    let descriptor = target.file_name().filter(|_| is_own).and_then(|name| name.to_str());
-    Ok(match descriptor {
-        Some("1") => Some(io::stdout().as_fd().try_clone_to_owned()?.into()),
-        Some("2") => Some(io::stderr().as_fd().try_clone_to_owned()?.into()),
+    Ok(match own_descriptor(target) {
+        Some(1) => Some(standard_output()?),
+        Some(2) => Some(io::stderr().as_fd().try_clone_to_owned()?.into()),
         _ => None,
     })
+}
+
+/// The number of this process's descriptor, if a path with all links followed leads to one.
+pub(super) fn own_descriptor(target: &Path) -> Option<u32> {
+    let own = format!("/proc/{}/fd", std::process::id());
+    let folder = target.parent()?;
+    let is_own = [Path::new("/proc/self/fd"), Path::new("/dev/fd"), Path::new(&own)].contains(&folder);
+    target.file_name().filter(|_| is_own)?.to_str()?.parse().ok()
+}
+
+/// Standard output, written without a buffer.
+#[cfg(unix)]
+fn standard_output() -> io::Result<File> {
+    use std::os::fd::AsFd as _;
+    Ok(io::stdout().as_fd().try_clone_to_owned()?.into())
+}
+
+/// Standard output, written without a buffer.
+#[cfg(windows)]
+fn standard_output() -> io::Result<File> {
+    use std::os::windows::io::AsHandle as _;
+    Ok(io::stdout().as_handle().try_clone_to_owned()?.into())
 }
 
 #[cfg(not(unix))]

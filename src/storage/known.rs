@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use super::{Stamp, absolute, resolved};
+use super::{Place, Stamp};
 
 /// What another program did to a file that this one knows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,17 +27,17 @@ pub struct KnownFiles {
 impl KnownFiles {
     /// The state of a file at the start, before anything of it was read.
     pub fn begin(&mut self, path: &Path) {
-        self.states.insert(place(path), Stamp::unread(path));
+        self.set(path, Stamp::unread);
     }
 
     /// The state of a file at the start whose content was taken in already.
     pub fn begin_with_content(&mut self, path: &Path) {
-        self.states.insert(place(path), Stamp::of_file(path));
+        self.set(path, Stamp::of_file);
     }
 
     /// A file was read. It counts as known once its content is [taken in](Self::took_in).
     pub fn read(&mut self, path: &Path, bytes: &[u8]) {
-        self.read = Some((place(path), Stamp::of(path, bytes)));
+        self.read = place(path).map(|place| (place, Stamp::of(path, bytes)));
     }
 
     /// The content that was read last was taken in.
@@ -49,18 +49,24 @@ impl KnownFiles {
 
     /// A file was written.
     pub fn wrote(&mut self, path: &Path, stamp: Stamp) {
-        self.states.insert(place(path), Some(stamp));
+        self.set(path, |_| Some(stamp));
+    }
+
+    fn set(&mut self, path: &Path, state: impl FnOnce(&Path) -> Option<Stamp>) {
+        if let Some(place) = place(path) {
+            self.states.insert(place, state(path));
+        }
     }
 
     /// Whether a file's content was read or written.
     #[must_use]
     pub fn knows(&self, path: &Path) -> bool {
-        matches!(self.states.get(&place(path)), Some(Some(_)))
+        place(path).is_some_and(|place| matches!(self.states.get(&place), Some(Some(_))))
     }
 
     /// A file's content is what it was, whatever its time says.
     pub fn is_still(&mut self, path: &Path) {
-        if let Some(Some(stamp)) = self.states.get_mut(&place(path)) {
+        if let Some(Some(stamp)) = place(path).and_then(|place| self.states.get_mut(&place)) {
             *stamp = stamp.placed_at(path);
         }
     }
@@ -74,7 +80,7 @@ impl KnownFiles {
     /// nothing that could be lost.
     #[must_use]
     pub fn change(&self, path: &Path) -> Option<OutsideChange> {
-        let known = self.states.get(&place(path))?;
+        let known = self.states.get(&place(path)?)?;
         if !fs::metadata(path).is_ok_and(|metadata| metadata.is_file()) {
             return None;
         }
@@ -88,7 +94,7 @@ impl KnownFiles {
     /// nothing to read. Cheap: the content is not read.
     #[must_use]
     pub fn suspect(&self, path: &Path) -> Option<Stamp> {
-        let known = self.states.get(&place(path))?;
+        let known = self.states.get(&place(path)?)?;
         if known.as_ref().is_some_and(|stamp| stamp.looks_same(path)) {
             return None;
         }
@@ -96,7 +102,10 @@ impl KnownFiles {
     }
 }
 
-/// What stands for a file however it is named.
-fn place(path: &Path) -> PathBuf {
-    resolved(path).unwrap_or_else(|| absolute(path))
+/// What stands for a file however it is named; `None` for a device or a pipe, which hold nothing.
+fn place(path: &Path) -> Option<PathBuf> {
+    match Place::of_output(path) {
+        Place::File(path) => Some(path),
+        Place::Standard | Place::Stream => None,
+    }
 }

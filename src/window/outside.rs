@@ -11,7 +11,7 @@ use crate::editor::{
 use crate::files;
 use crate::keyframe::{KeyframeFile, KeyframeIndex, LARGEST_FILE_BYTES};
 use crate::settings::Settings;
-use crate::storage::{self, KnownFiles, OutsideChange, Stamp};
+use crate::storage::{self, KnownFiles, OutsideChange, Place, Stamp};
 use crate::text_layouts::{Imported, Options, import};
 use crate::ui::{ChangeAnswer, ChangeOffer, OverwriteAnswer, OverwriteQuestion, OverwriteReason, QuitAnswer};
 use crate::words::{Message, texts};
@@ -106,7 +106,7 @@ impl Shell {
         }
         let is_empty_list =
             writing.access == FileAccess::KeyframesWritten && self.editor.document().keyframes.is_empty();
-        if !is_empty_list || storage::is_stream(writing.path) {
+        if !is_empty_list || !matches!(Place::of_output(writing.path), Place::File(_)) {
             return None;
         }
         let count = self.keyframes_of(writing.path).ok()?.keyframes.len();
@@ -205,7 +205,7 @@ impl Shell {
 
     /// A file was read or written: what was noticed of it is over.
     pub(super) fn settled_outside(&mut self, path: &Path) {
-        self.outside.notices.retain(|notice| !storage::is_same_place(&notice.path, path));
+        self.outside.notices.retain(|notice| Place::of_output(&notice.path) != Place::of_output(path));
         self.offer_change();
     }
 

@@ -48,7 +48,7 @@ fn trouble_is_status_2() {
     sandbox.write("text.png", "no picture");
     for (arguments, sentence) in [
         (["a.png", "none.png"], "none.png: there is no such file or folder"),
-        (["text.png", "a.png"], "text.png: no picture can be read: "),
+        (["text.png", "a.png"], "text.png: it is no PNG"),
         (["a.png", "wide.png"], "a.png and wide.png: the pictures have different sizes: 64x48 and 65x48"),
     ] {
         let outcome = sandbox.run(&[&["compare", "-o", "diff.png"][..], &arguments].concat());

@@ -79,7 +79,7 @@ fn bad_input_writes_nothing() {
         "short.txt: line 1 column 1: the header says 12 keyframes of 24 nodes, expected 288 rows (2016 numbers) after it, \
          found 49 rows and 3 numbers (346 in all); --salvage takes the whole keyframes",
     );
-    convert("bad.json").refuses("bad.json: invalid type: integer `1`, expected a string at line 1 column 12");
+    convert("bad.json").refuses("bad.json: line 1 column 12: found 1, expected a text in double quotes");
     convert("none.txt").refuses("none.txt: there is no such file or folder");
     sandbox
         .run(&["convert", "short.txt", "-o", "out.json", "--joints", "list.txt"])

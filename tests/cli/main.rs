@@ -10,6 +10,7 @@ mod grade;
 mod help;
 mod journal;
 mod other_files;
+mod places;
 mod playback;
 mod render;
 mod sample;

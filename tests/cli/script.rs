@@ -152,7 +152,7 @@ fn what_the_window_would_refuse_is_a_message_and_the_script_goes_on() {
     let script = "key n\nrotate x 3\ntranslate 1 1 1\nkey i\nkey y\nselect none\nrotate x 3\nkey n\n";
     for (keyframes, sentence) in [
         ("none.json", "none.json: there is no such file or folder"),
-        ("bad.json", "bad.json: missing field `format` at line 1 column 2"),
+        ("bad.json", "bad.json: line 1 column 2: format is missing"),
         (
             "wrong.json",
             "wrong.json: interpolation is \"x\", expected \"linear\" or \"catmull-rom\" (and 1 more problem)",

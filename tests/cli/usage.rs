@@ -171,11 +171,21 @@ fn what_files_and_arguments_hold_does_nothing_to_a_terminal() {
     sandbox.write(&name, keyframe_file(4).to_string());
     sandbox.write("field.json", keyframe_file(4).to_string().replacen('{', "{\"\\u001b[31m\": 1, ", 1));
     sandbox.write("script.txt", format!("jump{RED}\n"));
+    std::fs::create_dir(sandbox.path("dir")).unwrap();
+    let list = r#"{"format": "inbetween.pictures", "version": 1, "pictures": [{"name": "a\u001b[31m", "samples": 3}]}"#;
+    sandbox.write("dir/pictures.json", list);
+    let scene = r#"{"format": "inbetween.scene", "version": 1, "name": "a", "eyes": ["\u001b[31m"], "nodes": []}"#;
+    sandbox.write("scene.json", scene);
     for arguments in [
         &["check", &name][..],
         &["check", "field.json"],
         &["check", &format!("missing{RED}")],
         &["script", "script.txt"],
+        &["verify", "dir"],
+        &["nodes", "--scene", "scene.json"],
+        &["diff", "field.json", &name],
+        &["compare", &name, &name],
+        &["render", &name, "-o", "x.png", "--at", "99"],
         &["convert", &name, "-o", "b.json"],
         &["nodes", &format!("extra{RED}")],
         &["sample", &format!("--{RED}")],

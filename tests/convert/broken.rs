@@ -152,9 +152,9 @@ fn other_files_say_what_was_expected() {
         (&b""[..], "line 1 column 1: the file is empty, expected keyframes"),
         (b"\xef\xbb\xbf \n", "line 2 column 1: the file is empty, expected keyframes"),
         (b"\xff\xfe1\x00", "line 1 column 1: the file is UTF-16, expected UTF-8: save it so"),
-        (b"{", "EOF while parsing an object at line 1 column 1"),
-        (b"{hello: 1}", "key must be a string at line 1 column 2"),
-        (b"{}", "missing field `format` at line 1 column 2"),
+        (b"{", "line 1 column 1: the file ends in the middle of an object: } or , is missing"),
+        (b"{hello: 1}", "line 1 column 2: a name in double quotes is missing"),
+        (b"{}", "line 1 column 2: format is missing"),
     ] {
         assert_eq!(refusal(bytes), sentence);
     }

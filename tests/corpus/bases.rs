@@ -105,6 +105,7 @@ pub fn base(spec: &str) -> String {
         "cut-journal" => format!("{JOURNAL}do keyframe-new\ndo keyframe-"),
         "trace" => TRACE.to_owned(),
         "other-trace" => "{\"step\": 0}\n".to_owned(),
+        "deep" => format!("{{\"step\": {}", "[".repeat(count)),
         "one-picture" => ONE_PICTURE.to_owned(),
         "rubric" => RUBRIC.to_owned(),
         "rubric-toml" => RUBRIC_TOML.to_owned(),

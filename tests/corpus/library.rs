@@ -64,7 +64,7 @@ pub fn editor() -> String {
     let path = Path::new("folder/walk.json");
     let kept = || Ok(Written { kept: Some(PathBuf::from("folder/walk.json~")), other_links: 0 });
     let linked = || Ok(Written { kept: None, other_links: 2 });
-    let failed = || texts::foreign("No space left on device (os error 28)");
+    let failed = || texts::foreign("No space left on device");
     let effects: [(&str, Effect); 2] = [
         ("keyframes written", |editor, path, outcome| drop(editor.keyframes_written(path, outcome))),
         ("scene written", |editor, path, outcome| drop(editor.scene_written(path, outcome))),
@@ -161,6 +161,14 @@ pub fn window_and_failures() -> String {
         texts::journal_restored(path(), texts::journal_count(2)),
         texts::journal_restored_part(path(), texts::journal_count(2)),
         texts::journal_unreadable(reason()),
+        texts::storage_stream_too_large(5),
+        texts::STORAGE_READ_TWICE.into(),
+        texts::DECODE_BAD_KEY.into(),
+        texts::DECODE_NOT_JSON.into(),
+        texts::PICTURE_DAMAGED.into(),
+        texts::decode_no_fields("x"),
+        texts::DECODE_OTHER.into(),
+        texts::decode_expected(texts::DECODE_KIND_OTHER),
         texts::timed_not_finite(f64::NAN),
         texts::EXPORT_TOO_MANY_FRAMES.into(),
         texts::export_ffmpeg_lost("it broke"),

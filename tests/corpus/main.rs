@@ -149,3 +149,40 @@ fn every_message_occurs() {
     let missing: Vec<&str> = all.iter().filter(|(_, pattern)| !occurs(pattern)).map(|(name, _)| *name).collect();
     assert!(missing.is_empty(), "{} of {} messages do not occur:\n{}", missing.len(), all.len(), missing.join("\n"));
 }
+
+/// Words of Rust and of the libraries that read files.
+const FOREIGN: [&str; 21] = [
+    "invalid type",
+    "invalid value:",
+    "invalid length",
+    "unknown variant",
+    "missing field",
+    "duplicate field",
+    "did not match any variant",
+    "recursion limit",
+    "trailing characters",
+    "trailing comma",
+    "EOF while",
+    "key must be a string",
+    "expected ident",
+    "expected value",
+    "expected struct",
+    "expected a sequence",
+    "expected a map",
+    "expected one of `",
+    "usize",
+    "(os error",
+    "panicked at",
+];
+
+#[test]
+fn no_word_of_rust_or_its_libraries_is_said() {
+    for name in ["expected-scripts.txt", "expected-files.txt", "expected-library.txt"] {
+        for line in text(name).lines() {
+            let is_type = |word: &str| matches!(word, "u8" | "u16" | "u32" | "u64" | "i32" | "i64" | "f32" | "f64");
+            let has_type = line.split(|character: char| !character.is_ascii_alphanumeric()).any(is_type);
+            let foreign = FOREIGN.iter().find(|word| line.contains(**word));
+            assert!(foreign.is_none() && !has_type, "{name}: {line}");
+        }
+    }
+}

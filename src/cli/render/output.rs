@@ -5,6 +5,7 @@ use super::super::{CliError, misuse};
 use crate::film::{Format, NOT_WRITTEN, PNG, format_of_ending, still_names, written_endings};
 use crate::storage;
 use crate::text::listed;
+use crate::words::texts;
 
 /// What is to be written.
 #[derive(Clone, Copy)]
@@ -34,6 +35,9 @@ impl Output {
             }
             Some(format) => Self { format, is_one_image: true },
             None if NOT_WRITTEN.contains(&ending) => return Err(misuse(&not_written(ending))),
+            None if arguments.fps.is_some() && storage::is_standard(path) => {
+                return Err(misuse(texts::PLACES_NO_FRAMES.english()));
+            }
             None if arguments.fps.is_some() => Self { format: of_folder, is_one_image: false },
             None => Self { format: &PNG, is_one_image: true },
         };
@@ -61,9 +65,6 @@ impl Output {
         }
         if arguments.clean && (self.is_one_image || !self.format.is_still()) {
             return Err(misuse("--clean is for a folder of numbered images"));
-        }
-        if arguments.manifest.as_deref().is_some_and(|manifest| storage::is_same_place(manifest, &arguments.output)) {
-            return Err(misuse("--output and --manifest name the same file"));
         }
         Ok(())
     }

@@ -2,6 +2,7 @@
 
 use thiserror::Error;
 
+use crate::decode::DecodeError;
 use crate::interpolation::Interpolation;
 use crate::words::{Message, display_by_message, quoted, texts};
 
@@ -11,11 +12,8 @@ const MOST_PROBLEMS: usize = 100;
 /// One error in a keyframe file, with its location.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum KeyframeFileError {
-    /// Not JSON of the right shape; the message ends with line and column.
-    Json {
-        /// The message, with line and column.
-        message: String,
-    },
+    /// Not JSON of the right shape.
+    Json(DecodeError),
     /// `format` names something else.
     Format {
         /// The value in the file.
@@ -117,7 +115,7 @@ impl KeyframeFileError {
     #[must_use]
     pub fn message(&self) -> Message {
         match self {
-            Self::Json { message } => texts::foreign(message),
+            Self::Json(error) => error.message(),
             Self::Format { found } => texts::keyframes_format(quoted(found)),
             Self::Version { found } => texts::keyframes_version(*found),
             Self::Interpolation { found } => {

@@ -9,6 +9,7 @@ use serde::{Deserialize, Deserializer};
 
 use super::problems::{KeyframeFileError, Problems};
 use super::{FORMAT, KeyframeFile, VERSIONS, too_large};
+use crate::decode;
 use crate::interpolation::Interpolation;
 use crate::keyframe::MS_BETWEEN_KEYFRAMES_RANGE;
 use crate::keyframe::easing::Easing;
@@ -67,7 +68,7 @@ impl<'de> Deserialize<'de> for PoseText {
             type Value = PoseText;
 
             fn expecting(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-                formatter.write_str("an array of translations and rotations")
+                formatter.write_str("decode.kind.pose")
             }
 
             fn visit_seq<A: SeqAccess<'de>>(self, mut entries: A) -> Result<PoseText, A::Error> {
@@ -88,7 +89,7 @@ impl<'de> Deserialize<'de> for PoseText {
 /// # Errors
 /// All errors with their locations, in file order; never empty.
 pub fn read(bytes: &[u8], scene: &SceneGraph) -> Result<KeyframeFile, Vec<KeyframeFileError>> {
-    let text: FileText = match serde_json::from_slice(bytes) {
+    let text: FileText = match decode::json(bytes) {
         Ok(text) => text,
         Err(error) => {
             let header: Option<HeaderText> = serde_json::from_slice(bytes).ok();
@@ -96,11 +97,7 @@ pub fn read(bytes: &[u8], scene: &SceneGraph) -> Result<KeyframeFile, Vec<Keyfra
                 return Err(vec![problem]);
             }
             let too_large = too_large::numbers_too_large(bytes);
-            return Err(if too_large.is_empty() {
-                vec![KeyframeFileError::Json { message: crate::json::sentence(&error) }]
-            } else {
-                too_large
-            });
+            return Err(if too_large.is_empty() { vec![KeyframeFileError::Json(error)] } else { too_large });
         }
     };
     if let Some(problem) = header_problem(&text.format, text.version) {
