@@ -13,7 +13,7 @@ use super::{
 use crate::keyframe::{Keyframe, KeyframeIndex, KeyframeList, MS_BETWEEN_KEYFRAMES_RANGE};
 use crate::pose::RbtIndex;
 use crate::rbt::Rbt;
-use crate::rotation_rules::unit;
+use crate::rotation_rules::{Mending, unit};
 use crate::words::{Argument, Phrase, texts};
 
 /// Change of the ms between keyframes by one `+` or `-`, in milliseconds.
@@ -21,6 +21,21 @@ const MS_STEP: u32 = 100;
 
 /// The message of a command, if it has one, or the reason why it was refused.
 pub(super) type CommandResult = Result<Option<Message>, CommandError>;
+
+/// The transform as a document can hold it: in bounds, with a rotation that files keep bit for bit.
+pub(super) fn placeable(placed: Rbt) -> Result<Rbt, CommandError> {
+    if placed.translation.is_nan() || !placed.rotation.is_finite() {
+        return Err(CommandError::NotAValue { what: texts::VALUE_POSITION });
+    }
+    if !placed.is_in_bounds() {
+        return Err(CommandError::TooFar);
+    }
+    match Mending::of_length(placed.rotation.as_dquat().length()) {
+        Mending::Keep => Ok(placed),
+        Mending::Normalise => Ok(placed.renormalized()),
+        Mending::Refuse => Err(CommandError::NotAValue { what: texts::VALUE_ROTATION }),
+    }
+}
 
 impl Editor {
     /// Runs a command, and returns the effect that the host must perform. Afterwards, [`Editor::message`] is its message or its refusal.
@@ -331,10 +346,7 @@ impl Editor {
         if rbt.get() >= self.document.scene.rbt_count() {
             return Err(CommandError::NotInScene { what: texts::VALUE_NODE });
         }
-        let placed = change(self.edited_pose().get(rbt));
-        if !placed.is_finite() {
-            return Err(CommandError::NotAValue { what: texts::VALUE_POSITION });
-        }
+        let placed = placeable(change(self.edited_pose().get(rbt)))?;
         let scrubbed = self.end_scrub();
         self.record(label, run, |document| {
             if let Some(pose) = scrubbed {

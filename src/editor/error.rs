@@ -99,6 +99,8 @@ pub enum CommandError {
         /// `position`, `rotation`, `duration`, `time` or `key time`.
         what: Phrase,
     },
+    /// A node would be out of bounds: [`crate::rbt::LARGEST_COORDINATE`].
+    TooFar,
     /// Undo and redo wait for the end of a drag.
     DuringDrag,
     /// There is no drag to go on with.
@@ -181,6 +183,7 @@ impl CommandError {
             Self::NoKeys => texts::REFUSED_NO_KEYS.into(),
             Self::Scene(error) => error.message(),
             Self::NotAValue { what } => texts::refused_not_a_value(*what),
+            Self::TooFar => texts::REFUSED_TOO_FAR.into(),
             Self::DuringDrag => texts::REFUSED_DURING_DRAG.into(),
             Self::NoDrag => texts::REFUSED_NO_DRAG.into(),
             Self::NothingToUndo => texts::REFUSED_NOTHING_TO_UNDO.into(),

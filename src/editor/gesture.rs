@@ -58,6 +58,15 @@ impl Editor {
         self.change_node(self.dragged_node(), |_| placed, label, None)
     }
 
+    /// One motion that leads where the drag has led so far; `None` without a drag, or if it has changed nothing yet.
+    #[must_use]
+    pub fn drag_so_far(&self) -> Option<GestureCommand> {
+        let label = self.gesture.as_ref()?.label;
+        let placed = self.document.live_pose.get(self.dragged_node());
+        (label != texts::ACT_DRAG)
+            .then_some(GestureCommand::MoveTo { placed, is_turn: label == texts::ACT_TURN_A_NODE })
+    }
+
     /// Ends a drag, as one step of undo.
     pub(super) fn commit_gesture(&mut self) {
         let Some(Gesture { before, label }) = self.gesture.take() else { return };

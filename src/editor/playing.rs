@@ -118,7 +118,7 @@ impl Editor {
         match &self.playback {
             Playback::Playing(position) => {
                 let paused = Playback::Paused(position.clone());
-                let pose = self.displayed_pose();
+                let pose = self.displayed_pose().in_bounds();
                 self.playback = paused;
                 let discards = self.document.has_unsaved_posing(self.document.scene.rest_pose());
                 let before = self.document.clone();
@@ -188,12 +188,12 @@ impl Editor {
         }
     }
 
-    /// Leaves a scrubbed key time and says what pose was shown there.
+    /// Leaves a scrubbed key time and says what pose was shown there, within the bounds of documents.
     pub(super) fn end_scrub(&mut self) -> Option<Pose> {
         if !self.is_scrubbed() {
             return None;
         }
-        let pose = self.displayed_pose();
+        let pose = self.displayed_pose().in_bounds();
         self.playback = Playback::Stopped;
         Some(pose)
     }
@@ -209,7 +209,7 @@ impl Editor {
 
     /// The pose that an edit of the scene starts from: the displayed pose while nothing plays.
     pub(super) fn edited_pose(&self) -> Pose {
-        if self.is_scrubbed() { self.displayed_pose() } else { self.document.live_pose.clone() }
+        if self.is_scrubbed() { self.displayed_pose().in_bounds() } else { self.document.live_pose.clone() }
     }
 
     /// Takes in ticks for what plays. Says whether the picture may have changed.

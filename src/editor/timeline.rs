@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::apply::CommandResult;
+use super::apply::{CommandResult, placeable};
 use super::commands::Row;
 use super::{ClipboardCommand, Command, CommandError, Editor, TimelineEdit};
 use crate::keyframe::{DURATION_RANGE, Easing, Keyframe, KeyframeIndex, KeyframeList};
@@ -150,7 +150,7 @@ impl Editor {
 
     pub(super) fn copy_pose(&mut self) -> CommandResult {
         let chosen = self.session.chosen.ok_or_else(|| self.nothing_chosen())?;
-        self.clipboard.pose = Some((chosen, self.displayed_pose()));
+        self.clipboard.pose = Some((chosen, self.displayed_pose().in_bounds()));
         Ok(Some(texts::pose_copied(self.document.scene.rbt_path(chosen))))
     }
 
@@ -328,10 +328,7 @@ impl Editor {
         if rbt.get() >= self.document.scene.rbt_count() {
             return Err(CommandError::NotInScene { what: texts::VALUE_NODE });
         }
-        let placed = change(keyframe.pose.get(rbt));
-        if !placed.is_finite() {
-            return Err(CommandError::NotAValue { what: texts::VALUE_POSITION });
-        }
+        let placed = placeable(change(keyframe.pose.get(rbt)))?;
         self.record(texts::ACT_CHANGE_OF_A_NODE_IN_A_KEYFRAME, None, |document| {
             let shows_it = document.keyframes.current() == Some(index) && document.live_pose.same_as(&keyframe.pose);
             let mut pose = keyframe.pose.clone();
