@@ -1,8 +1,13 @@
 //! Shared by all JSON formats: the text of parse errors, and the writing of numbers.
 
 use std::fmt::{self, Write as _};
+use std::thread;
+
+use serde::de::DeserializeOwned;
 
 use crate::rbt::Rbt;
+use crate::text::line_and_column;
+use crate::words::texts;
 
 /// `{:?}` writes numbers with an absolute value below this (except 0) with an exponent.
 const ALWAYS_WITH_EXPONENT: f32 = 1e-6;
@@ -43,9 +48,85 @@ pub fn push_rbts(text: &mut String, rbts: impl Iterator<Item = Rbt>) {
     text.push(']');
 }
 
+/// Stack for reading brackets within each other: for each level several times what an unoptimised build needs, and some for a start.
+const STACK_BYTES_PER_LEVEL: usize = 32 << 10;
+
+/// Reads a text whose brackets stand within each other up to `most_levels` deep, and hands it to `then`. That has room on the stack for the
+/// same depth, however small the caller's stack is.
+///
+/// # Errors
+/// A sentence that ends with its location: `line L column C`.
+pub fn read_nested<T: DeserializeOwned, R: Send>(
+    text: &str,
+    most_levels: usize,
+    then: impl FnOnce(T) -> R + Send,
+) -> Result<R, String> {
+    // What stays within serde_json's own limit needs no room and no second look.
+    let error = match serde_json::from_str(text) {
+        Ok(read) => return Ok(then(read)),
+        Err(error) => error,
+    };
+    if !is_too_deep(&error) {
+        return Err(sentence(&error));
+    }
+    if let Some(at) = deeper_than(text.as_bytes(), most_levels) {
+        let (line, column) = line_and_column(text.as_bytes(), at);
+        return Err(too_deep(most_levels, line, column));
+    }
+    let deep = || {
+        let mut deserializer = serde_json::Deserializer::from_str(text);
+        deserializer.disable_recursion_limit();
+        let read = T::deserialize(&mut deserializer).and_then(|read| deserializer.end().map(|()| read));
+        read.map(then).map_err(|error| sentence(&error))
+    };
+    let room = thread::Builder::new().stack_size((most_levels + 64) * STACK_BYTES_PER_LEVEL);
+    thread::scope(|scope| {
+        let reader = room.spawn_scoped(scope, deep).map_err(|error| error.to_string())?;
+        reader.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+    })
+}
+
+/// Whether serde_json gave up because of its limit of brackets within each other.
+fn is_too_deep(error: &serde_json::Error) -> bool {
+    error.to_string().starts_with("recursion limit exceeded")
+}
+
+fn too_deep(most_levels: usize, line: usize, column: usize) -> String {
+    texts::json_too_deep(most_levels, line, column).to_string()
+}
+
+/// Where in a text a bracket stands within more than so many others.
+fn deeper_than(text: &[u8], most_levels: usize) -> Option<usize> {
+    let mut depth = 0_usize;
+    let mut bytes = text.iter().enumerate();
+    while let Some((at, byte)) = bytes.next() {
+        match byte {
+            b'"' => {
+                while bytes.next().is_some_and(|(_, &byte)| byte != b'"' && (byte != b'\\' || bytes.next().is_some())) {
+                }
+            }
+            b'[' | b'{' => {
+                depth += 1;
+                if depth > most_levels {
+                    return Some(at);
+                }
+            }
+            b']' | b'}' => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+    }
+    None
+}
+
+/// The levels of brackets that serde_json reads where nothing else is said.
+const USUAL_LEVELS: usize = 127;
+
 /// A parse error as a sentence that ends with its location: `line L column C`.
 #[must_use]
 pub fn sentence(error: &serde_json::Error) -> String {
+    if is_too_deep(error) {
+        return too_deep(USUAL_LEVELS, error.line(), error.column());
+    }
     let text = error.to_string();
     if text.contains(" at line ") { text } else { format!("{text} at line {} column {}", error.line(), error.column()) }
 }

@@ -17,9 +17,10 @@ mod tracks;
 mod walk;
 mod write;
 
-pub use builder::SceneBuilder;
+pub use builder::{MOST_LEVELS, SceneBuilder};
 pub use built_in::{DEFAULT_SCENE, built_in_scene, built_in_scene_names};
 pub use channel::{Channel, KeyValue};
+pub use checks::LARGEST_SCALE;
 pub use file::{SceneError, scene_from_json};
 pub use graph::{Node, NodeId, NodeKind, SceneGraph};
 pub use keys::moved_seconds;

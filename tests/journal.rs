@@ -404,7 +404,7 @@ fn printing_swiftly_is_printing() {
 fn restoring_lines_read_back() {
     let editor = editor_with(3);
     let scene = std::sync::Arc::clone(editor.scene());
-    let timed = scene.with_control_above(scene.rbt_node(RbtIndex::new(3))).0;
+    let timed = scene.with_control_above(scene.rbt_node(RbtIndex::new(3))).unwrap().0;
     for restore in [
         script::Restore::Scene { scene: scene.clone(), path: None },
         script::Restore::Scene { scene: timed.into(), path: Some("a # \"b\".json".into()) },

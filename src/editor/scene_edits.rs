@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::apply::CommandResult;
 use super::{CommandError, Editor};
 use crate::scene::{Channel, KeyValue, NodeId, SceneError, SceneGraph, moved_seconds};
-use crate::words::{Message, Phrase, texts};
+use crate::words::{Phrase, texts};
 
 /// A channel of a node.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -81,11 +81,11 @@ impl Editor {
             SceneEdit::DeleteKeys(keys) => self.delete_keys(keys),
             SceneEdit::PutControlAbove(path) => {
                 let id = self.known_node(&path)?;
-                Ok(Some(self.put_control_above(id)))
+                self.put_control_above(id)
             }
             SceneEdit::PutControlAboveChosen => {
                 let chosen = self.session.chosen.ok_or_else(|| self.nothing_chosen())?;
-                Ok(Some(self.put_control_above(self.document.scene.rbt_node(chosen))))
+                self.put_control_above(self.document.scene.rbt_node(chosen))
             }
             SceneEdit::RemoveControl(path) => {
                 let scene = self.document.scene.without_control(self.known_node(&path)?)?;
@@ -110,10 +110,10 @@ impl Editor {
         self.record(label, None, |document| document.scene = Arc::new(scene));
     }
 
-    fn put_control_above(&mut self, id: NodeId) -> Message {
-        let (scene, path) = self.document.scene.with_control_above(id);
+    fn put_control_above(&mut self, id: NodeId) -> CommandResult {
+        let (scene, path) = self.document.scene.with_control_above(id)?;
         self.put_scene(texts::ACT_NEW_CONTROL_NODE, scene);
-        texts::control_put_above(path)
+        Ok(Some(texts::control_put_above(path)))
     }
 
     fn add_keys(&mut self, keys: Vec<KeyAt>) -> CommandResult {

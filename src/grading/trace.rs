@@ -14,7 +14,8 @@ pub fn objects(bytes: &[u8]) -> Result<Vec<Value>, String> {
     let text = std::str::from_utf8(bytes).map_err(|error| format!("not UTF-8 at byte {}", error.valid_up_to()))?;
     let lines = (1..).zip(str_without_byte_order_mark(text).lines()).filter(|(_, line)| !line.trim().is_empty());
     let values = lines.take(folder::MOST_LINES + 1).map(|(number, line)| {
-        serde_json::from_str(line).map_err(|error| format!("line {number}: not a JSON object: {error}"))
+        serde_json::from_str(line)
+            .map_err(|error| format!("line {number}: not a JSON object: {}", crate::json::sentence(&error)))
     });
     values.collect()
 }

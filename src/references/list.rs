@@ -122,7 +122,8 @@ impl Shot {
 pub fn read_list(path: &Path) -> Result<Vec<Shot>, FileError> {
     let location = path.display();
     let bytes = files::read(path, LARGEST_BYTES)?;
-    let list: List = serde_json::from_slice(&bytes).map_err(|error| FileError::new(&location, error))?;
+    let list: List =
+        serde_json::from_slice(&bytes).map_err(|error| FileError::new(&location, crate::json::sentence(&error)))?;
     if list.format != FORMAT || list.version != VERSION {
         let found = format!("{:?} version {}", list.format, list.version);
         return Err(FileError::new(&location, format!("the format is {found}, expected {FORMAT:?} version {VERSION}")));

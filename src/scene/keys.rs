@@ -101,7 +101,11 @@ impl SceneGraph {
             NodeKind::Shape(placed) => NodeKind::Shape(placed.with_tracks(tracks)),
             NodeKind::Rbt(_) | NodeKind::Control(_) => NodeKind::Control(tracks),
         };
-        Ok(self.with_kind(id, kind))
+        let scene = self.with_kind(id, kind);
+        if channel == Channel::Scale {
+            scene.check_scales()?;
+        }
+        Ok(scene)
     }
 
     fn no_channel(&self, id: NodeId, channel: Channel) -> SceneError {

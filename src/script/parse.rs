@@ -172,7 +172,9 @@ impl Parser<'_> {
         }
         let Action::Apply(Command::Edit(Edit::Scene(edit))) = action else { return };
         let changed = match edit {
-            SceneEdit::PutControlAbove(path) => self.scene.find(path).map(|id| self.scene.with_control_above(id).0),
+            SceneEdit::PutControlAbove(path) => {
+                self.scene.find(path).and_then(|id| Some(self.scene.with_control_above(id).ok()?.0))
+            }
             SceneEdit::RemoveControl(path) => self.scene.find(path).and_then(|id| self.scene.without_control(id).ok()),
             SceneEdit::RenameControl(path, name) => {
                 self.scene.find(path).and_then(|id| self.scene.with_control_renamed(id, name).ok())
