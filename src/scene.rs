@@ -23,7 +23,7 @@ pub use channel::{Channel, KeyValue};
 pub use checks::LARGEST_SCALE;
 pub use file::{SceneError, scene_from_json};
 pub use graph::{Node, NodeId, NodeKind, SceneGraph};
-pub use keys::moved_seconds;
+pub use keys::{LATEST_SECONDS, moved_seconds};
 pub use pick::{Pick, Ray};
 pub use shape::{MeshKind, PlacedShape, Placement, Shape};
 pub use tracks::Tracks;

@@ -160,7 +160,7 @@ impl SettingsError {
 
 impl From<serde_json::Error> for SettingsError {
     fn from(error: serde_json::Error) -> Self {
-        Self::Json { reason: error.to_string() }
+        Self::Json { reason: crate::json::sentence(&error) }
     }
 }
 

@@ -101,6 +101,8 @@ pub enum CommandError {
     },
     /// A node would be out of bounds: [`crate::rbt::LARGEST_COORDINATE`].
     TooFar,
+    /// A time of timed keys is out of bounds: [`crate::scene::LATEST_SECONDS`].
+    TooLate,
     /// Undo and redo wait for the end of a drag.
     DuringDrag,
     /// There is no drag to go on with.
@@ -184,6 +186,7 @@ impl CommandError {
             Self::Scene(error) => error.message(),
             Self::NotAValue { what } => texts::refused_not_a_value(*what),
             Self::TooFar => texts::REFUSED_TOO_FAR.into(),
+            Self::TooLate => texts::REFUSED_TOO_LATE.into(),
             Self::DuringDrag => texts::REFUSED_DURING_DRAG.into(),
             Self::NoDrag => texts::REFUSED_NO_DRAG.into(),
             Self::NothingToUndo => texts::REFUSED_NOTHING_TO_UNDO.into(),
