@@ -4,9 +4,10 @@ mod common;
 
 use std::thread;
 
-use common::editor;
-use inbetween::editor::{Command, Edit, Editor, SceneEdit};
-use inbetween::scene::{MOST_LEVELS, SceneError, SceneGraph, scene_from_json, scene_to_json};
+use common::{editor, press};
+use inbetween::editor::{Command, Edit, Editor, SceneEdit, TimelineEdit};
+use inbetween::keyframe::{KeyframeIndex, LARGEST_FILE_BYTES, file_bytes_at_most};
+use inbetween::scene::{LARGEST_SCENE_BYTES, MOST_LEVELS, SceneError, SceneGraph, scene_from_json, scene_to_json};
 
 /// A scene file with nodes below each other.
 fn chain(levels: usize) -> String {
@@ -68,4 +69,42 @@ fn no_control_node_makes_a_scene_too_deep() {
     assert!(refused.contains("a scene has at most 256 levels of nodes"), "{refused}");
     assert_eq!(count, MOST_LEVELS - 4);
     assert_eq!(&scene_from_json(&scene_to_json(editor.scene())).unwrap(), &**editor.scene());
+}
+
+#[test]
+fn no_list_grows_beyond_the_files_that_are_read() {
+    let mut editor = editor();
+    press(&mut editor, "n");
+    let command = |edit| Command::Edit(Edit::Timeline(edit));
+    let too_large = "The keyframe file could become larger than 1024 MiB, the most that is read. Nothing was changed.";
+    let refused = loop {
+        // All copies share one pose, so that this takes little memory.
+        let all = (0..editor.document().keyframes.len()).map(KeyframeIndex::new).collect();
+        editor.apply(Command::Selection(inbetween::editor::SelectionCommand::Keyframes(all))).unwrap();
+        if let Err(error) = editor.apply(command(TimelineEdit::DuplicateKeyframes)) {
+            break error.to_string();
+        }
+        assert!(file_bytes_at_most(editor.scene(), &editor.document().keyframes) <= LARGEST_FILE_BYTES);
+    };
+    assert_eq!(refused, too_large);
+    let count = editor.document().keyframes.len();
+    assert_eq!(count, 1 << 18);
+    editor.apply(Command::Clipboard(inbetween::editor::ClipboardCommand::CopyKeyframes)).unwrap();
+    let pasted = editor.apply(command(TimelineEdit::PasteKeyframes)).unwrap_err().to_string();
+    assert_eq!((pasted.as_str(), editor.document().keyframes.len()), (too_large, count));
+    // One more has room, and what makes the list shorter is always possible.
+    press(&mut editor, "n d");
+    assert_eq!(editor.document().keyframes.len(), count);
+}
+
+#[test]
+fn no_scene_grows_beyond_the_files_that_are_read() {
+    let mut editor = editor();
+    let edit = |edit| Command::Edit(Edit::Scene(edit));
+    editor.apply(edit(SceneEdit::PutControlAbove("robot1".into()))).unwrap();
+    let renamed = |bytes| edit(SceneEdit::RenameControl("robot1_control".into(), "n".repeat(bytes)));
+    let error = editor.apply(renamed(LARGEST_SCENE_BYTES as usize / 6)).unwrap_err().to_string();
+    assert_eq!(error, "The scene file could become larger than 256 MiB, the most that is read. Nothing was changed.");
+    assert!(editor.scene().find("robot1_control").is_some());
+    editor.apply(renamed(1000)).unwrap();
 }

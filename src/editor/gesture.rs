@@ -76,9 +76,15 @@ impl Editor {
             && let Some(index) = self.document.keyframes.current()
             && let Some(keyframe) = self.document.keyframes.current_keyframe()
         {
-            let updated = keyframe.with_pose(self.document.live_pose.clone());
-            self.document.keyframes.replace(index, updated);
-            self.say(self.with_position(texts::KEYFRAME_UPDATED_BY_AUTO_KEY));
+            let mut updated = self.document.clone();
+            updated.keyframes.replace(index, keyframe.with_pose(self.document.live_pose.clone()));
+            match updated.too_large_after(&self.document) {
+                Some(error) => self.say_error(&error),
+                None => {
+                    self.document = updated;
+                    self.say(self.with_position(texts::KEYFRAME_UPDATED_BY_AUTO_KEY));
+                }
+            }
         }
         self.history.record(before, &self.document, label, None);
     }
