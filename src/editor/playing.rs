@@ -223,10 +223,10 @@ impl Editor {
         ticks > 0
     }
 
-    /// What is played at, in keyframes, rounded to a double.
+    /// What is played or paused at, in keyframes, rounded to a double; `None` while the list is too short to play.
     #[must_use]
     pub fn key_time(&self) -> Option<f64> {
         let elapsed = self.playback.elapsed()?;
-        Some(self.document.keyframes.timing().map_or_else(|| to_f64(&elapsed), |timing| timing.key_time_at(&elapsed)))
+        Some(self.document.keyframes.timing()?.key_time_at(&elapsed))
     }
 }

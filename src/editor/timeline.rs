@@ -220,7 +220,7 @@ impl Editor {
                 document.live_pose = keyframe.pose.clone();
             }
         })?;
-        self.session.selected = selected.map(KeyframeIndex::new).collect();
+        self.select(selected.map(KeyframeIndex::new).collect())?;
         Ok(())
     }
 
