@@ -78,12 +78,11 @@ impl Editor {
         {
             let mut updated = self.document.clone();
             updated.keyframes.replace(index, keyframe.with_pose(self.document.live_pose.clone()));
-            match updated.too_large_after(&self.document) {
-                Some(error) => self.say_error(&error),
-                None => {
-                    self.document = updated;
-                    self.say(self.with_position(texts::KEYFRAME_UPDATED_BY_AUTO_KEY));
-                }
+            if let Some(error) = updated.too_large_after(&self.document) {
+                self.say_error(&error);
+            } else {
+                self.document = updated;
+                self.say(self.with_position(texts::KEYFRAME_UPDATED_BY_AUTO_KEY));
             }
         }
         self.history.record(before, &self.document, label, None);

@@ -63,7 +63,7 @@ mod tests {
         // The longest texts of numbers in bounds.
         let longest = Rbt::new(
             Vec3::new(-1.234_567_8e-38, -0.000_123_456_79, -999_999.94),
-            Quat::from_xyzw(-1.234_567_8e-38, -0.000_123_456_79, -0.000_999_999_94, -1.234_567_8e-10),
+            Quat::from_xyzw(-1.234_567_8e-38, -0.000_123_456_79, -0.000_999_999_9, -1.234_567_8e-10),
         );
         let easing = Easing::from_name("elastic-in-out").unwrap();
         for scene in ["two-robots", "cylinder", "orbits"].map(|name| built_in_scene(name).unwrap()) {
