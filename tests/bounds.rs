@@ -11,8 +11,8 @@ use inbetween::scene::{LARGEST_SCENE_BYTES, MOST_LEVELS, SceneError, SceneGraph,
 
 /// A scene file with nodes below each other.
 fn chain(levels: usize) -> String {
-    let begin: String = (1..=levels).map(|level| format!(r#"{{"name": "n{level}", "children": ["#)).collect();
-    let nodes = begin + &"]}".repeat(levels);
+    let begin: Vec<String> = (1..=levels).map(|level| format!(r#"{{"name": "n{level}", "children": ["#)).collect();
+    let nodes = begin.concat() + &"]}".repeat(levels);
     format!(r#"{{"format": "inbetween.scene", "version": 1, "name": "chain", "eyes": ["n1"], "nodes": [{nodes}]}}"#)
 }
 

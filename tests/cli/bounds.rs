@@ -12,10 +12,8 @@ fn messages(trace: &[Value]) -> Vec<&str> {
 #[test]
 fn a_script_that_goes_too_far_leaves_a_file_that_can_be_read() {
     let sandbox = Sandbox::new();
-    let mut script = String::new();
-    for x in ["3.4e38", "-3.4e38", "1e6", "-1e6", "1e6", "-1e6"] {
-        script += &format!("set-translation {x} 0 0 robot1\nkey n\n");
-    }
+    let coordinates = ["3.4e38", "-3.4e38", "1e6", "-1e6", "1e6", "-1e6"];
+    let mut script: String = coordinates.map(|x| format!("set-translation {x} 0 0 robot1\nkey n\n")).concat();
     // Half way through an interval, where a spline is beyond its keyframes.
     script += "interpolation catmull-rom\nduration 0 1000\nduration 2 1000\nkey y\nwait 1000s\nkey shift+p\nkey n\nkey w\nkey i\n";
     sandbox.write("script.txt", script);
@@ -68,9 +66,7 @@ fn a_deep_scene_that_is_saved_can_be_read() {
 fn scales_above_each_other_stay_within_single_precision() {
     let sandbox = Sandbox::new();
     let mut script = "put-control robot1\n".repeat(3);
-    for control in ["robot1_control", "robot1_control2", "robot1_control3"] {
-        script += &format!("set-key scale 0 1e6 {control}\n");
-    }
+    script += &["", "2", "3"].map(|number| format!("set-key scale 0 1e6 robot1_control{number}\n")).concat();
     script += "save-scene large.json\n";
     let trace = sandbox.trace(&script);
     let said = messages(&trace);
