@@ -32,8 +32,10 @@ fn session(editor: &Editor) -> Vec<Command> {
     let session = editor.session();
     let view = Command::View;
     let toggled = |is_other: bool, command: ViewCommand| is_other.then(|| view(command));
-    let mut commands = vec![view(ViewCommand::SetEye(session.eye))];
+    let mut commands = Vec::new();
+    // Only the sky camera, which a new editor has as its eye, can change what it moves about.
     commands.extend(toggled(session.sky_mode != SkyMode::default(), ViewCommand::ToggleSkyMode));
+    commands.push(view(ViewCommand::SetEye(session.eye)));
     commands.push(view(ViewCommand::Choose(session.chosen)));
     commands.extend(toggled(session.is_picking, ViewCommand::StartPicking));
     commands.extend(toggled(!session.shows_arcball, ViewCommand::ToggleArcball));
