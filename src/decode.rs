@@ -4,14 +4,20 @@
 //! or `#[serde(expecting)]` names the id of a phrase, such as `decode.kind.rotation`. No wording of a library reaches a user: one that is
 //! not known becomes a general sentence.
 
+mod nested;
 mod wordings;
 
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use thiserror::Error;
 
+pub use nested::nested_json;
+
 use crate::text::{line_and_column, without_byte_order_mark};
 use crate::words::{Message, display_by_message, texts};
+
+/// The levels of brackets within each other that serde_json reads by default.
+const USUAL_LEVELS: usize = 127;
 
 /// What is wrong with a text, and where.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
@@ -39,6 +45,11 @@ impl DecodeError {
         Self { line: number, ..self }
     }
 
+    /// Whether reading was given up because of brackets within each other.
+    fn is_too_deep(&self) -> bool {
+        self.problem == texts::decode_too_deep(USUAL_LEVELS)
+    }
+
     fn of_json(bytes: &[u8], error: &serde_json::Error, is_after_the_end: bool) -> Self {
         let lines_before = error.line().saturating_sub(1);
         let newlines = bytes.iter().enumerate().filter(|(_, byte)| **byte == b'\n');
@@ -64,8 +75,15 @@ impl DecodeError {
 /// [`DecodeError`]
 pub fn json<'de, T: Deserialize<'de>>(bytes: &'de [u8]) -> Result<T, DecodeError> {
     let bytes = without_byte_order_mark(bytes);
-    let mut reader = serde_json::Deserializer::from_slice(bytes);
-    let value = T::deserialize(&mut reader).map_err(|error| DecodeError::of_json(bytes, &error, false))?;
+    whole(bytes, &mut serde_json::Deserializer::from_slice(bytes))
+}
+
+/// Reads a value and the end of the text.
+fn whole<'de, T: Deserialize<'de>>(
+    bytes: &'de [u8],
+    reader: &mut serde_json::Deserializer<serde_json::de::SliceRead<'de>>,
+) -> Result<T, DecodeError> {
+    let value = T::deserialize(&mut *reader).map_err(|error| DecodeError::of_json(bytes, &error, false))?;
     reader.end().map_err(|error| DecodeError::of_json(bytes, &error, true))?;
     Ok(value)
 }

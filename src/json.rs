@@ -18,6 +18,12 @@ pub fn push_quoted(text: &mut String, unquoted: &str) {
     text.push_str(&serde_json::Value::from(unquoted).to_string());
 }
 
+/// An upper bound of the bytes of a text as a JSON string: a control character becomes six.
+#[must_use]
+pub const fn quoted_bytes_at_most(unquoted: &str) -> u64 {
+    6 * unquoted.len() as u64 + 2
+}
+
 /// Appends texts as a JSON array of strings.
 pub fn push_strings<'a>(text: &mut String, unquoted: impl Iterator<Item = &'a str>) {
     text.push('[');

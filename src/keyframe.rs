@@ -11,8 +11,8 @@ mod timing;
 pub use animation::Animation;
 pub use easing::{Curve, Easing, Ends};
 pub use file::{
-    KeyframeFile, KeyframeFileError, KeyframesJson, KeyframesText, LARGEST_FILE_BYTES, keyframes_from_json,
-    keyframes_to_json,
+    KeyframeFile, KeyframeFileError, KeyframesJson, KeyframesText, LARGEST_FILE_BYTES, file_bytes_at_most,
+    keyframes_from_json, keyframes_to_json,
 };
 pub use list::{DURATION_RANGE, Keyframe, KeyframeIndex, KeyframeList};
 pub use other_blends::Blend;

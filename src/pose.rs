@@ -4,7 +4,7 @@ mod block;
 
 use std::sync::Arc;
 
-use crate::rbt::Rbt;
+use crate::rbt::{LARGEST_COORDINATE, Rbt};
 
 pub use block::{LANES, RbtBlock};
 
@@ -116,6 +116,22 @@ impl Pose {
     pub fn set(&mut self, rbt: RbtIndex, parent_from_node: Rbt) {
         assert!(rbt.0 < self.len, "RBT node {} of a pose of {}", rbt.0, self.len);
         Arc::make_mut(&mut self.blocks)[rbt.0 / LANES].set(rbt.0 % LANES, parent_from_node);
+    }
+
+    /// The same pose with each coordinate moved into ±[`LARGEST_COORDINATE`]. Shares storage if all are there. For samples, which splines
+    /// can lead further, before a document takes them.
+    #[must_use]
+    pub fn in_bounds(&self) -> Self {
+        let mut bounded = self.clone();
+        let is_in = |block: &RbtBlock| block.translation.as_flattened().iter().all(|x| x.abs() <= LARGEST_COORDINATE);
+        if !self.blocks.iter().all(is_in) {
+            for block in Arc::make_mut(&mut bounded.blocks) {
+                for x in block.translation.as_flattened_mut() {
+                    *x = x.clamp(-LARGEST_COORDINATE, LARGEST_COORDINATE);
+                }
+            }
+        }
+        bounded
     }
 
     /// Whether the two poses share storage. If so they are equal; the check takes constant time.

@@ -5,6 +5,10 @@
 
 use glam::{Affine3A, Quat, Vec3};
 
+/// The largest absolute value, in scene units, of a coordinate that a document or a file of this program can hold. The only bound of its
+/// kind: edits, readers and scenes share it, so that whatever is saved can be read, and sums along a chain of nodes stay finite.
+pub const LARGEST_COORDINATE: f32 = 1e6;
+
 /// A rigid body transform `target_from_source`: rotates, then translates.
 ///
 /// The name of a value states its spaces, as in `world_from_node`. Lengths are in scene units.
@@ -63,6 +67,13 @@ impl Rbt {
         Self { rotation: self.rotation.normalize(), ..self }
     }
 
+    /// Whether each coordinate of the translation is one that documents and files can hold; not if one is infinite or NaN.
+    #[must_use]
+    #[inline]
+    pub fn is_in_bounds(self) -> bool {
+        are_coordinates(self.translation)
+    }
+
     /// The same map as an affine matrix.
     #[must_use]
     pub fn to_affine(self) -> Affine3A {
@@ -88,6 +99,13 @@ impl Rbt {
     pub fn moved(self, motion: Self, auxiliary: Self) -> Self {
         (auxiliary * motion * auxiliary.inverse() * self).renormalized()
     }
+}
+
+/// Whether each component lies within ±[`LARGEST_COORDINATE`]; not if one is infinite or NaN.
+#[must_use]
+#[inline]
+pub fn are_coordinates(vector: Vec3) -> bool {
+    vector.abs().cmple(Vec3::splat(LARGEST_COORDINATE)).all()
 }
 
 impl Default for Rbt {

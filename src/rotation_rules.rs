@@ -5,6 +5,8 @@
 
 use glam::Quat;
 
+use crate::words::{Message, texts};
+
 /// A rotation whose length differs from 1 by at most this is kept bit for bit.
 pub const KEPT: f64 = 1e-6;
 /// A rotation whose length differs from 1 by at most this is normalised; beyond, it is an error.
@@ -48,6 +50,20 @@ pub fn unit(rotation: Quat) -> Option<Quat> {
     (length > SHORTEST && length.is_finite()).then(|| rotation / length)
 }
 
+/// What to tell someone who typed an angle beyond half a turn: a rotation has no turns in it. `None` for an angle within ±180 degrees.
+#[must_use]
+pub fn beyond_half_turn(degrees: f64) -> Option<Message> {
+    if degrees.abs() <= 180.0 || !degrees.is_finite() {
+        return None;
+    }
+    let rest = degrees % 360.0;
+    let same = rest - if rest.abs() > 180.0 { 360.0_f64.copysign(rest) } else { 0.0 };
+    // Adding 0.0 makes a zero of minus zero.
+    let same = (same * 1e4).round() / 1e4 + 0.0;
+    let third = 120.0_f64.copysign(degrees);
+    Some(texts::rotation_is_the_same(degrees, same, third, 2.0 * third))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -65,6 +81,25 @@ mod tests {
             (f64::INFINITY, Mending::Refuse),
         ] {
             assert_eq!(Mending::of_length(length), expected, "{length}");
+        }
+    }
+
+    #[test]
+    fn angles_beyond_half_a_turn_are_those_of_smaller_ones() {
+        for degrees in [0.0, 180.0, -180.0, 0.1, f64::NAN] {
+            assert_eq!(beyond_half_turn(degrees), None);
+        }
+        for (degrees, expected) in [
+            (360.0, "360 degrees is the same rotation as 0, and"),
+            (-360.0, "-360 degrees is the same rotation as 0, and"),
+            (200.5, "200.5 degrees is the same rotation as -159.5, and"),
+            (-190.0, "-190 degrees is the same rotation as 170, and"),
+            (400.1, "400.1 degrees is the same rotation as 40.1, and"),
+        ] {
+            let said = beyond_half_turn(degrees).unwrap().to_string();
+            assert!(said.starts_with(expected), "{said}");
+            let keys = if degrees > 0.0 { "keys at 120 and 240" } else { "keys at -120 and -240" };
+            assert!(said.contains(keys), "{said}");
         }
     }
 

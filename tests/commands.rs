@@ -37,7 +37,7 @@ static SCENE: LazyLock<SceneGraph> = LazyLock::new(|| {
     let mut scene = scene_from_json(&text).unwrap();
     for path in ["plain", "a b#1", "two  blanks"] {
         let id = scene.find(path).unwrap();
-        scene = scene.with_control_above(id).0;
+        scene = scene.with_control_above(id).unwrap().0;
     }
     scene
 });

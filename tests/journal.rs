@@ -3,6 +3,7 @@
 mod common;
 
 use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
 
 use common::{editor, editor_with, press};
 use glam::{Quat, Vec3};
@@ -11,7 +12,7 @@ use inbetween::editor::{
     SceneEdit, SelectionCommand, TimelineEdit, ViewCommand, Written,
 };
 use inbetween::journal::{self, Ending, Writer, play_alone, survey};
-use inbetween::keyframe::{KeyframeIndex, keyframes_to_json};
+use inbetween::keyframe::{Easing, KeyframeIndex, keyframes_to_json};
 use inbetween::pose::RbtIndex;
 use inbetween::rbt::Rbt;
 use inbetween::scene::{Channel, KeyValue};
@@ -78,12 +79,15 @@ fn any_rbt() -> impl Strategy<Value = Rbt> {
         .prop_map(|(t, r)| Rbt::new(Vec3::from(t), Quat::from_scaled_axis(Vec3::from(r))))
 }
 
+/// What imports read.
+static OTHERS: LazyLock<Vec<Vec<u8>>> = LazyLock::new(common::other_files);
+
 #[derive(Clone, Debug)]
 enum Step {
     Command(Command),
     Tick(u64),
+    /// Reads one of [`OTHERS`].
     Import(usize),
-    ImportText(&'static [u8]),
     ReloadScene(usize),
     NewScene,
 }
@@ -103,7 +107,8 @@ fn any_step() -> impl Strategy<Value = Step> {
         2 => (-9.0f32..9.0).prop_map(|radians| Edit::RotateChosen { axis_in_node: Vec3::Y, radians }),
         2 => any_rbt().prop_map(Edit::Wheel),
         2 => (0usize..24, any_rbt()).prop_map(|(rbt, to)| Edit::SetRotation(RbtIndex::new(rbt), to.rotation)),
-        1 => Just(Edit::SetTranslation(RbtIndex::new(2), Vec3::NAN)),
+        1 => prop::sample::select(&[f32::NAN, 1e6, -1e6, 1.1e6, 3e38])
+            .prop_map(|x| Edit::SetTranslation(RbtIndex::new(2), Vec3::X * x)),
         1 => (place(), 0.1f64..3.0, any::<bool>()).prop_map(|(keyframe, duration, ripple_free)| {
             Edit::Timeline(TimelineEdit::SetDuration { keyframe, duration, ripple_free })
         }),
@@ -112,6 +117,9 @@ fn any_step() -> impl Strategy<Value = Step> {
         2 => Just(Edit::Timeline(TimelineEdit::PasteKeyframes)),
         1 => Just(Edit::Timeline(TimelineEdit::DuplicateKeyframes)),
         1 => Just(Edit::Timeline(TimelineEdit::PastePose)),
+        1 => Just(Edit::Timeline(TimelineEdit::ReverseKeyframes)),
+        1 => (0usize..9).prop_map(|to| Edit::Timeline(TimelineEdit::MoveKeyframes(to))),
+        1 => Just(Edit::Timeline(TimelineEdit::SetEasing(Easing::Hold))),
         2 => Just(Edit::Scene(SceneEdit::PutControlAbove("robot1".into()))),
         1 => Just(Edit::Scene(SceneEdit::RemoveControl("robot1_control".into()))),
         1 => Just(Edit::Scene(SceneEdit::RenameControl("robot1_control".into(), "spin".to_owned()))),
@@ -147,6 +155,7 @@ fn any_step() -> impl Strategy<Value = Step> {
     let gesture = prop_oneof![
         2 => Just(GestureCommand::Begin),
         5 => any_rbt().prop_map(GestureCommand::Move),
+        1 => prop::sample::select(&[9e5_f32, 3e38]).prop_map(|x| GestureCommand::Move(Rbt::from_translation(Vec3::X * x))),
         2 => Just(GestureCommand::Commit),
         1 => Just(GestureCommand::Abort),
     ];
@@ -162,8 +171,7 @@ fn any_step() -> impl Strategy<Value = Step> {
     prop_oneof![
         60 => command.prop_map(Step::Command),
         6 => (0u64..200).prop_map(Step::Tick),
-        1 => (0usize..7).prop_map(Step::Import),
-        1 => prop::sample::select(&[b"1 2 3\n" as &[u8], b"\xff\xfe\x00", b"{\"format\": 3}"]).prop_map(Step::ImportText),
+        2 => (0..OTHERS.len()).prop_map(Step::Import),
         1 => (0usize..24).prop_map(Step::ReloadScene),
         1 => Just(Step::NewScene),
     ]
@@ -173,17 +181,19 @@ fn run(kept: &mut Kept, step: Step) {
     match step {
         Step::Command(command) => kept.apply(command),
         Step::Tick(ticks) => kept.tick(ticks),
-        Step::Import(count) => kept.import(text_of(&editor_with(count)).as_bytes()),
-        Step::ImportText(bytes) => kept.import(bytes),
         Step::ReloadScene(rbt) => {
             let scene = kept.editor.scene();
-            let other = scene.with_control_above(scene.rbt_node(RbtIndex::new(rbt % scene.rbt_count()))).0;
+            let Ok((other, _)) = scene.with_control_above(scene.rbt_node(RbtIndex::new(rbt % scene.rbt_count())))
+            else {
+                return;
+            };
             let bytes = inbetween::scene::scene_to_json(&other).into_bytes();
             kept.journal.command(&kept.editor, &Command::File(FileCommand::ReloadScene));
             let _ = kept.editor.apply(Command::File(FileCommand::ReloadScene));
             kept.journal.read(FileAccess::SceneRead, Path::new("scene.json"), &bytes);
             let _ = kept.editor.scene_read(Path::new("scene.json"), Ok(bytes));
         }
+        Step::Import(index) => kept.import(&OTHERS[index]),
         Step::NewScene => {
             let scene = inbetween::scene::built_in_scene("orbits").unwrap();
             let other = inbetween::scene::built_in_scene(inbetween::scene::DEFAULT_SCENE).unwrap();
@@ -196,11 +206,6 @@ fn run(kept: &mut Kept, step: Step) {
     }
 }
 
-/// How many commands are random; more by hand: `JOURNAL_COMMANDS=1000000 cargo test --release --test journal random`.
-fn commands() -> usize {
-    std::env::var("JOURNAL_COMMANDS").ok().and_then(|count| count.parse().ok()).unwrap_or(20_000)
-}
-
 #[test]
 fn random_commands_read_back_to_the_same_document() {
     let folder = tempfile::tempdir().unwrap();
@@ -208,13 +213,17 @@ fn random_commands_read_back_to_the_same_document() {
     let mut runner = TestRunner::deterministic();
     let strategy = any_step();
     let mut done = 0;
-    while done < commands() {
+    let commands = common::random_commands();
+    while done < commands {
         let mut kept = Kept::new(editor(), &path);
-        for _ in 0..500.min(commands() - done) {
+        for _ in 0..500.min(commands - done) {
             let step = strategy.new_tree(&mut runner).unwrap().current();
+            let shown = format!("{step:?}");
             run(&mut kept, step);
+            common::assert_invariants(&kept.editor, &shown);
             done += 1;
         }
+        common::assert_reads_back(&kept.editor);
         kept.journal.flush(&kept.editor);
         let text = std::fs::read(&path).unwrap();
         let (again, played) = play_alone(&text);
@@ -431,7 +440,7 @@ fn printing_swiftly_is_printing() {
 fn restoring_lines_read_back() {
     let editor = editor_with(3);
     let scene = std::sync::Arc::clone(editor.scene());
-    let timed = scene.with_control_above(scene.rbt_node(RbtIndex::new(3))).0;
+    let timed = scene.with_control_above(scene.rbt_node(RbtIndex::new(3))).unwrap().0;
     for restore in [
         script::Restore::Scene { scene: scene.clone(), path: None },
         script::Restore::Scene { scene: timed.into(), path: Some("a # \"b\".json".into()) },

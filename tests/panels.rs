@@ -181,6 +181,20 @@ fn typed_degrees_turn_the_node_and_stay_as_typed() {
 }
 
 #[test]
+fn typed_full_turns_are_said_to_be_none() {
+    let mut harness = harness(editor(0));
+    harness.state_mut().editor.apply(Command::View(ViewCommand::Choose(Some(RbtIndex::new(3))))).unwrap();
+    harness.run();
+    let note = "degrees is the same rotation as";
+    assert!(harness.query_by_label_contains(note).is_none());
+    type_into(&mut harness, "Rotation yaw", "360");
+    assert_eq!(harness.get_by_label("Rotation yaw").value().as_deref(), Some("360.0"));
+    harness.get_by_label_contains("360 degrees is the same rotation as 0");
+    type_into(&mut harness, "Rotation yaw", "180");
+    assert!(harness.query_by_label_contains(note).is_none());
+}
+
+#[test]
 fn a_dragged_number_is_one_step_of_undo() {
     let mut harness = harness(editor(0));
     let from = harness.get_by_label("Translation x").rect().center();

@@ -3,24 +3,31 @@
 mod common;
 
 use std::path::Path;
+use std::sync::LazyLock;
 
 use common::{apply, editor, press};
 use glam::{Quat, Vec3};
 use inbetween::editor::{
-    Command, Edit, Editor, GestureCommand, KeyAt, PlaybackCommand, SceneEdit, ViewCommand, Written,
+    ClipboardCommand, Command, Edit, Editor, GestureCommand, KeyAt, PlaybackCommand, SceneEdit, SelectionCommand,
+    TimelineEdit, ViewCommand, Written,
 };
 use inbetween::interpolation::Interpolation;
-use inbetween::keyframe::{KeyframeIndex, keyframes_to_json};
+use inbetween::keyframe::{Easing, KeyframeIndex, keyframes_to_json};
 use inbetween::pose::RbtIndex;
 use inbetween::rbt::Rbt;
 use inbetween::scene::{Channel, KeyValue, scene_to_json};
 use proptest::prelude::*;
 
+/// What imports read.
+static OTHERS: LazyLock<Vec<Vec<u8>>> = LazyLock::new(common::other_files);
+
 #[derive(Clone, Debug)]
 enum Step {
     Command(Command),
     Tick(u64),
+    /// Reads one of [`OTHERS`].
     Import(usize),
+    Save,
     Write,
 }
 
@@ -48,6 +55,9 @@ fn any_edit() -> impl Strategy<Value = Command> {
         (0usize..24, any_rbt()).prop_map(|(rbt, to)| Edit::SetTranslation(RbtIndex::new(rbt), to.translation)),
         (0usize..24, any_rbt()).prop_map(|(rbt, to)| Edit::SetRotation(RbtIndex::new(rbt), to.rotation)),
         Just(Edit::SetTranslation(RbtIndex::new(2), Vec3::NAN)),
+        prop::sample::select(&[1e6_f32, -1e6, 1.1e6, 3e38])
+            .prop_map(|x| Edit::SetTranslation(RbtIndex::new(2), Vec3::X * x)),
+        prop::sample::select(&[2e6_f32, 3e38]).prop_map(|x| Edit::TranslateChosen(Vec3::Y * x)),
         Just(Edit::SetRotation(RbtIndex::new(2), Quat::from_xyzw(0.0, 0.0, 0.0, 0.0))),
         any_rbt().prop_map(|by| Edit::TranslateChosen(by.translation)),
         (-9.0f32..9.0).prop_map(|radians| Edit::RotateChosen { axis_in_node: Vec3::Y, radians }),
@@ -56,24 +66,50 @@ fn any_edit() -> impl Strategy<Value = Command> {
     .prop_map(Command::Edit)
 }
 
+/// Edits of the list by its selection or by indices, which it has or not.
+fn any_timeline_edit() -> impl Strategy<Value = Command> {
+    let place = || (0usize..8).prop_map(KeyframeIndex::new);
+    prop_oneof![
+        1 => Just(TimelineEdit::CutKeyframes),
+        2 => Just(TimelineEdit::PasteKeyframes),
+        2 => Just(TimelineEdit::DuplicateKeyframes),
+        1 => Just(TimelineEdit::DeleteKeyframes),
+        1 => Just(TimelineEdit::ReverseKeyframes),
+        1 => Just(TimelineEdit::PastePose),
+        1 => (0usize..9).prop_map(TimelineEdit::MoveKeyframes),
+        1 => prop::sample::select(&["linear", "hold", "sine-in"])
+            .prop_map(|name| TimelineEdit::SetEasing(Easing::from_name(name).unwrap())),
+        1 => (place(), "[a-z #\"\u{1}가]{0,6}").prop_map(|(at, name)| TimelineEdit::RenameKeyframe(at, name)),
+        1 => (place(), 0.0f64..1100.0, any::<bool>()).prop_map(|(keyframe, duration, ripple_free)| {
+            TimelineEdit::SetDuration { keyframe, duration, ripple_free }
+        }),
+        1 => (place(), 0usize..24, any_rbt())
+            .prop_map(|(at, rbt, to)| TimelineEdit::SetTranslationInKeyframe(at, RbtIndex::new(rbt), to.translation)),
+    ]
+    .prop_map(|edit| Command::Edit(Edit::Timeline(edit)))
+}
+
+fn key(place: u8) -> KeyAt {
+    KeyAt::new("robot1_control", Channel::Translation, f64::from(place) * 0.5)
+}
+
 /// Edits of a control node above robot 1, which is there or not.
 fn any_scene_edit() -> impl Strategy<Value = Command> {
-    let key = |place: u8| KeyAt::new("robot1_control", Channel::Translation, f64::from(place) * 0.5);
     prop_oneof![
         3 => Just(SceneEdit::PutControlAbove("robot1".into())),
         1 => Just(SceneEdit::PutControlAboveChosen),
         1 => Just(SceneEdit::RemoveControl("robot1_control".into())),
         1 => Just(SceneEdit::RenameControl("robot1_control2".into(), "spin".to_owned())),
-        4 => (0u8..8).prop_map(move |place| SceneEdit::AddKeys(vec![key(place)])),
+        4 => (0u8..8).prop_map(|place| SceneEdit::AddKeys(vec![key(place)])),
         4 => (0u8..8, any_rbt()).prop_map(|(place, rbt)| SceneEdit::SetKey {
             node: "robot1_control".into(),
             seconds: f64::from(place) * 0.5,
             value: KeyValue::Translation(rbt.translation),
         }),
-        3 => (0u8..8, -3i8..4).prop_map(move |(place, by)| {
+        3 => (0u8..8, -3i8..4).prop_map(|(place, by)| {
             SceneEdit::MoveKeys { keys: vec![key(place)], by: f64::from(by) * 0.5 }
         }),
-        1 => (0u8..8).prop_map(move |place| SceneEdit::DeleteKeys(vec![key(place)])),
+        1 => (0u8..8).prop_map(|place| SceneEdit::DeleteKeys(vec![key(place)])),
     ]
     .prop_map(|edit| Command::Edit(Edit::Scene(edit)))
 }
@@ -82,6 +118,15 @@ fn any_step() -> impl Strategy<Value = Step> {
     let command = prop_oneof![
         12 => any_edit(),
         5 => any_scene_edit(),
+        5 => any_timeline_edit(),
+        3 => prop::collection::btree_set(0usize..8, 0..4).prop_map(|indices| {
+            Command::Selection(SelectionCommand::Keyframes(indices.into_iter().map(KeyframeIndex::new).collect()))
+        }),
+        1 => (0u8..8).prop_map(|place| Command::Selection(SelectionCommand::TimedKeys(vec![key(place)]))),
+        2 => Just(Command::Clipboard(ClipboardCommand::CopyKeyframes)),
+        1 => Just(Command::Clipboard(ClipboardCommand::CopyPose)),
+        1 => (0usize..6, 0usize..8).prop_map(|range| Command::Playback(PlaybackCommand::SetRange(Some(range)))),
+        1 => (0.0f64..6.0).prop_map(|key_time| Command::Playback(PlaybackCommand::Scrub(key_time))),
         1 => (0.0f64..5.0).prop_map(|seconds| Command::View(ViewCommand::ScrubSeconds(seconds))),
         2 => Just(Command::Playback(PlaybackCommand::PlayOrStop)),
         1 => Just(Command::Playback(PlaybackCommand::PauseOrResume)),
@@ -100,7 +145,8 @@ fn any_step() -> impl Strategy<Value = Step> {
     prop_oneof![
         30 => command.prop_map(Step::Command),
         4 => (0u64..400).prop_map(Step::Tick),
-        1 => (0usize..7).prop_map(Step::Import),
+        2 => (0..OTHERS.len()).prop_map(Step::Import),
+        1 => Just(Step::Save),
         1 => Just(Step::Write),
     ]
 }
@@ -113,11 +159,10 @@ fn run(editor: &mut Editor, step: Step) {
             common::assert_invariants(editor, "ticks");
         }
         Step::Import(count) => {
-            let other = common::editor_with(count);
-            let text = text_of(&other);
-            let _ = editor.keyframes_read(Path::new("other.json"), Ok(text.into_bytes()));
+            let _ = editor.keyframes_read(Path::new("other.json"), Ok(OTHERS[count].clone()));
             common::assert_invariants(editor, "import");
         }
+        Step::Save => common::assert_reads_back(editor),
         Step::Write => {
             let _ = editor.keyframes_written(Path::new("other.json"), Ok(Written::default()));
         }
@@ -130,11 +175,11 @@ fn text_of(editor: &Editor) -> String {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 64, max_shrink_iters: 2000, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: (common::random_commands() / 200) as u32, max_shrink_iters: 2000, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// 64 runs of 200: more than ten thousand commands. At the end everything is undone, which leaves an empty list, and redone.
+    /// Runs of 200 commands. At the end everything is undone, which leaves an empty list, and redone.
     #[test]
-    fn invariants_hold_and_undo_leads_back(steps in prop::collection::vec(any_step(), 200)) {
+    fn random_commands_keep_invariants_and_undo_leads_back(steps in prop::collection::vec(any_step(), 200)) {
         let mut editor = editor();
         for step in steps {
             run(&mut editor, step);

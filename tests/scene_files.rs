@@ -59,7 +59,7 @@ fn a_new_control_node_moves_nothing_and_keyframe_files_still_fit() {
     let file = std::fs::read("assets/animations/walk.json").unwrap();
     let before = keyframes_from_json(&file, &scene).unwrap();
     for path in ["sky", "robot1", "robot1/head", "robot2/left_hip/left_knee"] {
-        let (with, control) = scene.with_control_above(scene.find(path).unwrap());
+        let (with, control) = scene.with_control_above(scene.find(path).unwrap()).unwrap();
         check_round_trip(&with);
         assert!(with.rbt_paths().eq(scene.rbt_paths()));
         let after = keyframes_from_json(&file, &with).unwrap();
@@ -85,13 +85,13 @@ fn control_nodes_stand_above_shapes_and_control_nodes_and_have_names_of_their_ow
         .iter()
         .find(|node| node.path.starts_with("robot1/") && scene.channels(scene.find(&node.path).unwrap()).len() == 1);
     let shape = scene.find(&shape.unwrap().path).unwrap();
-    let (scene, over_shape) = scene.with_control_above(shape);
+    let (scene, over_shape) = scene.with_control_above(shape).unwrap();
     assert_eq!(scene.channels(scene.find(&over_shape).unwrap()).len(), 3);
     let robot = scene.find("robot1").unwrap();
-    let (scene, first) = scene.with_control_above(robot);
-    let (scene, second) = scene.with_control_above(scene.find("robot1").unwrap());
+    let (scene, first) = scene.with_control_above(robot).unwrap();
+    let (scene, second) = scene.with_control_above(scene.find("robot1").unwrap()).unwrap();
     assert_eq!((first.as_str(), second.as_str()), ("robot1_control", "robot1_control2"));
-    let (scene, third) = scene.with_control_above(scene.find(&first).unwrap());
+    let (scene, third) = scene.with_control_above(scene.find(&first).unwrap()).unwrap();
     assert_eq!(third, "robot1_control_control");
     check_round_trip(&scene);
     let renamed = scene.with_control_renamed(scene.find(&first).unwrap(), "spin").unwrap();
@@ -121,7 +121,7 @@ fn a_control_node_that_paths_name_can_go_where_the_paths_stay_unique() {
 
 #[test]
 fn what_no_file_could_hold_is_refused() {
-    let (scene, path) = two_robots().with_control_above(two_robots().find("robot1").unwrap());
+    let (scene, path) = two_robots().with_control_above(two_robots().find("robot1").unwrap()).unwrap();
     let id = scene.find(&path).unwrap();
     for (seconds, value, words) in [
         (f64::NAN, KeyValue::Scale(Vec3::ONE), "at NaN s, expected a time"),
@@ -163,7 +163,7 @@ proptest! {
         times in prop::collection::vec(-1e5f64..1e5, 1..8), x in prop::num::f32::NORMAL, angle in -10.0f32..10.0,
         scale in 1e-6f32..1e6, colour in any::<[u8; 3]>(),
     ) {
-        let (mut scene, path) = two_robots().with_control_above(two_robots().find("robot1").unwrap());
+        let (mut scene, path) = two_robots().with_control_above(two_robots().find("robot1").unwrap()).unwrap();
         let id = scene.find(&path).unwrap();
         let shape = scene.nodes_with_ids().find(|(id, _)| scene.channels(*id) == [Channel::Colour]).unwrap().0;
         for seconds in times {

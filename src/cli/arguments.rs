@@ -13,7 +13,9 @@ use crate::film::{Format, Grid, MOST_FRAMES_PER_SECOND, format_of_ending, stills
 use crate::flip::DEFAULT_TOLERANCE;
 use crate::frame::MOST_GHOSTS;
 use crate::interpolation::Interpolation;
+use crate::rbt::LARGEST_COORDINATE;
 use crate::render::Background;
+use crate::scene::LATEST_SECONDS;
 use crate::text_layouts::{FieldOrder, Layout};
 
 /// The keyframe file if none is given.
@@ -425,8 +427,9 @@ pub struct GradeArguments {
 }
 
 fn tolerance_of_poses(text: &str) -> Result<f64, String> {
-    let tolerance = text.trim().parse().ok().filter(|tolerance: &f64| tolerance.is_finite() && *tolerance >= 0.0);
-    tolerance.ok_or_else(|| format!("{text:?} is not a finite number of at least 0"))
+    let tolerance =
+        text.trim().parse().ok().filter(|tolerance| (0.0..=f64::from(LARGEST_COORDINATE)).contains(tolerance));
+    tolerance.ok_or_else(|| format!("{text:?} is not a number from 0 to 1e6"))
 }
 
 /// Key times in the given order.
@@ -443,8 +446,8 @@ fn key_time(text: &str) -> Result<f64, String> {
 }
 
 fn seconds(text: &str) -> Result<f64, String> {
-    let seconds: f64 = text.trim().parse().map_err(|_| format!("{text:?} is not a number of seconds"))?;
-    if seconds.is_finite() { Ok(seconds) } else { Err(format!("{text:?} is not a finite number of seconds")) }
+    let seconds = text.trim().parse().ok().filter(|seconds: &f64| seconds.abs() <= LATEST_SECONDS);
+    seconds.ok_or_else(|| format!("{text:?} is not a number of seconds from -1e6 to 1e6"))
 }
 
 fn tolerance(text: &str) -> Result<f32, String> {

@@ -2,12 +2,13 @@
 
 use std::fmt::Display;
 use std::path::Path;
+use std::sync::Arc;
 
 use super::arguments::ConvertArguments;
 use super::places::Places;
 use super::{CliError, output, scene};
 use crate::files::{self, FileError};
-use crate::keyframe::{Keyframe, KeyframeFile, KeyframesJson, LARGEST_FILE_BYTES};
+use crate::keyframe::{Keyframe, KeyframeFile, KeyframesText, LARGEST_FILE_BYTES};
 use crate::scene::SceneGraph;
 use crate::storage;
 use crate::text_layouts::{Certainty, Finding, Imported, JointList, KeyframeText, Layout, Options, Report, import};
@@ -84,10 +85,14 @@ fn keyframe_file_report(file: &KeyframeFile, scene: &SceneGraph, options: &Optio
 fn write_keyframes(arguments: &ConvertArguments, scene: &SceneGraph, file: KeyframeFile) -> Result<(), CliError> {
     let Some(layout) = arguments.to else {
         let (keyframes, interpolation, ms_between_keyframes) = file.into_parts();
-        return write(
-            &arguments.output,
-            &KeyframesJson { scene, keyframes: &keyframes, interpolation, ms_between_keyframes },
-        );
+        let scene = Arc::new(scene.clone());
+        let text = KeyframesText { scene, keyframes, interpolation, ms_between_keyframes };
+        if !text.can_be_read() {
+            let problem =
+                format!("{} MiB, the most that is read, would not hold the keyframes", LARGEST_FILE_BYTES >> 20);
+            return Err(CliError::bad_input(arguments.output.display(), problem));
+        }
+        return write(&arguments.output, &text);
     };
     if file.keyframes.is_empty() && !layout.can_be_empty() {
         let names: Vec<&str> =

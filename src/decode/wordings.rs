@@ -2,7 +2,11 @@
 
 use serde_json::error::Category;
 
+use super::USUAL_LEVELS;
 use crate::words::{Argument, Message, Phrase, one_of, quoted, texts};
+
+/// The levels of values within each other that toml reads.
+const USUAL_TOML_LEVELS: usize = 80;
 
 /// The most characters of a text or name that are repeated.
 const MOST_SHOWN: usize = 60;
@@ -15,7 +19,7 @@ pub(super) fn json(error: &serde_json::Error, next: Option<u8>) -> Message {
     match error.classify() {
         Category::Data => data(words),
         Category::Eof => ended(words).into(),
-        Category::Syntax | Category::Io => syntax(words, next).into(),
+        Category::Syntax | Category::Io => syntax(words, next),
     }
 }
 
@@ -28,9 +32,9 @@ fn ended(words: &str) -> Phrase {
     }
 }
 
-fn syntax(words: &str, next: Option<u8>) -> Phrase {
+fn syntax(words: &str, next: Option<u8>) -> Message {
     let begins_value = matches!(next, Some(b'"' | b'[' | b'{' | b'-' | b'0'..=b'9'));
-    match words {
+    let phrase = match words {
         "expected `:`" => texts::DECODE_NO_COLON,
         "expected `,` or `]`" => texts::DECODE_NO_COMMA_IN_LIST,
         "expected `,` or `}`" => texts::DECODE_NO_COMMA_IN_OBJECT,
@@ -50,9 +54,10 @@ fn syntax(words: &str, next: Option<u8>) -> Phrase {
         "trailing comma" => texts::DECODE_COMMA_AT_END,
         // After the end of the whole text this is said elsewhere.
         "trailing characters" => texts::DECODE_LIST_TOO_LONG,
-        "recursion limit exceeded" => texts::DECODE_TOO_DEEP,
+        "recursion limit exceeded" => return texts::decode_too_deep(USUAL_LEVELS),
         _ => texts::DECODE_NOT_JSON,
-    }
+    };
+    phrase.into()
 }
 
 /// Whether a wording says that a field is missing.
@@ -75,7 +80,7 @@ pub(super) fn toml(words: &str) -> Message {
         "unclosed inline table" | "missing comma between key-value pairs" => texts::DECODE_NO_COMMA_IN_OBJECT,
         "unclosed table" | "unclosed array table" => texts::DECODE_TABLE_LEFT_OPEN,
         "invalid key" | "invalid table" | "invalid key-value pair" => texts::DECODE_BAD_KEY,
-        "cannot recurse further; max recursion depth met" => texts::DECODE_TOO_DEEP,
+        "cannot recurse further; max recursion depth met" => return texts::decode_too_deep(USUAL_TOML_LEVELS),
         _ => return known(words).unwrap_or_else(|| texts::DECODE_NOT_TOML.into()),
     };
     phrase.into()

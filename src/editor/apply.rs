@@ -5,7 +5,6 @@ use glam::Quat;
 use super::commands::{Row, row_of};
 use super::history::Run;
 use super::keymap::Keymap;
-use super::playback::Playback;
 use super::{
     ClipboardCommand, Command, CommandError, Document, Edit, Editor, Effect, Message, PlaybackCommand,
     SelectionCommand, ViewCommand,
@@ -13,7 +12,7 @@ use super::{
 use crate::keyframe::{Keyframe, KeyframeIndex, KeyframeList, MS_BETWEEN_KEYFRAMES_RANGE};
 use crate::pose::RbtIndex;
 use crate::rbt::Rbt;
-use crate::rotation_rules::unit;
+use crate::rotation_rules::{Mending, unit};
 use crate::words::{Argument, Phrase, texts};
 
 /// Change of the ms between keyframes by one `+` or `-`, in milliseconds.
@@ -21,6 +20,21 @@ const MS_STEP: u32 = 100;
 
 /// The message of a command, if it has one, or the reason why it was refused.
 pub(super) type CommandResult = Result<Option<Message>, CommandError>;
+
+/// The transform as a document can hold it: in bounds, with a rotation that files keep bit for bit.
+pub(super) fn placeable(placed: Rbt) -> Result<Rbt, CommandError> {
+    if placed.translation.is_nan() || !placed.rotation.is_finite() {
+        return Err(CommandError::NotAValue { what: texts::VALUE_POSITION });
+    }
+    if !placed.is_in_bounds() {
+        return Err(CommandError::TooFar);
+    }
+    match Mending::of_length(placed.rotation.as_dquat().length()) {
+        Mending::Keep => Ok(placed),
+        Mending::Normalise => Ok(placed.renormalized()),
+        Mending::Refuse => Err(CommandError::NotAValue { what: texts::VALUE_ROTATION }),
+    }
+}
 
 impl Editor {
     /// Runs a command, and returns the effect that the host must perform. Afterwards, [`Editor::message`] is its message or its refusal.
@@ -120,8 +134,8 @@ impl Editor {
             Edit::Timeline(edit) => self.edit_timeline(edit, row),
             Edit::Scene(edit) => self.edit_scene(edit),
             Edit::DisplayCurrent => self.display_current(),
-            Edit::UpdateCurrent => Ok(Some(self.update_current())),
-            Edit::CreateKeyframe => Ok(Some(self.create_keyframe())),
+            Edit::UpdateCurrent => self.update_current(),
+            Edit::CreateKeyframe => self.create_keyframe(),
             Edit::GoToNext => self.step(1),
             Edit::GoToPrevious => self.step(-1),
             Edit::GoToFirst => self.go_to_end(true),
@@ -131,14 +145,14 @@ impl Editor {
             Edit::ResetPose => {
                 self.end_scrub();
                 let rest = self.document.scene.rest_pose().clone();
-                self.record(texts::ACT_RETURN_TO_THE_REST_POSE, None, |document| document.live_pose = rest);
+                self.record(texts::ACT_RETURN_TO_THE_REST_POSE, None, |document| document.live_pose = rest)?;
                 Ok(Some(texts::POSE_IS_REST.into()))
             }
-            Edit::NextInterpolation => Ok(Some(self.set_interpolation(self.document.interpolation.next()))),
-            Edit::SetInterpolation(interpolation) => Ok(Some(self.set_interpolation(interpolation))),
-            Edit::Faster => Ok(Some(self.set_ms(self.document.ms_between_keyframes.saturating_sub(MS_STEP)))),
-            Edit::Slower => Ok(Some(self.set_ms(self.document.ms_between_keyframes.saturating_add(MS_STEP)))),
-            Edit::SetMsBetweenKeyframes(ms) => Ok(Some(self.set_ms(ms))),
+            Edit::NextInterpolation => self.set_interpolation(self.document.interpolation.next()),
+            Edit::SetInterpolation(interpolation) => self.set_interpolation(interpolation),
+            Edit::Faster => self.set_ms(self.document.ms_between_keyframes.saturating_sub(MS_STEP)),
+            Edit::Slower => self.set_ms(self.document.ms_between_keyframes.saturating_add(MS_STEP)),
+            Edit::SetMsBetweenKeyframes(ms) => self.set_ms(ms),
             Edit::SetTranslation(rbt, translation) => self.change_node(
                 rbt,
                 |parent_from_node| Rbt { translation, ..parent_from_node },
@@ -178,9 +192,27 @@ impl Editor {
     }
 
     /// Changes the document as one undo step. During a drag, changes join the drag's undo step.
-    pub(super) fn record(&mut self, label: Phrase, run: Option<Run>, change: impl FnOnce(&mut Document)) {
+    ///
+    /// # Errors
+    /// [`CommandError::KeyframesTooLarge`], [`CommandError::SceneTooLarge`]; the document is then unchanged.
+    pub(super) fn record(
+        &mut self,
+        label: Phrase,
+        run: Option<Run>,
+        change: impl FnOnce(&mut Document),
+    ) -> Result<(), CommandError> {
         let before = self.document.clone();
         change(&mut self.document);
+        if let Some(error) = self.document.too_large_after(&before) {
+            self.document = before;
+            return Err(error);
+        }
+        self.record_since(before, label, run);
+        Ok(())
+    }
+
+    /// Makes what changed since `before` one undo step, or a part of the drag's.
+    pub(super) fn record_since(&mut self, before: Document, label: Phrase, run: Option<Run>) {
         match &mut self.gesture {
             None => self.history.record(before, &self.document, label, run),
             Some(gesture) => gesture.label = label,
@@ -224,7 +256,7 @@ impl Editor {
         Ok(Some(self.with_position(texts::KEYFRAME_COPIED)))
     }
 
-    fn update_current(&mut self) -> Message {
+    fn update_current(&mut self) -> CommandResult {
         let Some(current) = self.document.keyframes.current_keyframe().cloned() else { return self.create_keyframe() };
         let scrubbed = self.end_scrub();
         self.record(texts::ACT_UPDATE_OF_A_KEYFRAME, None, |document| {
@@ -234,11 +266,11 @@ impl Editor {
             if let Some(index) = document.keyframes.current() {
                 document.keyframes.replace(index, current.with_pose(document.live_pose.clone()));
             }
-        });
-        self.with_position(texts::KEYFRAME_UPDATED)
+        })?;
+        Ok(Some(self.with_position(texts::KEYFRAME_UPDATED)))
     }
 
-    fn create_keyframe(&mut self) -> Message {
+    fn create_keyframe(&mut self) -> CommandResult {
         // While scrubbed: insert after the keyframe at or to the left of the playhead, with the displayed pose.
         let left = self.playhead().filter(|_| self.is_scrubbed()).map(|key_time| key_time as usize + 1);
         let after = left.map(KeyframeIndex::new).or(self.document.keyframes.current());
@@ -250,12 +282,12 @@ impl Editor {
             }
             let pose = document.live_pose.clone();
             document.keyframes.insert_after_current(Keyframe::new(pose));
-        });
+        })?;
         self.session.selected.clear();
-        match after {
+        Ok(Some(match after {
             Some(after) => self.with_position(texts::keyframe_created(after.get())),
             None => self.with_position(texts::KEYFRAME_CREATED_FIRST),
-        }
+        }))
     }
 
     fn step(&mut self, by: isize) -> CommandResult {
@@ -297,28 +329,28 @@ impl Editor {
             if let Some(keyframe) = document.keyframes.current_keyframe() {
                 document.live_pose = keyframe.pose.clone();
             }
-        });
+        })?;
         Ok(Some(texts::keyframe_deleted(deleted.get(), self.position_message())))
     }
 
-    fn set_interpolation(&mut self, interpolation: crate::interpolation::Interpolation) -> Message {
-        self.record(texts::ACT_CHANGE_OF_INTERPOLATION, None, |document| document.interpolation = interpolation);
-        texts::interpolation_is(interpolation.title())
+    fn set_interpolation(&mut self, interpolation: crate::interpolation::Interpolation) -> CommandResult {
+        self.record(texts::ACT_CHANGE_OF_INTERPOLATION, None, |document| document.interpolation = interpolation)?;
+        Ok(Some(texts::interpolation_is(interpolation.title())))
     }
 
-    fn set_ms(&mut self, ms: u32) -> Message {
+    fn set_ms(&mut self, ms: u32) -> CommandResult {
         let (fastest, slowest) = (*MS_BETWEEN_KEYFRAMES_RANGE.start(), *MS_BETWEEN_KEYFRAMES_RANGE.end());
         let ms = ms.clamp(fastest, slowest);
         let was = self.document.ms_between_keyframes;
         self.record(texts::ACT_CHANGE_OF_PACE, Some(Run::MsBetweenKeyframes), |document| {
             document.ms_between_keyframes = ms;
-        });
+        })?;
         self.refit_pace();
-        match ms {
+        Ok(Some(match ms {
             _ if was == ms && ms == fastest => texts::pace_fastest(ms),
             _ if was == ms && ms == slowest => texts::pace_slowest(ms),
             _ => texts::pace_is(ms),
-        }
+        }))
     }
 
     pub(super) fn change_node(
@@ -331,23 +363,15 @@ impl Editor {
         if rbt.get() >= self.document.scene.rbt_count() {
             return Err(CommandError::NotInScene { what: texts::VALUE_NODE });
         }
-        let placed = change(self.edited_pose().get(rbt));
-        if !placed.is_finite() {
-            return Err(CommandError::NotAValue { what: texts::VALUE_POSITION });
-        }
+        let placed = placeable(change(self.edited_pose().get(rbt)))?;
         let scrubbed = self.end_scrub();
         self.record(label, run, |document| {
             if let Some(pose) = scrubbed {
                 document.live_pose = pose;
             }
             document.live_pose.set(rbt, placed);
-        });
+        })?;
         Ok(None)
-    }
-
-    pub(super) fn replace_keyframes(&mut self, label: Phrase, change: impl FnOnce(&mut Document)) {
-        self.record(label, None, change);
-        self.playback = Playback::Stopped;
     }
 
     /// Replaces the list and copies its current keyframe to the live pose.

@@ -2,10 +2,11 @@
 
 use std::sync::Arc;
 
+use super::CommandError;
 use crate::interpolation::Interpolation;
-use crate::keyframe::{DEFAULT_MS_BETWEEN_KEYFRAMES, KeyframeList};
+use crate::keyframe::{DEFAULT_MS_BETWEEN_KEYFRAMES, KeyframeList, LARGEST_FILE_BYTES, file_bytes_at_most};
 use crate::pose::Pose;
-use crate::scene::SceneGraph;
+use crate::scene::{LARGEST_SCENE_BYTES, SceneGraph};
 
 /// The scene with its keys, the live pose, the keyframe list, and how it is played. Cloning shares the scene, the poses and the list.
 #[derive(Clone, Debug, PartialEq)]
@@ -57,6 +58,25 @@ impl Document {
             && self.ms_between_keyframes == other.ms_between_keyframes
             && self.keyframes.same_keyframes(&other.keyframes)
             && (Arc::ptr_eq(&self.scene, &other.scene) || self.scene.has_rbts_of(&other.scene))
+    }
+
+    /// Why this cannot follow another document: a file of it could be larger than files that are read. What makes a file smaller is
+    /// possible even so. Takes no time for what both share.
+    pub(super) fn too_large_after(&self, before: &Self) -> Option<CommandError> {
+        let is_too_large = |[before, after]: [u64; 2], limit| after > limit && after >= before;
+        let keyframes = |document: &Self| file_bytes_at_most(&document.scene, &document.keyframes);
+        let scene = |document: &Self| document.scene.file_bytes_at_most();
+        if !self.keyframes.shares_with(&before.keyframes)
+            && is_too_large([keyframes(before), keyframes(self)], LARGEST_FILE_BYTES)
+        {
+            Some(CommandError::KeyframesTooLarge { limit: LARGEST_FILE_BYTES })
+        } else if !Arc::ptr_eq(&self.scene, &before.scene)
+            && is_too_large([scene(before), scene(self)], LARGEST_SCENE_BYTES)
+        {
+            Some(CommandError::SceneTooLarge { limit: LARGEST_SCENE_BYTES })
+        } else {
+            None
+        }
     }
 
     /// Whether the pose in the scene is one that no keyframe holds: neither the current one, nor, with none, the rest pose.

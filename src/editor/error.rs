@@ -99,6 +99,20 @@ pub enum CommandError {
         /// `position`, `rotation`, `duration`, `time` or `key time`.
         what: Phrase,
     },
+    /// A node would be out of bounds: [`crate::rbt::LARGEST_COORDINATE`].
+    TooFar,
+    /// A time of timed keys is out of bounds: [`crate::scene::LATEST_SECONDS`].
+    TooLate,
+    /// The keyframe file could be larger than files that are read.
+    KeyframesTooLarge {
+        /// The most bytes that are read.
+        limit: u64,
+    },
+    /// The scene's file could be larger than files that are read.
+    SceneTooLarge {
+        /// The most bytes that are read.
+        limit: u64,
+    },
     /// Undo and redo wait for the end of a drag.
     DuringDrag,
     /// There is no drag to go on with.
@@ -188,6 +202,10 @@ impl CommandError {
             Self::NoKeys => texts::REFUSED_NO_KEYS.into(),
             Self::Scene(error) => error.message(),
             Self::NotAValue { what } => texts::refused_not_a_value(*what),
+            Self::TooFar => texts::REFUSED_TOO_FAR.into(),
+            Self::TooLate => texts::REFUSED_TOO_LATE.into(),
+            Self::KeyframesTooLarge { limit } => texts::refused_keyframes_too_large(limit >> 20),
+            Self::SceneTooLarge { limit } => texts::refused_scene_too_large(limit >> 20),
             Self::DuringDrag => texts::REFUSED_DURING_DRAG.into(),
             Self::NoDrag => texts::REFUSED_NO_DRAG.into(),
             Self::NothingToUndo => texts::REFUSED_NOTHING_TO_UNDO.into(),

@@ -3,8 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use super::playback::Playback;
 use super::{CommandError, Editor, Effect, FileCommand, Message, Severity, Written};
-use crate::keyframe::{KeyframeList, KeyframesText};
+use crate::keyframe::{KeyframeList, KeyframesText, LARGEST_FILE_BYTES};
 use crate::scene::{scene_from_bytes, scene_to_json};
 use crate::text_layouts::{ImportError, Imported, Options, import};
 use crate::words::texts;
@@ -44,16 +45,17 @@ impl Editor {
 
     fn write_effect(&mut self, path: PathBuf) -> Effect {
         self.commit_gesture();
+        let is_known = self.is_file_known && path == self.keyframe_file;
+        Effect::WriteKeyframes { is_known, path, text: self.keyframes_text() }
+    }
+
+    fn keyframes_text(&self) -> KeyframesText {
         let document = &self.document;
-        Effect::WriteKeyframes {
-            is_known: self.is_file_known && path == self.keyframe_file,
-            path,
-            text: KeyframesText {
-                scene: Arc::clone(&document.scene),
-                keyframes: document.keyframes.clone(),
-                interpolation: document.interpolation,
-                ms_between_keyframes: document.ms_between_keyframes,
-            },
+        KeyframesText {
+            scene: Arc::clone(&document.scene),
+            keyframes: document.keyframes.clone(),
+            interpolation: document.interpolation,
+            ms_between_keyframes: document.ms_between_keyframes,
         }
     }
 
@@ -119,7 +121,7 @@ impl Editor {
         if !scene.has_rbts_of(&self.document.scene) || scene.eyes() != self.document.scene.eyes() {
             return Err(CommandError::OtherScene { path });
         }
-        self.record(texts::ACT_RELOADING_OF_THE_SCENE, None, |document| document.scene = Arc::new(scene));
+        self.record(texts::ACT_RELOADING_OF_THE_SCENE, None, |document| document.scene = Arc::new(scene))?;
         self.saved_scene = Arc::clone(&self.document.scene);
         self.scene_path = Some(path);
         self.fit_session_to_list();
@@ -151,11 +153,18 @@ impl Editor {
             Err(ImportError::Text(problem)) => return Err(CommandError::Text { path, problem }),
         };
         let what = texts::count_keyframes(file.keyframes.len());
-        self.replace_keyframes(texts::ACT_IMPORT, |document| {
-            document.interpolation = file.interpolation.unwrap_or(document.interpolation);
-            document.ms_between_keyframes = file.ms_between_keyframes.unwrap_or(document.ms_between_keyframes);
-            Self::install_list(document, KeyframeList::new(file.keyframes));
-        });
+        let before = self.document.clone();
+        let document = &mut self.document;
+        document.interpolation = file.interpolation.unwrap_or(document.interpolation);
+        document.ms_between_keyframes = file.ms_between_keyframes.unwrap_or(document.ms_between_keyframes);
+        Self::install_list(document, KeyframeList::new(file.keyframes));
+        // A file of short numbers may be longer by the bound than it is: reading it took as long as counting.
+        if !self.keyframes_text().can_be_read() {
+            self.document = before;
+            return Err(CommandError::KeyframesTooLarge { limit: LARGEST_FILE_BYTES });
+        }
+        self.record_since(before, texts::ACT_IMPORT, None);
+        self.playback = Playback::Stopped;
         // A file that was imported from another layout is copied before it is overwritten.
         let is_known = report.is_none();
         let said = match report {

@@ -58,6 +58,15 @@ impl Editor {
         self.change_node(self.dragged_node(), |_| placed, label, None)
     }
 
+    /// One motion that leads where the drag has led so far; `None` without a drag, or if it has changed nothing yet.
+    #[must_use]
+    pub fn drag_so_far(&self) -> Option<GestureCommand> {
+        let label = self.gesture.as_ref()?.label;
+        let placed = self.document.live_pose.get(self.dragged_node());
+        (label != texts::ACT_DRAG)
+            .then_some(GestureCommand::MoveTo { placed, is_turn: label == texts::ACT_TURN_A_NODE })
+    }
+
     /// Ends a drag, as one step of undo.
     pub(super) fn commit_gesture(&mut self) {
         let Some(Gesture { before, label }) = self.gesture.take() else { return };
@@ -67,9 +76,14 @@ impl Editor {
             && let Some(index) = self.document.keyframes.current()
             && let Some(keyframe) = self.document.keyframes.current_keyframe()
         {
-            let updated = keyframe.with_pose(self.document.live_pose.clone());
-            self.document.keyframes.replace(index, updated);
-            self.say(self.with_position(texts::KEYFRAME_UPDATED_BY_AUTO_KEY));
+            let mut updated = self.document.clone();
+            updated.keyframes.replace(index, keyframe.with_pose(self.document.live_pose.clone()));
+            if let Some(error) = updated.too_large_after(&self.document) {
+                self.say_error(&error);
+            } else {
+                self.document = updated;
+                self.say(self.with_position(texts::KEYFRAME_UPDATED_BY_AUTO_KEY));
+            }
         }
         self.history.record(before, &self.document, label, None);
     }

@@ -118,7 +118,7 @@ impl Editor {
         match &self.playback {
             Playback::Playing(position) => {
                 let paused = Playback::Paused(position.clone());
-                let pose = self.displayed_pose();
+                let pose = self.displayed_pose().in_bounds();
                 self.playback = paused;
                 let discards = self.document.has_unsaved_posing(self.document.scene.rest_pose());
                 let before = self.document.clone();
@@ -188,12 +188,12 @@ impl Editor {
         }
     }
 
-    /// Leaves a scrubbed key time and says what pose was shown there.
+    /// Leaves a scrubbed key time and says what pose was shown there, within the bounds of documents.
     pub(super) fn end_scrub(&mut self) -> Option<Pose> {
         if !self.is_scrubbed() {
             return None;
         }
-        let pose = self.displayed_pose();
+        let pose = self.displayed_pose().in_bounds();
         self.playback = Playback::Stopped;
         Some(pose)
     }
@@ -209,7 +209,7 @@ impl Editor {
 
     /// The pose that an edit of the scene starts from: the displayed pose while nothing plays.
     pub(super) fn edited_pose(&self) -> Pose {
-        if self.is_scrubbed() { self.displayed_pose() } else { self.document.live_pose.clone() }
+        if self.is_scrubbed() { self.displayed_pose().in_bounds() } else { self.document.live_pose.clone() }
     }
 
     /// Takes in ticks for what plays. Says whether the picture may have changed.
@@ -223,10 +223,10 @@ impl Editor {
         ticks > 0
     }
 
-    /// What is played at, in keyframes, rounded to a double.
+    /// What is played or paused at, in keyframes, rounded to a double; `None` while the list is too short to play.
     #[must_use]
     pub fn key_time(&self) -> Option<f64> {
         let elapsed = self.playback.elapsed()?;
-        Some(self.document.keyframes.timing().map_or_else(|| to_f64(&elapsed), |timing| timing.key_time_at(&elapsed)))
+        Some(self.document.keyframes.timing()?.key_time_at(&elapsed))
     }
 }

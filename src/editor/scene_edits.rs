@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::apply::CommandResult;
 use super::{CommandError, Editor};
 use crate::scene::{Channel, KeyValue, NodeId, SceneError, SceneGraph, moved_seconds};
-use crate::words::{Message, Phrase, texts};
+use crate::words::{Phrase, texts};
 
 /// A channel of a node.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -74,28 +74,28 @@ impl Editor {
             SceneEdit::SetKey { node, seconds, value } => {
                 let id = self.known_node(&node)?;
                 let scene = self.document.scene.with_key(id, seconds, value)?;
-                self.put_scene(texts::ACT_CHANGE_OF_A_KEY, scene);
+                self.put_scene(texts::ACT_CHANGE_OF_A_KEY, scene)?;
                 Ok(None)
             }
             SceneEdit::MoveKeys { keys, by } => self.move_keys(&keys, by),
             SceneEdit::DeleteKeys(keys) => self.delete_keys(keys),
             SceneEdit::PutControlAbove(path) => {
                 let id = self.known_node(&path)?;
-                Ok(Some(self.put_control_above(id)))
+                self.put_control_above(id)
             }
             SceneEdit::PutControlAboveChosen => {
                 let chosen = self.session.chosen.ok_or_else(|| self.nothing_chosen())?;
-                Ok(Some(self.put_control_above(self.document.scene.rbt_node(chosen))))
+                self.put_control_above(self.document.scene.rbt_node(chosen))
             }
             SceneEdit::RemoveControl(path) => {
                 let scene = self.document.scene.without_control(self.known_node(&path)?)?;
-                self.put_scene(texts::ACT_REMOVAL_OF_A_CONTROL_NODE, scene);
+                self.put_scene(texts::ACT_REMOVAL_OF_A_CONTROL_NODE, scene)?;
                 Ok(Some(texts::control_removed(&*path)))
             }
             SceneEdit::RenameControl(path, name) => {
                 let id = self.known_node(&path)?;
                 let scene = self.document.scene.with_control_renamed(id, name.trim())?;
-                self.put_scene(texts::ACT_RENAMING_OF_A_CONTROL_NODE, scene);
+                self.put_scene(texts::ACT_RENAMING_OF_A_CONTROL_NODE, scene)?;
                 Ok(Some(texts::control_renamed(name.trim())))
             }
         }
@@ -106,14 +106,14 @@ impl Editor {
     }
 
     /// Replaces the scene as one undo step, or as part of the current drag.
-    fn put_scene(&mut self, label: Phrase, scene: SceneGraph) {
-        self.record(label, None, |document| document.scene = Arc::new(scene));
+    fn put_scene(&mut self, label: Phrase, scene: SceneGraph) -> Result<(), CommandError> {
+        self.record(label, None, |document| document.scene = Arc::new(scene))
     }
 
-    fn put_control_above(&mut self, id: NodeId) -> Message {
-        let (scene, path) = self.document.scene.with_control_above(id);
-        self.put_scene(texts::ACT_NEW_CONTROL_NODE, scene);
-        texts::control_put_above(path)
+    fn put_control_above(&mut self, id: NodeId) -> CommandResult {
+        let (scene, path) = self.document.scene.with_control_above(id)?;
+        self.put_scene(texts::ACT_NEW_CONTROL_NODE, scene)?;
+        Ok(Some(texts::control_put_above(path)))
     }
 
     fn add_keys(&mut self, keys: Vec<KeyAt>) -> CommandResult {
@@ -126,7 +126,7 @@ impl Editor {
             let value = scene.key_value_at(id, key.track.channel, key.seconds);
             scene = scene.with_key(id, key.seconds, value.ok_or_else(|| no_channel(&scene, id, key.track.channel))?)?;
         }
-        self.put_scene(texts::ACT_NEW_KEYS, scene);
+        self.put_scene(texts::ACT_NEW_KEYS, scene)?;
         let said = keys
             .first()
             .map(|KeyAt { seconds, .. }| texts::keys_added(texts::count_keys(keys.len()), format!("{seconds:.3}")));
@@ -144,7 +144,7 @@ impl Editor {
         for (id, track, times) in by_track(&base, keys)? {
             scene = scene.with_keys_moved(id, track.channel, &times, by)?;
         }
-        self.put_scene(texts::ACT_MOVING_OF_KEYS, scene);
+        self.put_scene(texts::ACT_MOVING_OF_KEYS, scene)?;
         let moved = keys.iter().map(|key| KeyAt { seconds: moved_seconds(key.seconds, by), ..key.clone() });
         self.select_keys(moved.collect())?;
         Ok(Some(texts::keys_moved(texts::count_keys(keys.len()), format!("{by:.3}"))))
@@ -158,7 +158,7 @@ impl Editor {
         for (id, track, times) in by_track(&self.document.scene, &keys)? {
             scene = scene.without_keys(id, track.channel, &times)?;
         }
-        self.put_scene(texts::ACT_DELETION_OF_KEYS, scene);
+        self.put_scene(texts::ACT_DELETION_OF_KEYS, scene)?;
         Ok(Some(texts::keys_deleted(texts::count_keys(keys.len()))))
     }
 

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use glam::{Quat, Vec3};
 
+use super::apply::placeable;
 use super::gesture::Gesture;
 use super::playback::Playback;
 use super::timed_key_clock::TimedKeyClock;
@@ -75,9 +76,13 @@ fn numbers_of(pose: &Pose) -> Vec<Numbers> {
 }
 
 fn set_numbers(pose: &mut Pose, numbers: &[Numbers]) {
-    for (place, &[x, y, z, a, b, c, d]) in numbers.iter().enumerate() {
-        pose.set(RbtIndex::new(place), Rbt::new(Vec3::new(x, y, z), Quat::from_xyzw(a, b, c, d)));
+    for (place, numbers) in numbers.iter().enumerate() {
+        pose.set(RbtIndex::new(place), rbt_of(numbers));
     }
+}
+
+fn rbt_of(&[x, y, z, a, b, c, d]: &Numbers) -> Rbt {
+    Rbt::new(Vec3::new(x, y, z), Quat::from_xyzw(a, b, c, d))
 }
 
 impl Snapshot {
@@ -85,9 +90,9 @@ impl Snapshot {
     #[must_use]
     pub fn is_whole(&self) -> bool {
         let is_list = |text: &String| keyframes_from_json(text.as_bytes(), &self.scene).is_ok();
-        let is_finite = |numbers: &Numbers| numbers.iter().all(|number| number.is_finite());
+        let is_held = |numbers: &Numbers| placeable(rbt_of(numbers)).is_ok();
         let count = self.scene.rbt_count();
-        let is_pose = |pose: &[Numbers]| pose.len() == count && pose.iter().all(is_finite);
+        let is_pose = |pose: &[Numbers]| pose.len() == count && pose.iter().all(is_held);
         is_pose(&self.pose)
             && is_list(&self.keyframes)
             && self.copied.as_ref().is_none_or(is_list)
@@ -231,11 +236,5 @@ impl Editor {
             editor.saved_scene = Arc::clone(saved);
         }
         editor
-    }
-
-    /// Where the node at hand is in the live pose: where a drag has led.
-    #[must_use]
-    pub fn dragged_to(&self) -> Rbt {
-        self.document.live_pose.get(self.dragged_node())
     }
 }

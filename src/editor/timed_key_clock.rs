@@ -3,6 +3,7 @@
 use super::apply::CommandResult;
 use super::{CommandError, Editor};
 use crate::clock::TICKS_PER_SECOND;
+use crate::scene::LATEST_SECONDS;
 use crate::words::{Message, texts};
 
 /// Ticks since the start of the program, or since the clock was set.
@@ -50,7 +51,7 @@ impl Editor {
     pub fn tick(&mut self, ticks: u64) -> bool {
         let moved_by_itself = self.moves_by_itself() && ticks > 0;
         if self.document.scene.is_timed() && !self.timed_key_clock.is_held {
-            self.timed_key_clock.ticks += ticks;
+            self.timed_key_clock.ticks = self.timed_key_clock.ticks.saturating_add(ticks);
         }
         self.tick_playback(ticks) || moved_by_itself
     }
@@ -76,6 +77,9 @@ impl Editor {
     pub(super) fn scrub_timed_keys(&mut self, seconds: f64) -> CommandResult {
         if !seconds.is_finite() {
             return Err(CommandError::NotAValue { what: texts::VALUE_TIME });
+        }
+        if seconds.abs() > LATEST_SECONDS {
+            return Err(CommandError::TooLate);
         }
         let clock = self.timed_key_clock;
         let is_scrubbed = !self.is_playing() && (clock.is_scrubbed || !clock.is_held);

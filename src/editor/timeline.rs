@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::apply::CommandResult;
+use super::apply::{CommandResult, placeable};
 use super::commands::Row;
 use super::{ClipboardCommand, Command, CommandError, Editor, TimelineEdit};
 use crate::keyframe::{DURATION_RANGE, Easing, Keyframe, KeyframeIndex, KeyframeList};
@@ -86,12 +86,12 @@ impl Editor {
                     return Err(CommandError::NothingCopied { copy });
                 }
                 let (count, at) =
-                    self.insert_after_hand(texts::ACT_PASTING_OF_KEYFRAMES, self.clipboard.keyframes.clone());
+                    self.insert_after_hand(texts::ACT_PASTING_OF_KEYFRAMES, self.clipboard.keyframes.clone())?;
                 Ok(Some(texts::keyframes_pasted(count, at)))
             }
             TimelineEdit::DuplicateKeyframes => {
                 let copies = self.copies_of_edited()?;
-                let (count, at) = self.insert_after_hand(texts::ACT_DUPLICATION_OF_KEYFRAMES, copies);
+                let (count, at) = self.insert_after_hand(texts::ACT_DUPLICATION_OF_KEYFRAMES, copies)?;
                 Ok(Some(texts::keyframes_duplicated(count, at)))
             }
             TimelineEdit::ReverseKeyframes => self.reverse_keyframes(),
@@ -150,7 +150,7 @@ impl Editor {
 
     pub(super) fn copy_pose(&mut self) -> CommandResult {
         let chosen = self.session.chosen.ok_or_else(|| self.nothing_chosen())?;
-        self.clipboard.pose = Some((chosen, self.displayed_pose()));
+        self.clipboard.pose = Some((chosen, self.displayed_pose().in_bounds()));
         Ok(Some(texts::pose_copied(self.document.scene.rbt_path(chosen))))
     }
 
@@ -164,7 +164,7 @@ impl Editor {
         };
         self.record(texts::ACT_RENAMING_OF_A_KEYFRAME, None, |document| {
             document.keyframes.replace(index, Keyframe { name, ..renamed });
-        });
+        })?;
         Ok(Some(said))
     }
 
@@ -186,7 +186,7 @@ impl Editor {
                 document.keyframes.replace(next, Keyframe { duration: given, ..neighbour });
             }
             document.keyframes.replace(index, Keyframe { duration, ..keyframe });
-        });
+        })?;
         Ok(Some(texts::keyframe_retimed(index.get(), format!("{duration:.3}"))))
     }
 
@@ -202,7 +202,7 @@ impl Editor {
             }
             let current = document.keyframes.current().map(KeyframeIndex::get);
             document.keyframes = KeyframeList::with_current(keyframes, current);
-        });
+        })?;
         Ok(Some(texts::easing_is(easing.name())))
     }
 
@@ -213,14 +213,15 @@ impl Editor {
         keyframes: Vec<Keyframe>,
         current: Option<usize>,
         selected: std::ops::Range<usize>,
-    ) {
+    ) -> Result<(), CommandError> {
         self.record(label, None, |document| {
             document.keyframes = KeyframeList::with_current(keyframes, current);
             if let Some(keyframe) = document.keyframes.current_keyframe() {
                 document.live_pose = keyframe.pose.clone();
             }
-        });
-        self.session.selected = selected.map(KeyframeIndex::new).collect();
+        })?;
+        self.select(selected.map(KeyframeIndex::new).collect())?;
+        Ok(())
     }
 
     fn move_keyframes(&mut self, to: usize) -> CommandResult {
@@ -234,7 +235,7 @@ impl Editor {
         let at = to - indices.iter().filter(|&&index| index < to).count();
         let selected = at..at + moved.len();
         keyframes.splice(at..at, moved);
-        self.rearrange(texts::ACT_MOVING_OF_KEYFRAMES, keyframes, Some(at), selected.clone());
+        self.rearrange(texts::ACT_MOVING_OF_KEYFRAMES, keyframes, Some(at), selected.clone())?;
         Ok(Some(texts::keyframes_moved(texts::count_keyframes(selected.len()), at)))
     }
 
@@ -251,18 +252,18 @@ impl Editor {
         let Some(&first) = indices.first() else { return Err(CommandError::NothingToDelete) };
         let keyframes = self.without(&indices);
         let current = (!keyframes.is_empty()).then(|| first.saturating_sub(1));
-        self.rearrange(label, keyframes, current, 0..0);
+        self.rearrange(label, keyframes, current, 0..0)?;
         Ok(Some(texts::keyframes_deleted(texts::count_keyframes(indices.len()), self.position_message())))
     }
 
     /// Inserts keyframes after the selected ones. Returns their number and the index of the first.
-    fn insert_after_hand(&mut self, label: Phrase, inserted: Vec<Keyframe>) -> (Message, usize) {
+    fn insert_after_hand(&mut self, label: Phrase, inserted: Vec<Keyframe>) -> Result<(Message, usize), CommandError> {
         let at = self.edited_keyframes().last().map_or(0, |last| last + 1);
         let mut keyframes = self.document.keyframes.as_slice().to_vec();
         let selected = at..at + inserted.len();
         keyframes.splice(at..at, inserted);
-        self.rearrange(label, keyframes, Some(at), selected.clone());
-        (texts::count_keyframes(selected.len()), at)
+        self.rearrange(label, keyframes, Some(at), selected.clone())?;
+        Ok((texts::count_keyframes(selected.len()), at))
     }
 
     fn reverse_keyframes(&mut self) -> CommandResult {
@@ -278,7 +279,7 @@ impl Editor {
         }
         let selected = self.session.selected.clone();
         let current = self.document.keyframes.current().map(KeyframeIndex::get);
-        self.rearrange(texts::ACT_REVERSING_OF_KEYFRAMES, keyframes, current, 0..0);
+        self.rearrange(texts::ACT_REVERSING_OF_KEYFRAMES, keyframes, current, 0..0)?;
         self.session.selected = selected;
         Ok(Some(texts::keyframes_reversed(texts::count_keyframes(indices.len()))))
     }
@@ -314,7 +315,7 @@ impl Editor {
                 }
                 document.live_pose.set(to, placed);
             }
-        });
+        })?;
         Ok(Some(texts::pose_pasted(source_path, chosen_path)))
     }
 
@@ -328,10 +329,7 @@ impl Editor {
         if rbt.get() >= self.document.scene.rbt_count() {
             return Err(CommandError::NotInScene { what: texts::VALUE_NODE });
         }
-        let placed = change(keyframe.pose.get(rbt));
-        if !placed.is_finite() {
-            return Err(CommandError::NotAValue { what: texts::VALUE_POSITION });
-        }
+        let placed = placeable(change(keyframe.pose.get(rbt)))?;
         self.record(texts::ACT_CHANGE_OF_A_NODE_IN_A_KEYFRAME, None, |document| {
             let shows_it = document.keyframes.current() == Some(index) && document.live_pose.same_as(&keyframe.pose);
             let mut pose = keyframe.pose.clone();
@@ -340,7 +338,7 @@ impl Editor {
                 document.live_pose = pose.clone();
             }
             document.keyframes.replace(index, keyframe.with_pose(pose));
-        });
+        })?;
         Ok(None)
     }
 }

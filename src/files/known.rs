@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use super::scene::LARGEST_SCENE_BYTES;
 use crate::editor::{Editor, FileAccess, FileOutcome, Writing, Written};
 use crate::keyframe::LARGEST_FILE_BYTES;
+use crate::scene::LARGEST_SCENE_BYTES;
 use crate::storage::{self, KnownFiles, StorageError};
 
 /// What the files of an editor are before anything is read or written for it. Its scene was read already.

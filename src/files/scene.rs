@@ -5,12 +5,11 @@ use std::sync::Arc;
 
 use super::FileError;
 use crate::editor::Editor;
-use crate::scene::{DEFAULT_SCENE, SceneGraph, built_in_scene, built_in_scene_names, scene_from_bytes};
+use crate::scene::{
+    DEFAULT_SCENE, LARGEST_SCENE_BYTES, SceneGraph, built_in_scene, built_in_scene_names, scene_from_bytes,
+};
 use crate::storage;
 use crate::words::Message;
-
-/// The largest scene file that is read: 256 MiB.
-pub const LARGEST_SCENE_BYTES: u64 = 256 << 20;
 
 /// The built-in scene of that name, or the scene in that file; the default one where nothing is named.
 ///

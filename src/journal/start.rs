@@ -33,7 +33,7 @@ fn session(editor: &Editor) -> Vec<Command> {
     let view = Command::View;
     let toggled = |is_other: bool, command: ViewCommand| is_other.then(|| view(command));
     let mut commands = Vec::new();
-    // Only while the sky is the eye, and nothing is chosen, which is so in a new editor.
+    // Only the sky camera, which a new editor has as its eye, can change what it moves about.
     commands.extend(toggled(session.sky_mode != SkyMode::default(), ViewCommand::ToggleSkyMode));
     commands.push(view(ViewCommand::SetEye(session.eye)));
     commands.push(view(ViewCommand::Choose(session.chosen)));

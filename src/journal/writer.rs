@@ -30,8 +30,8 @@ pub enum Ending {
 /// A drag that is going on.
 #[derive(Clone, Copy, Debug, Default)]
 struct Drag {
-    /// Whether it moved the node at hand since the last line, and whether the last motion turned it.
-    moved: Option<bool>,
+    /// Whether motions of the node at hand were asked for since the last line.
+    is_moving: bool,
 }
 
 /// Writes a journal.
@@ -123,10 +123,9 @@ impl Writer {
                 self.line("drag begin");
                 self.drag = Some(Drag::default());
             }
-            Command::Gesture(GestureCommand::Move(motion)) => {
-                if editor.is_dragging() && motion.is_finite() {
-                    let is_turn = motion.translation == glam::Vec3::ZERO;
-                    self.drag.get_or_insert_default().moved = Some(is_turn);
+            Command::Gesture(GestureCommand::Move(_)) => {
+                if editor.is_dragging() {
+                    self.drag.get_or_insert_default().is_moving = true;
                 }
             }
             Command::File(file) => {
@@ -165,9 +164,10 @@ impl Writer {
 
     /// Writes where the motions of a drag have led so far.
     fn end_of_motions(&mut self, editor: &Editor) {
-        let moved = self.drag.as_mut().and_then(|drag| drag.moved.take());
-        if let Some(is_turn) = moved.filter(|_| editor.is_dragging()) {
-            let led = Command::Gesture(GestureCommand::MoveTo { placed: editor.dragged_to(), is_turn });
+        let has_moved = self.drag.as_mut().is_some_and(|drag| std::mem::take(&mut drag.is_moving));
+        // The editor knows whether a motion counted: it refuses those that lead too far.
+        if let Some(led) = editor.drag_so_far().filter(|_| has_moved) {
+            let led = Command::Gesture(led);
             if let Some(line) = print_swiftly(&led, editor.scene()) {
                 self.line(&line);
             }

@@ -6,6 +6,7 @@
 mod cursor;
 mod fast;
 mod problems;
+mod size;
 mod strict;
 #[cfg(test)]
 mod tests;
@@ -19,6 +20,7 @@ use crate::scene::SceneGraph;
 use crate::text::without_byte_order_mark;
 
 pub use problems::KeyframeFileError;
+pub use size::file_bytes_at_most;
 pub use write::{KeyframesJson, KeyframesText, keyframes_to_json};
 
 /// The largest keyframe file that is read: 1 GiB.

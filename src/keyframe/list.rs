@@ -219,10 +219,16 @@ impl KeyframeList {
         })
     }
 
+    /// Whether the two lists share storage. If so they hold the same keyframes; the check takes constant time.
+    #[must_use]
+    pub fn shares_with(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.stored, &other.stored)
+    }
+
     /// Whether two lists hold the same keyframes, regardless of the current one. Constant time if they share storage.
     #[must_use]
     pub fn same_keyframes(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.stored, &other.stored)
+        self.shares_with(other)
             || (self.len() == other.len() && self.as_slice().iter().zip(other.as_slice()).all(|(a, b)| a.same_as(b)))
     }
 }

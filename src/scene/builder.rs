@@ -11,6 +11,9 @@ use super::walk::Walk;
 use crate::pose::{Pose, RbtIndex};
 use crate::rbt::Rbt;
 
+/// The most levels of nodes. The only bound of its kind: files and edits share it, and code that goes through a scene may be recursive.
+pub const MOST_LEVELS: usize = 256;
+
 /// Builds a [`SceneGraph`] node by node, in pre-order.
 #[derive(Debug, Default)]
 pub struct SceneBuilder {
@@ -31,7 +34,7 @@ impl SceneBuilder {
     /// Adds an RBT node under the innermost open one and opens it, so that the nodes added next are below it until [`Self::close`].
     ///
     /// # Errors
-    /// When the name is empty, contains `/`, or is used twice under one parent.
+    /// When the name is empty, contains `/`, or is used twice under one parent, or the node is deeper than [`MOST_LEVELS`].
     pub fn open_rbt(&mut self, name: &str, rest_parent_from_node: Rbt) -> Result<NodeId, SceneError> {
         let rbt = RbtIndex::new(self.rbt_nodes.len());
         let id = self.push(name, NodeKind::Rbt(rbt))?;
@@ -45,7 +48,7 @@ impl SceneBuilder {
     /// `is_in_paths`: whether the paths of the nodes below contain its name.
     ///
     /// # Errors
-    /// When the name is empty, contains `/`, or is used twice under one parent.
+    /// When the name is empty, contains `/`, or is used twice under one parent, or the node is deeper than [`MOST_LEVELS`].
     pub fn open_control(&mut self, name: &str, tracks: Tracks, is_in_paths: bool) -> Result<NodeId, SceneError> {
         let id = self.push(name, NodeKind::Control(tracks))?;
         self.nodes[id.get()].is_in_paths = is_in_paths;
@@ -56,7 +59,7 @@ impl SceneBuilder {
     /// Adds a shape under the innermost open node.
     ///
     /// # Errors
-    /// When the name is empty, contains `/`, or is used twice under one parent.
+    /// When the name is empty, contains `/`, or is used twice under one parent, or the node is deeper than [`MOST_LEVELS`].
     pub fn shape(&mut self, name: &str, placed: PlacedShape) -> Result<NodeId, SceneError> {
         self.push(name, NodeKind::Shape(placed))
     }
@@ -81,6 +84,9 @@ impl SceneBuilder {
             });
         }
         let path = parent_path.map_or_else(|| name.to_owned(), |above| format!("{above}/{name}"));
+        if self.open.len() >= MOST_LEVELS {
+            return Err(SceneError::TooDeep { path });
+        }
         let id = NodeId::from_index(self.nodes.len());
         if self.by_path.insert(path.clone(), id).is_some() {
             return Err(SceneError::DuplicatePath { path });
@@ -102,7 +108,7 @@ impl SceneBuilder {
     /// `eye_paths` are the paths of the RBT nodes that are eyes; `vertical_fov_degrees` is above 0 and below 180.
     ///
     /// # Errors
-    /// If there is no RBT node, no eye, an eye that is not an RBT node, or a field of view out of range.
+    /// If there is no RBT node, no eye, an eye that is not an RBT node, a field of view out of range, or scales that multiply to too much.
     pub fn finish(self, name: &str, eye_paths: &[String], vertical_fov_degrees: f32) -> Result<SceneGraph, SceneError> {
         let rbt_of = |path: &String| match self.nodes[self.by_path.get(path)?.get()].kind {
             NodeKind::Rbt(rbt) => Some(rbt),
@@ -118,7 +124,9 @@ impl SceneBuilder {
         if eyes.is_empty() {
             return Err(SceneError::NoEyes);
         }
-        Ok(self.finish_with(name, eyes, vertical_fov_degrees))
+        let scene = self.finish_with(name, eyes, vertical_fov_degrees);
+        scene.check_scales()?;
+        Ok(scene)
     }
 
     /// Like [`Self::finish`], for values that are known to be valid.

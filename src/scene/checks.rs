@@ -3,10 +3,35 @@
 use glam::{Quat, Vec3};
 
 use super::file::SceneError;
+use super::graph::{NodeKind, SceneGraph};
+use crate::rbt::{LARGEST_COORDINATE, are_coordinates};
 use crate::rotation_rules::Mending;
 use crate::words::{Argument, Phrase, texts};
 
-const LARGEST_COORDINATE: f32 = 1e6;
+/// The largest product of the scales of control nodes above each other. With the bound of coordinates and of levels it keeps all of a
+/// scene within single precision, in world space too.
+pub const LARGEST_SCALE: f64 = 1e12;
+
+impl SceneGraph {
+    /// Checks that scales of control nodes above each other do not multiply to more than [`LARGEST_SCALE`]. A scale below 1 counts as 1, so
+    /// that no removal of a node can break the bound.
+    pub(super) fn check_scales(&self) -> Result<(), SceneError> {
+        let mut world_from_node: Vec<f64> = Vec::with_capacity(self.nodes().len());
+        for node in self.nodes() {
+            let world_from_parent = node.parent.map_or(1.0, |parent| world_from_node[parent.get()]);
+            let own = match &node.kind {
+                NodeKind::Control(tracks) => tracks.largest_scale().max(1.0),
+                NodeKind::Rbt(_) | NodeKind::Shape(_) => 1.0,
+            };
+            let scale = world_from_parent * own;
+            if scale > LARGEST_SCALE {
+                return Err(SceneError::TooLarge { path: node.path.clone(), scale });
+            }
+            world_from_node.push(scale);
+        }
+        Ok(())
+    }
+}
 
 /// Checks the values of one node.
 #[derive(Clone, Copy)]
@@ -23,7 +48,7 @@ impl NodeChecks<'_> {
 
     /// Coordinates in scene units, each at most 1e6 in absolute value.
     pub fn coordinates(self, field: &'static str, value: Vec3) -> Result<Vec3, SceneError> {
-        if value.abs().max_element() <= LARGEST_COORDINATE {
+        if are_coordinates(value) {
             Ok(value)
         } else {
             Err(self.error(field, format!("{value}"), texts::SCENE_EXPECTED_COORDINATES))

@@ -15,8 +15,10 @@ enum Change<'a> {
 impl SceneGraph {
     /// The scene with a new control node above a node, and the new node's path. It has no keys, so nothing moves. The paths of the nodes
     /// below do not contain its name, so keyframe files remain valid.
-    #[must_use]
-    pub fn with_control_above(&self, id: NodeId) -> (Self, String) {
+    ///
+    /// # Errors
+    /// [`SceneError::TooDeep`] if a node would be deeper than [`super::MOST_LEVELS`].
+    pub fn with_control_above(&self, id: NodeId) -> Result<(Self, String), SceneError> {
         let node = self.node(id);
         let stem = format!("{}_control", node.name);
         let above = node.path.strip_suffix(node.name.as_str()).unwrap_or_default();
@@ -25,8 +27,8 @@ impl SceneGraph {
             .find(|name| self.find(&format!("{above}{name}")).is_none())
             .expect("the numbers do not end");
         let path = format!("{above}{name}");
-        let scene = self.changed(id, &Change::PutAbove { name: &name });
-        (scene.expect("the name is new, and all others stay as they are"), path)
+        // The name is new, and all others stay as they are.
+        Ok((self.changed(id, &Change::PutAbove { name: &name })?, path))
     }
 
     /// The scene without a control node. Its children move up to its parent, in its position.

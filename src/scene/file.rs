@@ -7,7 +7,8 @@ use serde::de::{self, Unexpected, Visitor};
 use serde::{Deserialize, Deserializer};
 use thiserror::Error;
 
-use super::builder::SceneBuilder;
+use super::LARGEST_SCALE;
+use super::builder::{MOST_LEVELS, SceneBuilder};
 use super::channel::Channel;
 use super::checks::NodeChecks;
 use super::graph::SceneGraph;
@@ -56,6 +57,18 @@ pub enum SceneError {
     DuplicatePath {
         /// The node's path.
         path: String,
+    },
+    /// A node is deeper than [`super::MOST_LEVELS`].
+    TooDeep {
+        /// The node's path.
+        path: String,
+    },
+    /// The scales of a control node and of those above it multiply to more than [`super::LARGEST_SCALE`].
+    TooLarge {
+        /// The control node's path.
+        path: String,
+        /// The product.
+        scale: f64,
     },
     /// A value is out of its range.
     Value {
@@ -118,6 +131,10 @@ impl SceneError {
             Self::Version { found } => texts::scene_version(*found),
             Self::NodeName { name, parent } => texts::scene_node_name(quoted(name), parent),
             Self::DuplicatePath { path } => texts::scene_duplicate_path(quoted(path)),
+            Self::TooDeep { path } => texts::scene_too_deep(short(path), MOST_LEVELS),
+            Self::TooLarge { path, scale } => {
+                texts::scene_too_large(quoted(path), format!("{scale:e}"), format!("{LARGEST_SCALE:e}"))
+            }
             Self::Value { path, field, found, expected } => {
                 texts::scene_value(quoted(path), *field, found.clone(), *expected)
             }
@@ -129,6 +146,12 @@ impl SceneError {
             Self::FieldOfView { degrees } => texts::scene_field_of_view(*degrees),
         }
     }
+}
+
+/// The end of a path that is too long for a sentence.
+fn short(path: &str) -> String {
+    let start = path.char_indices().rev().nth(59).map_or(0, |(start, _)| start);
+    quoted(&if start == 0 { path.to_owned() } else { format!("…{}", &path[start..]) })
 }
 
 #[derive(Deserialize)]
@@ -231,9 +254,15 @@ pub fn scene_from_bytes(bytes: &[u8]) -> Result<SceneGraph, SceneError> {
 /// # Errors
 /// One [`SceneError`] with the line and column, or the path of the node.
 pub fn scene_from_json(text: &str) -> Result<SceneGraph, SceneError> {
-    let text: SceneText = decode::json(text.as_bytes()).map_err(SceneError::Json)?;
+    decode::nested_json(text.as_bytes(), MOST_NESTING, |read: SceneText| built(&read)).map_err(SceneError::Json)?
+}
+
+/// The nesting of brackets in a file of [`MOST_LEVELS`] levels of nodes: two a level, and those around and within nodes.
+const MOST_NESTING: usize = 2 * MOST_LEVELS + 8;
+
+fn built(text: &SceneText) -> Result<SceneGraph, SceneError> {
     if text.format != FORMAT {
-        return Err(SceneError::Format { found: text.format });
+        return Err(SceneError::Format { found: text.format.clone() });
     }
     if !VERSIONS.contains(&text.version) {
         return Err(SceneError::Version { found: text.version });

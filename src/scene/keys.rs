@@ -10,8 +10,8 @@ use super::tracks::Tracks;
 use crate::timed::{KeyError, Track};
 use crate::words::texts;
 
-/// The largest absolute time of a key that is made here, in seconds: about eleven days.
-const LATEST: f64 = 1e6;
+/// The largest absolute time of a key that is made here, and that can be shown, in seconds: about eleven days.
+pub const LATEST_SECONDS: f64 = 1e6;
 
 impl SceneGraph {
     /// The channels that a node can have keys of: three of a control node, one of a shape, none of an RBT node.
@@ -101,7 +101,11 @@ impl SceneGraph {
             NodeKind::Shape(placed) => NodeKind::Shape(placed.with_tracks(tracks)),
             NodeKind::Rbt(_) | NodeKind::Control(_) => NodeKind::Control(tracks),
         };
-        Ok(self.with_kind(id, kind))
+        let scene = self.with_kind(id, kind);
+        if channel == Channel::Scale {
+            scene.check_scales()?;
+        }
+        Ok(scene)
     }
 
     fn no_channel(&self, id: NodeId, channel: Channel) -> SceneError {
@@ -125,7 +129,7 @@ pub(super) fn keys_error(checks: NodeChecks<'_>, channel: Channel, error: KeyErr
 }
 
 fn check_seconds(checks: NodeChecks<'_>, channel: Channel, seconds: f64) -> Result<(), SceneError> {
-    if seconds.abs() <= LATEST {
+    if seconds.abs() <= LATEST_SECONDS {
         Ok(())
     } else {
         Err(checks.error(channel.field(), texts::scene_found_time(seconds), texts::SCENE_EXPECTED_TIME))

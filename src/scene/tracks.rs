@@ -51,6 +51,13 @@ impl Tracks {
         Affine3A::from_scale_rotation_translation(scale, rotation, translation)
     }
 
+    /// The largest component of all scales; 1 without keys of the scale.
+    pub(super) fn largest_scale(&self) -> f64 {
+        let scales =
+            self.get(Channel::Scale).map(|track| track.keys().map(|(_, scale)| scale.truncate().max_element()));
+        scales.and_then(|scales| scales.reduce(f32::max)).unwrap_or(1.0).into()
+    }
+
     /// The time of the last key of all, in seconds; `None` without keys.
     #[must_use]
     pub fn last_second(&self) -> Option<f64> {

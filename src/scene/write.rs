@@ -4,7 +4,7 @@ use glam::{Quat, Vec3, Vec4};
 
 use super::channel::{Channel, Holder, scale_json};
 use super::file::FORMAT;
-use super::graph::{NodeId, NodeKind, SceneGraph};
+use super::graph::{Node, NodeId, NodeKind, SceneGraph};
 use super::shape::{PlacedShape, Shape};
 use super::tracks::Tracks;
 use crate::colour::Colour;
@@ -24,7 +24,7 @@ pub fn scene_to_json(scene: &SceneGraph) -> String {
     text.push_str("  \"vertical_fov_degrees\": ");
     push_f32(&mut text, scene.vertical_fov_degrees());
     text.push_str(",\n  \"nodes\": ");
-    push_siblings(&mut text, scene, 0..scene.nodes().len(), 1);
+    push_nodes(&mut text, scene);
     text.push_str("\n}\n");
     text
 }
@@ -38,27 +38,52 @@ fn push_line(text: &mut String, depth: usize) {
     text.extend(std::iter::repeat_n("  ", depth));
 }
 
-/// Writes the siblings in a range of arena indices, with all nodes below them.
-fn push_siblings(text: &mut String, scene: &SceneGraph, indices: std::ops::Range<usize>, depth: usize) {
+/// Writes all nodes, each with a list of those below it.
+fn push_nodes(text: &mut String, scene: &SceneGraph) {
     text.push('[');
-    let mut next = indices.start;
-    let ids: Vec<NodeId> = scene.nodes_with_ids().map(|(id, _)| id).skip(next).take(indices.len()).collect();
-    while next < indices.end {
-        let id = ids[next - indices.start];
-        push_line(text, depth + 1);
-        push_node(text, scene, id, depth + 1);
-        next = scene.subtree(id).end;
-        if next < indices.end {
+    // The nodes whose lists are open.
+    let mut open: Vec<NodeId> = Vec::new();
+    let mut is_first = true;
+    for (id, node) in scene.nodes_with_ids() {
+        while open.last().is_some_and(|&above| scene.subtree(above).end <= id.get()) {
+            open.pop();
+            close(text, open.len());
+            is_first = false;
+        }
+        if !is_first {
             text.push(',');
         }
+        let (depth, has_children) = (depth_at(open.len()), scene.subtree(id).len() > 1);
+        push_line(text, depth);
+        push_fields(text, &fields(scene, node, depth), depth, has_children);
+        if has_children {
+            open.push(id);
+        }
+        is_first = has_children;
     }
-    push_line(text, depth);
+    for level in (0..open.len()).rev() {
+        close(text, level);
+    }
+    push_line(text, 1);
     text.push(']');
 }
 
-fn push_node(text: &mut String, scene: &SceneGraph, id: NodeId, depth: usize) {
-    let node = scene.node(id);
-    let below = id.get() + 1..scene.subtree(id).end;
+/// The indentation of nodes with so many nodes above them.
+const fn depth_at(level: usize) -> usize {
+    2 + 2 * level
+}
+
+/// Ends the list of what is below a node, and the node.
+fn close(text: &mut String, level: usize) {
+    let depth = depth_at(level);
+    push_line(text, depth + 1);
+    text.push(']');
+    push_line(text, depth);
+    text.push('}');
+}
+
+/// The fields of a node besides its children.
+fn fields(scene: &SceneGraph, node: &Node, depth: usize) -> Vec<String> {
     let mut fields = vec![format!("\"name\": {}", quoted(&node.name))];
     match &node.kind {
         NodeKind::Rbt(rbt) => {
@@ -73,8 +98,12 @@ fn push_node(text: &mut String, scene: &SceneGraph, id: NodeId, depth: usize) {
             }
         }
     }
-    let is_short = below.is_empty() && fields.iter().all(|field| !field.contains('\n'));
-    if is_short {
+    fields
+}
+
+/// Writes a node, up to the beginning of the list of its children if it has any.
+fn push_fields(text: &mut String, fields: &[String], depth: usize, has_children: bool) {
+    if !has_children && fields.iter().all(|field| !field.contains('\n')) {
         text.push_str("{ ");
         text.push_str(&fields.join(", "));
         text.push_str(" }");
@@ -88,14 +117,14 @@ fn push_node(text: &mut String, scene: &SceneGraph, id: NodeId, depth: usize) {
         push_line(text, depth + 1);
         text.push_str(field);
     }
-    if !below.is_empty() {
+    if has_children {
         text.push(',');
         push_line(text, depth + 1);
-        text.push_str("\"children\": ");
-        push_siblings(text, scene, below, depth + 1);
+        text.push_str("\"children\": [");
+    } else {
+        push_line(text, depth);
+        text.push('}');
     }
-    push_line(text, depth);
-    text.push('}');
 }
 
 /// Numbers as a JSON array.

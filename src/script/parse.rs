@@ -10,6 +10,7 @@ use crate::editor::commands::{self, ArgumentError, Arguments, Ending, quoted_pre
 use crate::editor::keymap::{binding_for, bindings, press_from_word};
 use crate::editor::{Command, Edit, FileCommand, SceneEdit};
 use crate::scene::SceneGraph;
+use crate::words::Message;
 
 /// A line that does something.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,6 +21,8 @@ pub struct Line {
     pub text: String,
     /// What it does.
     pub action: Action,
+    /// What to say if that is done and nothing else is said.
+    pub note: Option<Message>,
 }
 
 /// The action of a line.
@@ -55,7 +58,7 @@ pub fn parse(bytes: &[u8], scene: &SceneGraph) -> Result<Vec<Line>, Vec<ScriptEr
     for (number, bytes) in (1..).zip(bytes.split(|&byte| byte == b'\n')) {
         match std::str::from_utf8(bytes).map_err(|_| LineProblem::NotUtf8).and_then(|text| parser.line(text)) {
             Ok(None) => {}
-            Ok(Some((text, action))) => lines.push(Line { number, text: text.to_owned(), action }),
+            Ok(Some(read)) => lines.push(read.numbered(number)),
             Err(problem) => problems.push(ScriptError { number, problem }),
         }
     }
@@ -70,8 +73,22 @@ pub fn parse_line(number: usize, bytes: &[u8], scene: &SceneGraph) -> Result<Opt
     let mut parser = Parser { scene: Cow::Borrowed(scene) };
     let text = std::str::from_utf8(bytes).map_err(|_| LineProblem::NotUtf8);
     match text.and_then(|text| parser.line(text)) {
-        Ok(read) => Ok(read.map(|(text, action)| Line { number, text: text.to_owned(), action })),
+        Ok(read) => Ok(read.map(|read| read.numbered(number))),
         Err(problem) => Err(ScriptError { number, problem }),
+    }
+}
+
+/// What a line says.
+struct Read<'t> {
+    /// Its text without its comment.
+    text: &'t str,
+    action: Action,
+    note: Option<Message>,
+}
+
+impl Read<'_> {
+    fn numbered(self, number: usize) -> Line {
+        Line { number, text: self.text.to_owned(), action: self.action, note: self.note }
     }
 }
 
@@ -82,16 +99,17 @@ struct Parser<'s> {
 }
 
 impl Parser<'_> {
-    /// A line's text without its comment, and its action; `None` for a blank line.
-    fn line<'t>(&mut self, line: &'t str) -> Result<Option<(&'t str, Action)>, LineProblem> {
+    /// What a line says; `None` for a blank one.
+    fn line<'t>(&mut self, line: &'t str) -> Result<Option<Read<'t>>, LineProblem> {
         let text = self.text_if_hash_allowed(line.trim());
         let text = text.unwrap_or_else(|| line.split('#').next().unwrap_or_default().trim());
         if text.is_empty() {
             return Ok(None);
         }
         let action = self.action(text)?;
+        let note = self.note(text);
         self.track_scene_edit(&action);
-        Ok(Some((text, action)))
+        Ok(Some(Read { text, action, note }))
     }
 
     /// The text without its comment, for lines whose arguments may contain `#`. `None` if the first `#` starts the comment.
@@ -119,6 +137,12 @@ impl Parser<'_> {
             let (_, rest) = name_and_rest(text);
             matches!(self.read(form, rest, false), Ok(Some(_)))
         })
+    }
+
+    fn note(&self, text: &str) -> Option<Message> {
+        let (name, rest) = name_and_rest(text);
+        let words: Vec<&str> = rest.split_whitespace().collect();
+        line_of(name)?.note(&Arguments { scene: &self.scene, text: rest, words: &words, allows_out_of_range: false })
     }
 
     fn read(
@@ -172,7 +196,9 @@ impl Parser<'_> {
         }
         let Action::Apply(Command::Edit(Edit::Scene(edit))) = action else { return };
         let changed = match edit {
-            SceneEdit::PutControlAbove(path) => self.scene.find(path).map(|id| self.scene.with_control_above(id).0),
+            SceneEdit::PutControlAbove(path) => {
+                self.scene.find(path).and_then(|id| Some(self.scene.with_control_above(id).ok()?.0))
+            }
             SceneEdit::RemoveControl(path) => self.scene.find(path).and_then(|id| self.scene.without_control(id).ok()),
             SceneEdit::RenameControl(path, name) => {
                 self.scene.find(path).and_then(|id| self.scene.with_control_renamed(id, name).ok())
@@ -227,6 +253,9 @@ fn text_to_end_of_quotes(line: &str, at: usize) -> Option<&str> {
     (rest.is_empty() || rest.starts_with('#')).then_some(text)
 }
 
+/// The longest time that one line waits: as much as timed keys have.
+const LONGEST_WAIT: Duration = Duration::from_secs(1_000_000);
+
 /// A time in milliseconds or seconds, to the nanosecond.
 fn duration(word: &str) -> Result<Duration, LineProblem> {
     let (digits, per_second) = match word.strip_suffix("ms") {
@@ -237,6 +266,7 @@ fn duration(word: &str) -> Result<Duration, LineProblem> {
         .parse::<f64>()
         .ok()
         .and_then(|count| Duration::try_from_secs_f64(count / per_second).ok())
+        .filter(|duration| *duration <= LONGEST_WAIT)
         .ok_or_else(|| LineProblem::Time { word: word.to_owned() })
 }
 

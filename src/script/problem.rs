@@ -45,7 +45,7 @@ pub enum LineProblem {
         reason: String,
     },
     /// Not a time.
-    #[error("{word:?} is not a time; expected as in 500ms or 2s, at least 0")]
+    #[error("{word:?} is not a time; expected as in 500ms or 2s, 0 to 1e6 seconds")]
     Time {
         /// The word as written.
         word: String,

@@ -126,6 +126,10 @@ impl<H: Windowless> Runner<H> {
                     self.clock.restart();
                 }
                 performed?;
+                let editor = self.host.editor();
+                if let Some(note) = line.note.clone().filter(|_| editor.message().is_none()) {
+                    editor.say(note);
+                }
                 let NoWindow { said, has_quit } = std::mem::take(self.host.no_window());
                 let message = said.map_or_else(|| self.host.editor().message_text(), str::to_owned);
                 Ok(Step { message, is_last: has_quit })

@@ -96,6 +96,13 @@ pub enum TextProblem {
         /// A remark about the other order, as a part of the sentence, if there is one.
         hint: Option<Message>,
     },
+    /// A coordinate is out of bounds: [`crate::rbt::LARGEST_COORDINATE`].
+    TooFar {
+        /// The keyframe, from 0.
+        keyframe: usize,
+        /// The row within it, from 0.
+        row: usize,
+    },
     /// A matrix scales, shears or mirrors.
     NotRigid {
         /// The keyframe, from 0.
@@ -153,6 +160,7 @@ impl TextProblem {
             Self::NotUnit { keyframe, row, is_last: false, length, hint } => {
                 texts::text_not_unit_first(*keyframe, *row, *length, optional(hint.as_ref()))
             }
+            Self::TooFar { keyframe, row } => texts::text_too_far(*keyframe, *row, texts::SCENE_EXPECTED_COORDINATES),
             Self::NotRigid { keyframe, row } => texts::text_not_rigid(*keyframe, *row),
             Self::TooManyKeys { limit } => texts::text_too_many_keys(*limit),
             Self::TwoAtOneTime { seconds } => texts::text_two_at_one_time(*seconds),

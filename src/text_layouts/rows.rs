@@ -50,13 +50,13 @@ pub(super) fn keyframes(
 ) -> Result<Vec<Keyframe>, TextError> {
     if plan.layout == Layout::Matrices {
         check_matrices(bytes, plan, options)?;
-        Ok(build(bytes, plan, scene, options, |matrix| rigid(&matrix).unwrap_or(Rbt::IDENTITY)))
+        build(bytes, plan, scene, options, |matrix| rigid(&matrix).unwrap_or(Rbt::IDENTITY))
     } else {
         let order = field_order(bytes, plan, named_order, options)?;
         if (plan.layout, order) == (Layout::Header, FieldOrder::QuaternionFirst) {
             plan.layout = Layout::HeaderQuaternionFirst;
         }
-        Ok(build(bytes, plan, scene, options, |row| rbt(row, order)))
+        build(bytes, plan, scene, options, |row| rbt(row, order))
     }
 }
 
@@ -66,16 +66,22 @@ fn build<const WIDTH: usize>(
     scene: &SceneGraph,
     options: &Options,
     decode: impl Fn([f32; WIDTH]) -> Rbt,
-) -> Vec<Keyframe> {
+) -> Result<Vec<Keyframe>, TextError> {
     let first: Vec<Vec3> = rows(bytes, plan).take(plan.nodes).map(|(_, row)| decode(row).translation).collect();
     let node_of_row = match_joints(&first, scene, options, plan);
     // The plan counted this many keyframes in the text.
     let mut keyframes: Vec<Keyframe> = Vec::with_capacity(plan.keyframes);
     let mut pose = scene.rest_pose().clone();
-    for (row_index, (_, row)) in rows(bytes, plan).enumerate() {
+    for (row_index, (at, row)) in rows(bytes, plan).enumerate() {
         let row_of_keyframe = row_index % plan.nodes;
         if let Some(node) = node_of_row[row_of_keyframe] {
-            pose.set(node, decode(row));
+            let placed = decode(row);
+            if !placed.is_in_bounds() {
+                let (keyframe, row) = (keyframes.len(), row_of_keyframe);
+                salvage(plan, keyframe, TextError::new(bytes, at, TextProblem::TooFar { keyframe, row }), options)?;
+                break;
+            }
+            pose.set(node, placed);
         }
         if row_of_keyframe + 1 == plan.nodes {
             // Poses that do not change share their storage.
@@ -83,7 +89,7 @@ fn build<const WIDTH: usize>(
             keyframes.push(Keyframe::new(same.unwrap_or(&pose).clone()));
         }
     }
-    keyframes
+    Ok(keyframes)
 }
 
 fn rbt([a, b, c, d, e, f, g]: [f32; 7], order: FieldOrder) -> Rbt {

@@ -1,8 +1,11 @@
 //! Rotations as yaw, pitch and roll in degrees: `q = qz(yaw) · qy(pitch) · qx(roll)`.
 
+use egui::{Label, RichText, Ui};
 use glam::{EulerRot, Quat};
 
+use super::words::Words;
 use crate::pose::RbtIndex;
+use crate::rotation_rules::beyond_half_turn;
 
 /// The rotation of yaw, pitch and roll, in degrees.
 #[must_use]
@@ -17,6 +20,16 @@ pub fn rotation_from_degrees([yaw, pitch, roll]: [f32; 3]) -> Quat {
 pub fn degrees_from_rotation(rotation: Quat) -> [f32; 3] {
     let (yaw, pitch, roll) = rotation.normalize().to_euler(EulerRot::ZYX);
     [yaw, pitch, roll].map(|radians| radians.to_degrees() + 0.0)
+}
+
+/// Says of angles in degrees that were typed or dragged beyond half a turn what smaller one they are.
+pub fn say_of_angles(ui: &mut Ui, degrees: [f32; 3]) {
+    // Rounded, so that 360.1 is not 360.1000061.
+    let note = degrees.into_iter().find_map(|degrees| beyond_half_turn((f64::from(degrees) * 1e3).round() / 1e3));
+    if let Some(note) = note {
+        let text = RichText::new(Words::of(ui).message(note)).small().color(ui.visuals().warn_fg_color);
+        ui.add(Label::new(text).wrap());
+    }
 }
 
 /// The angles last shown for a node, so that they stay as they were typed, although one rotation has many.

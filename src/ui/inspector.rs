@@ -3,7 +3,7 @@
 use egui::{DragValue, Label, Response, RichText, Ui, vec2};
 use glam::Vec3;
 
-use super::angles::{ShownAngles, rotation_from_degrees, with_component};
+use super::angles::{ShownAngles, rotation_from_degrees, say_of_angles, with_component};
 use super::key_of;
 use super::theme::{GRID, ROW, Tokens};
 use super::words::Words;
@@ -55,6 +55,7 @@ pub fn show(ui: &mut Ui, editor: &Editor, angles: &mut ShownAngles, keymap: &Key
             let rotation = rotation_from_degrees(degrees);
             finish(&changed, Command::Edit(Edit::SetRotation(rbt, rotation)), commands);
         }
+        say_of_angles(ui, degrees);
 
         label(ui, words.say(texts::QUATERNION));
         let before = parent_from_node.rotation.to_array();

@@ -136,7 +136,24 @@ macro_rules! displayed {
         }
     )+ };
 }
-displayed!(&str, &String, path::Display<'_>, u8, u16, u32, u64, i32, i64, f32, f64);
+displayed!(&str, &String, path::Display<'_>, u8, u16, u32, u64, i32, i64);
+
+/// Numbers of this size and more are displayed with an exponent: nobody counts hundreds of zeros.
+const WITH_EXPONENT: f64 = 1e16;
+
+impl From<f64> for Argument {
+    fn from(number: f64) -> Self {
+        let is_long = number.is_finite() && number.abs() >= WITH_EXPONENT;
+        Self::Text(if is_long { format!("{number:e}") } else { number.to_string() })
+    }
+}
+
+impl From<f32> for Argument {
+    fn from(number: f32) -> Self {
+        let is_long = number.is_finite() && f64::from(number.abs()) >= WITH_EXPONENT;
+        Self::Text(if is_long { format!("{number:e}") } else { number.to_string() })
+    }
+}
 
 impl From<String> for Argument {
     fn from(text: String) -> Self {

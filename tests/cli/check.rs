@@ -74,7 +74,7 @@ fn values_that_are_wrong() {
     );
     check_value(
         |file| file["keyframes"][3]["pose"][HEAD]["translation"] = json!([0, 1e39, 0]),
-        "a.json: keyframe 3, node \"robot1/head\": translation is not finite",
+        "a.json: keyframe 3, node \"robot1/head\": translation is too far away, expected coordinates between -1e6 and 1e6",
     );
     check_value(
         |file| {

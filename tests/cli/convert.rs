@@ -21,7 +21,7 @@ fn with_keyframes() -> Sandbox {
     let mut file = keyframe_file(5);
     let third = 1.0_f64 / 3.0;
     file["keyframes"][1]["pose"][HEAD]["rotation"] = serde_json::json!([0.6, 0.0, 0.0, -0.8]);
-    file["keyframes"][2]["pose"][HEAD]["translation"] = serde_json::json!([third, -1e-16, 123_456_789]);
+    file["keyframes"][2]["pose"][HEAD]["translation"] = serde_json::json!([third, -1e-16, 123_456.789]);
     sandbox.write("raw.json", file.to_string());
     let report = sandbox.run(&["convert", "raw.json", "-o", "a.json"]).succeeds();
     assert_eq!(report, "raw.json: 5 keyframes of 22 nodes, keyframe file\n");

@@ -1,5 +1,6 @@
 //! The command line, by running the binary: bytes in; bytes, files and exit statuses out.
 
+mod bounds;
 mod check;
 mod compare;
 mod convert;

@@ -7,11 +7,15 @@ use std::sync::Arc;
 
 use glam::Vec3;
 use inbetween::editor::keymap::{binding_for, bindings, press_from_word};
-use inbetween::editor::{Command, Edit, Editor, Effect};
+use inbetween::editor::{Command, Document, Edit, Editor, Effect, KeyAt, TimelineEdit};
 use inbetween::interpolation::Interpolation;
-use inbetween::keyframe::{KeyframeIndex, MS_BETWEEN_KEYFRAMES_RANGE};
+use inbetween::keyframe::{
+    KeyframeIndex, MS_BETWEEN_KEYFRAMES_RANGE, file_bytes_at_most, keyframes_from_json, keyframes_to_json,
+};
 use inbetween::pose::Pose;
-use inbetween::scene::{DEFAULT_SCENE, built_in_scene};
+use inbetween::rbt::Rbt;
+use inbetween::rotation_rules::Mending;
+use inbetween::scene::{DEFAULT_SCENE, built_in_scene, scene_from_json, scene_to_json};
 
 /// An editor of the built-in scene, with nothing in its list.
 pub fn editor() -> Editor {
@@ -98,4 +102,73 @@ pub fn assert_invariants(editor: &Editor, after: &str) {
     assert!(!(editor.is_playing() && keyframes.len() < 4), "after {after}: plays too short a list");
     assert!(!(editor.is_playing() && editor.is_dragging()), "after {after}: plays during a drag");
     assert!(editor.session().eye < editor.scene().eyes().len());
+    let (session, scene) = (editor.session(), editor.scene());
+    assert!(session.chosen.is_none_or(|rbt| rbt.get() < count), "after {after}: what is chosen is in no scene");
+    assert!(
+        session.selected.iter().all(|index| index.get() < keyframes.len()),
+        "after {after}: selected beyond the list"
+    );
+    assert!(session.selected.is_sorted(), "after {after}: the selection is in no order");
+    assert!(session.play_range.is_none_or(|(first, last)| 1 <= first && first < last && last + 1 < keyframes.len()));
+    assert!(editor.edited_keyframes().iter().all(|&index| index < keyframes.len()), "after {after}: edits go beyond");
+    assert!(session.selected.is_empty() || session.selected_keys.is_empty(), "after {after}: two selections");
+    for KeyAt { track, seconds } in &session.selected_keys {
+        let id = scene.find(&track.node).unwrap_or_else(|| panic!("after {after}: a key of no node"));
+        assert!(scene.key_seconds(id, track.channel).contains(seconds), "after {after}: a key that is not there");
+    }
+    assert!(
+        editor.key_time().is_none_or(|key_time| key_time + 2.0 <= keyframes.len() as f64),
+        "after {after}: playhead"
+    );
+    let is_held =
+        |rbt: Rbt| rbt.is_in_bounds() && Mending::of_length(rbt.rotation.as_dquat().length()) == Mending::Keep;
+    assert!(document.live_pose.iter().all(is_held), "after {after}: {:?}", document.live_pose);
+}
+
+/// How many commands are random; more by hand: `JOURNAL_COMMANDS=1000000 cargo test --release --test journal --test random_commands random`.
+pub fn random_commands() -> usize {
+    std::env::var("JOURNAL_COMMANDS").ok().and_then(|count| count.parse().ok()).unwrap_or(20_000)
+}
+
+/// What is saved reads back as it was: the keyframes and the scene.
+#[track_caller]
+pub fn assert_reads_back(editor: &Editor) {
+    let document = editor.document();
+    let text =
+        keyframes_to_json(editor.scene(), &document.keyframes, document.interpolation, document.ms_between_keyframes);
+    assert!(text.len() as u64 <= file_bytes_at_most(editor.scene(), &document.keyframes));
+    let file = keyframes_from_json(text.as_bytes(), editor.scene()).unwrap_or_else(|problems| panic!("{problems:?}"));
+    let (keyframes, interpolation, ms) = file.into_parts();
+    assert!(keyframes.same_keyframes(&document.keyframes), "the keyframes read back otherwise");
+    assert_eq!((interpolation, ms), (document.interpolation, document.ms_between_keyframes));
+    let text = scene_to_json(editor.scene());
+    assert!(text.len() as u64 <= editor.scene().file_bytes_at_most());
+    assert_eq!(&scene_from_json(&text).unwrap(), &**editor.scene());
+}
+
+/// Files of other people, good and bad: other lengths, another scene, texts, and none of these.
+pub fn other_files() -> Vec<Vec<u8>> {
+    let list = |editor: &Editor| {
+        let Document { keyframes, interpolation, ms_between_keyframes, .. } = editor.document();
+        keyframes_to_json(editor.scene(), keyframes, *interpolation, *ms_between_keyframes).into_bytes()
+    };
+    let mut files: Vec<Vec<u8>> = (0..7).map(|count| list(&editor_with(count))).collect();
+    let orbits = Editor::new(Arc::new(built_in_scene("orbits").expect("it is built in")), PathBuf::from("a.json"));
+    let named = |mut editor: Editor| {
+        apply(
+            &mut editor,
+            Command::Edit(Edit::Timeline(TimelineEdit::RenameKeyframe(KeyframeIndex::new(0), "a #\"b".into()))),
+        );
+        list(&editor)
+    };
+    files.push(named(editor_with(4)));
+    files.push(list(&orbits));
+    files.push(scene_to_json(orbits.scene()).into_bytes());
+    let row = "0.5 1 2 0 0 0 1\n";
+    files.push(row.repeat(22 * 5).into_bytes());
+    files.push(("2 22\n".to_owned() + &row.repeat(22 * 2)).into_bytes());
+    files.push(row.repeat(22).replacen("0.5", "2e6", 1).into_bytes());
+    files.push(b"{0: vec(0, 1, 0), 2: vec(1, 1, 0)}".to_vec());
+    files.extend([b"1 2 3\n".to_vec(), b"\xff\xfe\x00".to_vec(), b"{\"format\": 3}".to_vec(), Vec::new()]);
+    files
 }

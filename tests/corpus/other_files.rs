@@ -42,7 +42,7 @@ pub fn said() -> String {
         "eased lists",
         &differences(&scene, (&eased, Interpolation::Linear, 500), (&ours, Interpolation::Linear, 500)),
     );
-    let with_control = scene.with_control_above(scene.rbt_node(RbtIndex::new(2))).0;
+    let with_control = scene.with_control_above(scene.rbt_node(RbtIndex::new(2))).expect("there is room").0;
     line("scenes", &scene_differences(&with_control, &scene));
     line("scenes", &scene_differences(&scene, &with_control));
     let control = with_control.find("robot1_control").expect("it was put there");
@@ -95,7 +95,8 @@ fn editor() -> String {
         let _ = editor.scene_read(Path::new("scene.json"), bytes);
         let _ = writeln!(text, "scene\t{}", editor.message_text());
     }
-    let with_control = editor.scene().with_control_above(editor.scene().rbt_node(RbtIndex::new(2))).0;
+    let with_control =
+        editor.scene().with_control_above(editor.scene().rbt_node(RbtIndex::new(2))).expect("there is room").0;
     let _ = editor.scene_read(Path::new("scene.json"), Ok(scene_to_json(&with_control).into_bytes()));
     let keyframes = std::iter::repeat_n(Command::Edit(Edit::CreateKeyframe), 4);
     let play = [Command::Playback(PlaybackCommand::PlayOrStop), Command::File(FileCommand::ReloadScene)];

@@ -89,7 +89,7 @@ fn scenes_are_compared_node_by_node() {
     let ours = scene();
     let said = |theirs: &SceneGraph| scene_differences(theirs, &ours)[0].to_string();
     assert_eq!(said(&ours.clone()), "Nothing differs but the way in which it is written.");
-    let (with_control, _) = ours.with_control_above(ours.rbt_node(RbtIndex::new(2)));
+    let (with_control, _) = ours.with_control_above(ours.rbt_node(RbtIndex::new(2))).unwrap();
     assert_eq!(said(&with_control), "Nodes only in the file: robot1_control.");
     assert_eq!(scene_differences(&ours, &with_control)[0].to_string(), "Nodes only here: robot1_control.");
 }

@@ -7,7 +7,9 @@ use thiserror::Error;
 use super::values::{read_quoted, word_and_rest};
 use crate::editor::Command;
 use crate::pose::RbtIndex;
+use crate::rotation_rules::beyond_half_turn;
 use crate::scene::SceneGraph;
+use crate::words::Message;
 
 /// The arguments of a script line, and the scene for node paths.
 #[derive(Clone, Copy)]
@@ -101,6 +103,13 @@ pub type Read = fn(&Arguments<'_>) -> Result<Option<Command>, ArgumentError>;
 /// Writes a command's arguments; `None`: the command is not of this line, or has no such form.
 pub type Write = fn(&Command, &SceneGraph) -> Option<String>;
 
+/// The angles in degrees that a line's arguments give.
+pub(super) type Angles = fn(&Arguments<'_>) -> Vec<f64>;
+
+fn no_angles(_: &Arguments<'_>) -> Vec<f64> {
+    Vec::new()
+}
+
 /// Where a `#` of a line is not the beginning of a comment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ending {
@@ -136,20 +145,33 @@ pub struct Line {
     pub does: &'static str,
     /// Where a `#` is not the beginning of a comment.
     pub ending: Ending,
+    /// The angles in degrees that its arguments give.
+    angles: Angles,
     form: Form,
 }
 
 impl Line {
     pub(super) const fn new(usage: &'static str, does: &'static str, read: Read, write: Write) -> Self {
-        Self { name: first_word(usage), usage, does, ending: Ending::Plain, form: Form::Arguments(read, write) }
+        let form = Form::Arguments(read, write);
+        Self { name: first_word(usage), usage, does, ending: Ending::Plain, angles: no_angles, form }
     }
 
     pub(super) const fn word(name: &'static str, does: &'static str, command: Command) -> Self {
-        Self { name, usage: name, does, ending: Ending::Plain, form: Form::Word(command) }
+        Self { name, usage: name, does, ending: Ending::Plain, angles: no_angles, form: Form::Word(command) }
     }
 
     pub(super) fn ending(self, ending: Ending) -> Self {
         Self { ending, ..self }
+    }
+
+    pub(super) fn angles(self, angles: Angles) -> Self {
+        Self { angles, ..self }
+    }
+
+    /// What to say of arguments whose command was done: that an angle beyond half a turn is the same as a smaller one.
+    #[must_use]
+    pub fn note(&self, arguments: &Arguments<'_>) -> Option<Message> {
+        (self.angles)(arguments).into_iter().find_map(beyond_half_turn)
     }
 
     /// The command that the arguments mean; `None`: the line is not written like this.

@@ -2,7 +2,7 @@
 
 use glam::{Quat, Vec3};
 
-use super::line::{Ending, Line};
+use super::line::{Arguments, Ending, Line};
 use super::row::{Changes, Row};
 use super::values::{
     axis, number, number_text, numbers, one_of, radians, rbt, rbt_path_text, rbt_text, rotation_text, same_bits,
@@ -34,25 +34,28 @@ fn chosen() -> Vec<Row> {
             matches!(edit_of(command), Some(Edit::RotateChosen { .. }))
         })
         .can(|editor, _| editor.session.chosen.is_some())
-        .line(Line::new(
-            "rotate AXIS DEGREES",
-            "turns the chosen node about its own `x`, `y` or `z`",
-            |arguments| {
-                let &[about, degrees] = arguments.words else { return Ok(None) };
-                let (axis_in_node, radians) = (axis(about)?, radians(degrees)?);
-                Ok(Some(Command::Edit(Edit::RotateChosen { axis_in_node, radians })))
-            },
-            |command, _| {
-                let Some(&Edit::RotateChosen { axis_in_node, radians: by }) = edit_of(command) else { return None };
-                let is_axis = |axis: Vec3| same_bits(&axis.to_array(), &axis_in_node.to_array());
-                let axes = [("x", Vec3::X), ("y", Vec3::Y), ("z", Vec3::Z)];
-                let (about, _) = axes.into_iter().find(|(_, axis)| is_axis(*axis))?;
-                let degrees = number_text(by.to_degrees());
-                // Some angles in radians have no exact value in degrees.
-                let is_exact = radians(&degrees).is_ok_and(|read| read.to_bits() == by.to_bits());
-                is_exact.then(|| format!("{about} {degrees}"))
-            },
-        ))
+        .line(
+            Line::new(
+                "rotate AXIS DEGREES",
+                "turns the chosen node about its own `x`, `y` or `z`",
+                |arguments| {
+                    let &[about, degrees] = arguments.words else { return Ok(None) };
+                    let (axis_in_node, radians) = (axis(about)?, radians(degrees)?);
+                    Ok(Some(Command::Edit(Edit::RotateChosen { axis_in_node, radians })))
+                },
+                |command, _| {
+                    let Some(&Edit::RotateChosen { axis_in_node, radians: by }) = edit_of(command) else { return None };
+                    let is_axis = |axis: Vec3| same_bits(&axis.to_array(), &axis_in_node.to_array());
+                    let axes = [("x", Vec3::X), ("y", Vec3::Y), ("z", Vec3::Z)];
+                    let (about, _) = axes.into_iter().find(|(_, axis)| is_axis(*axis))?;
+                    let degrees = number_text(by.to_degrees());
+                    // Some angles in radians have no exact value in degrees.
+                    let is_exact = radians(&degrees).is_ok_and(|read| read.to_bits() == by.to_bits());
+                    is_exact.then(|| format!("{about} {degrees}"))
+                },
+            )
+            .angles(last_word),
+        )
         .line(Line::new(
             "rotate-by X Y Z RADIANS",
             "turns the chosen node about an axis of its own, which is a unit vector",
@@ -154,7 +157,8 @@ fn drags() -> Vec<Row> {
             }
             _ => None,
         },
-    );
+    )
+    .angles(|arguments| if let ["turn", ..] = arguments.words { last_word(arguments) } else { Vec::new() });
     let part = |id, owns| Row::of(Changes::Document, id, owns).can(|editor, _| editor.gesture.is_some());
     vec![
         Row::of(Changes::Document, "drag-begin", |command| matches!(command, Command::Gesture(GestureCommand::Begin)))
@@ -222,6 +226,11 @@ fn drags() -> Vec<Row> {
                 },
             )),
     ]
+}
+
+/// The angle that stands last in a line.
+fn last_word(arguments: &Arguments<'_>) -> Vec<f64> {
+    arguments.words.last().and_then(|word| word.parse().ok()).into_iter().collect()
 }
 
 /// The translation of a motion that turns nothing.

@@ -128,7 +128,11 @@ fn keys() -> Vec<Row> {
                         Some(format!("{channel} {} {} {}", number_text(seconds), value_text(*value), node_text(node)))
                     },
                 )
-                .ending(Ending::NodePath),
+                .ending(Ending::NodePath)
+                .angles(|arguments| match *arguments.words {
+                    [channel, _, angles, ..] if channel == Channel::Rotation.name() => euler_angles(angles),
+                    _ => Vec::new(),
+                }),
             ),
     ]
 }
@@ -283,6 +287,12 @@ fn value(channel: Channel, word: &str) -> Parsed<KeyValue> {
         channel: channel.name(),
         expected: channel.expected(),
     })
+}
+
+/// Yaw, pitch and roll in degrees; nothing for a quaternion.
+fn euler_angles(word: &str) -> Vec<f64> {
+    let angles: Vec<f64> = word.split(',').filter_map(|angle| angle.parse().ok()).collect();
+    if angles.len() == 3 { angles } else { Vec::new() }
 }
 
 fn value_text(value: KeyValue) -> String {

@@ -170,7 +170,7 @@ impl Keyframes<'_> {
                 cursor.expect(b',')?;
             }
             let mut rbt = rbt(cursor)?;
-            if strict::mend_rotation(&mut rbt, 0, "").is_some() {
+            if strict::mend(&mut rbt, 0, "").is_some() {
                 return None;
             }
             blocks[index / LANES].set(index % LANES, rbt);

@@ -62,14 +62,19 @@ pub enum KeyframeFileError {
         /// The number of entries in `nodes`.
         expected: usize,
     },
-    /// A number is beyond single precision.
+    /// A coordinate is out of bounds: [`crate::rbt::LARGEST_COORDINATE`].
+    TooFar {
+        /// The keyframe, from 0.
+        keyframe: usize,
+        /// The node's path.
+        path: String,
+    },
+    /// A number of a rotation is beyond single precision.
     NotFinite {
         /// The keyframe, from 0.
         keyframe: usize,
         /// The node's path.
         path: String,
-        /// `translation` or `rotation`.
-        field: &'static str,
     },
     /// A rotation is not a unit quaternion.
     NotUnit {
@@ -128,7 +133,10 @@ impl KeyframeFileError {
             Self::PoseLength { keyframe, found, expected } => {
                 texts::keyframes_pose_length(*keyframe, *found, *expected)
             }
-            Self::NotFinite { keyframe, path, field } => texts::keyframes_not_finite(*keyframe, quoted(path), *field),
+            Self::TooFar { keyframe, path } => {
+                texts::keyframes_too_far(*keyframe, quoted(path), texts::SCENE_EXPECTED_COORDINATES)
+            }
+            Self::NotFinite { keyframe, path } => texts::keyframes_not_finite(*keyframe, quoted(path)),
             Self::NotUnit { keyframe, path, length } => texts::keyframes_not_unit(*keyframe, quoted(path), *length),
             Self::NeedsVersion2 { keyframe, field } => texts::keyframes_needs_version_2(*keyframe, *field),
             Self::Duration { keyframe, found } => texts::keyframes_duration(*keyframe, *found),

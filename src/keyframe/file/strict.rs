@@ -118,7 +118,7 @@ pub fn read(bytes: &[u8], scene: &SceneGraph) -> Result<KeyframeFile, Vec<Keyfra
                 return None;
             }
             for (rbt, path) in Arc::get_mut(&mut pose)?.iter_mut().zip(&text.nodes) {
-                if let Some(problem) = mend_rotation(rbt, keyframe, path) {
+                if let Some(problem) = mend(rbt, keyframe, path) {
                     problems.push(problem);
                 }
             }
@@ -223,14 +223,13 @@ fn in_scene_order(pose: Arc<[Rbt]>, index_in_file: &[usize]) -> Pose {
     }
 }
 
-/// Normalises a rotation that is slightly off unit length; returns the error for one that is far off.
-pub fn mend_rotation(rbt: &mut Rbt, keyframe: usize, path: &str) -> Option<KeyframeFileError> {
-    let not_finite = |field| Some(KeyframeFileError::NotFinite { keyframe, path: path.to_owned(), field });
-    if !rbt.translation.is_finite() {
-        return not_finite("translation");
+/// Normalises a rotation that is slightly off unit length; returns the error for one that is far off, and for a translation out of bounds.
+pub fn mend(rbt: &mut Rbt, keyframe: usize, path: &str) -> Option<KeyframeFileError> {
+    if !rbt.is_in_bounds() {
+        return Some(KeyframeFileError::TooFar { keyframe, path: path.to_owned() });
     }
     if !rbt.rotation.is_finite() {
-        return not_finite("rotation");
+        return Some(KeyframeFileError::NotFinite { keyframe, path: path.to_owned() });
     }
     let exact = rbt.rotation.as_dquat();
     match Mending::of_length(exact.length()) {

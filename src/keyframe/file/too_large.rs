@@ -4,6 +4,7 @@
 use serde::Deserialize;
 
 use super::problems::{KeyframeFileError, Problems};
+use crate::rbt::LARGEST_COORDINATE;
 
 #[derive(Deserialize)]
 struct FileText {
@@ -28,11 +29,11 @@ pub fn numbers_too_large(bytes: &[u8]) -> Vec<KeyframeFileError> {
     let mut problems = Problems::default();
     for (keyframe, KeyframeText { pose }) in text.keyframes.iter().enumerate() {
         for (RbtText { translation, rotation }, path) in pose.iter().zip(&text.nodes) {
-            let fields = [("translation", &translation[..]), ("rotation", &rotation[..])];
-            for (field, _) in
-                fields.into_iter().filter(|(_, numbers)| numbers.iter().any(|&number| is_too_large(number)))
-            {
-                problems.push(KeyframeFileError::NotFinite { keyframe, path: path.clone(), field });
+            if translation.iter().any(|number| number.abs() > f64::from(LARGEST_COORDINATE)) {
+                problems.push(KeyframeFileError::TooFar { keyframe, path: path.clone() });
+            }
+            if rotation.iter().any(|&number| is_too_large(number)) {
+                problems.push(KeyframeFileError::NotFinite { keyframe, path: path.clone() });
             }
         }
     }

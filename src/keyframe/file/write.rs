@@ -16,8 +16,9 @@ use crate::scene::SceneGraph;
 
 /// Nodes per piece of text: a few hundred kilobytes.
 const PIECE_NODES: usize = 1024;
-/// Upper bound of the bytes per node, except for rare numbers. Untouched pages of the reservation cost nothing.
-const MOST_NODE_BYTES: usize = 160;
+/// Upper bound of the bytes per node of a pose in bounds: the names, and seven numbers of up to 15 bytes. Untouched pages of a reservation
+/// cost nothing.
+pub const MOST_NODE_BYTES: usize = 160;
 /// Pieces per thread: finished ones that wait to be written, and one in progress.
 const PIECES_AHEAD: usize = 3;
 

@@ -40,10 +40,10 @@ fn what_cannot_be_understood() {
     check_problem("key n n", "expected `key K`, found `key n n`");
     check_problem("key q", "\"q\" is not a hotkey");
     check_problem("key f12", "\"f12\" is not a hotkey");
-    check_problem("wait 5", "\"5\" is not a time; expected as in 500ms or 2s, at least 0");
-    check_problem("wait -1s", "\"-1s\" is not a time; expected as in 500ms or 2s, at least 0");
-    check_problem("wait infs", "\"infs\" is not a time; expected as in 500ms or 2s, at least 0");
-    check_problem("wait s", "\"s\" is not a time; expected as in 500ms or 2s, at least 0");
+    check_problem("wait 5", "\"5\" is not a time; expected as in 500ms or 2s, 0 to 1e6 seconds");
+    check_problem("wait -1s", "\"-1s\" is not a time; expected as in 500ms or 2s, 0 to 1e6 seconds");
+    check_problem("wait infs", "\"infs\" is not a time; expected as in 500ms or 2s, 0 to 1e6 seconds");
+    check_problem("wait s", "\"s\" is not a time; expected as in 500ms or 2s, 0 to 1e6 seconds");
     check_problem("wait 5 ms", "expected `wait TIME`, found `wait 5 ms`");
     check_problem("undo it", "expected `undo`, found `undo it`");
     check_problem("redo 2", "expected `redo`, found `redo 2`");

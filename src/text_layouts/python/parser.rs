@@ -3,6 +3,7 @@
 use glam::{Quat, Vec3};
 
 use super::functions::{Arguments, FUNCTIONS, Term, call};
+use crate::rbt::LARGEST_COORDINATE;
 use crate::text_layouts::error::{TextError, TextProblem, quoted};
 use crate::words::{Argument, Phrase, texts};
 
@@ -10,8 +11,6 @@ use crate::words::{Argument, Phrase, texts};
 const MOST_KEYS: usize = 20_000;
 /// The deepest nesting of parentheses.
 const DEEPEST: usize = 8;
-/// The largest coordinate, as in scene files.
-const LARGEST_COORDINATE: f32 = 1e6;
 
 /// A key's value.
 #[derive(Clone, Copy, Debug, PartialEq)]

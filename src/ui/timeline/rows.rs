@@ -181,7 +181,7 @@ mod tests {
     fn control_nodes_show_their_channels_and_what_stands_below_them() {
         let scene = built_in_scene(DEFAULT_SCENE).unwrap();
         assert!(!has_key_rows(&scene));
-        let (scene, path) = scene.with_control_above(scene.find("robot1").unwrap());
+        let (scene, path) = scene.with_control_above(scene.find("robot1").unwrap()).unwrap();
         assert!(has_key_rows(&scene));
         let mut rows = Rows::default();
         let names = |rows: &Rows| -> Vec<(String, usize)> {

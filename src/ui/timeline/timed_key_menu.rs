@@ -18,7 +18,7 @@ use crate::editor::{
     Command, Edit, Editor, GestureCommand, KeyAt, SceneEdit, SelectionCommand, TimelineEdit, TrackPath,
 };
 use crate::scene::{Channel, KeyValue, NodeId, NodeKind};
-use crate::ui::angles::{degrees_from_rotation, rotation_from_degrees};
+use crate::ui::angles::{degrees_from_rotation, rotation_from_degrees, say_of_angles};
 use crate::ui::icons::was_pressed;
 use crate::ui::theme::{GRID, ROW, Tokens};
 use crate::ui::words::Words;
@@ -235,6 +235,10 @@ fn value(ui: &mut Ui, menu: &mut Menu, editor: &Editor, id: NodeId, key: &KeyAt,
             response.on_hover_text(name);
         }
     });
+    if matches!(value, KeyValue::Rotation(_)) {
+        ui.set_max_width(ui.min_rect().width());
+        say_of_angles(ui, numbers);
+    }
 }
 
 /// A value of the same kind with other numbers.
