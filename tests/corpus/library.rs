@@ -162,6 +162,8 @@ pub fn window_and_failures() -> String {
         texts::journal_restored_part(path(), texts::journal_count(2)),
         texts::journal_unreadable(reason()),
         texts::storage_stream_too_large(5),
+        texts::refused_keyframes_too_large("1024"),
+        texts::refused_scene_too_large("256"),
         texts::STORAGE_READ_TWICE.into(),
         texts::DECODE_BAD_KEY.into(),
         texts::DECODE_NOT_JSON.into(),
