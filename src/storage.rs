@@ -3,6 +3,7 @@
 mod destination;
 mod draft;
 mod log;
+mod open;
 mod stamp;
 mod walk;
 
@@ -17,6 +18,7 @@ use crate::words::{Message, display_by_message, texts};
 pub use destination::is_stream;
 pub use draft::{Committed, Draft, Foreign};
 pub use log::{LeftLog, Log, begins_with, epoch_seconds, logs, state_folder};
+pub use open::{Opened, open};
 pub use stamp::{Stamp, Stamping};
 pub use walk::{Entry, EntryKind, entries as list, inside, kind};
 

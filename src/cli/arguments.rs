@@ -406,9 +406,15 @@ pub struct DiffArguments {
 pub struct GradeArguments {
     /// The rubric, JSON or (where its name ends in .toml) TOML, as in assets/grading.
     pub rubric: PathBuf,
-    /// Submissions, and folders of them.
+    /// A class: a folder or an archive of submissions. Or several submissions.
     #[arg(required = true, value_name = "SUBMISSION")]
     pub submissions: Vec<PathBuf>,
+    /// Each SUBMISSION is a class: a folder or an archive of submissions.
+    #[arg(long)]
+    pub classes: bool,
+    /// Each SUBMISSION is one submission, also where it is a folder or an archive.
+    #[arg(long, conflicts_with = "classes")]
+    pub one: bool,
     /// The folder for the results.
     #[arg(short, long, value_name = "DIR")]
     pub output: PathBuf,

@@ -1,5 +1,6 @@
 //! `inbetween grade`: a folder of submissions, marked by a rubric.
 
+use std::fmt::Write as _;
 use std::path::Path;
 
 use super::arguments::GradeArguments;
@@ -7,7 +8,7 @@ use super::progress::Progress;
 use super::{CliError, output};
 use crate::export::Painter;
 use crate::files::{self, scene};
-use crate::grading::{self, PICTURE_SIZE, Rubric};
+use crate::grading::{self, Found, Naming, PICTURE_SIZE, PassedOver, Rubric};
 use crate::text::counted;
 
 /// Grades, and writes `grades.csv`, `grades.json` and `report.html`.
@@ -19,7 +20,12 @@ pub fn run(arguments: &GradeArguments, scene: Option<&Path>) -> Result<(), CliEr
     let painter = if arguments.no_images { None } else { Some(Painter::headless(PICTURE_SIZE, None)?) };
     let scene = scene::load(scene)?;
     let rubric = Rubric::load(&arguments.rubric, &scene)?;
-    let submissions = grading::find(&arguments.submissions)?;
+    let naming = match (arguments.one, arguments.classes) {
+        (true, _) => Naming::One,
+        (_, true) => Naming::Classes,
+        _ => Naming::Guessed,
+    };
+    let Found { submissions, passed_over } = grading::find(&arguments.submissions, naming, &rubric.keyframe_file)?;
     let marks = grading::mark_all(&submissions, &rubric, &scene);
     let mut pictures = vec![Vec::new(); marks.len()];
     if let Some(mut painter) = painter {
@@ -33,8 +39,12 @@ pub fn run(arguments: &GradeArguments, scene: Option<&Path>) -> Result<(), CliEr
     files::create_folder(folder)?;
     let report = folder.join("report.html");
     files::write(&folder.join("grades.csv"), grading::csv(&marks).as_bytes())?;
-    files::write(&folder.join("grades.json"), grading::json(&marks, &rubric).as_bytes())?;
-    files::write(&report, grading::html(&marks, &rubric, &pictures).as_bytes())?;
+    files::write(&folder.join("grades.json"), grading::json(&marks, &passed_over, &rubric).as_bytes())?;
+    files::write(&report, grading::html(&marks, &passed_over, &rubric, &pictures).as_bytes())?;
     let submissions = counted(marks.len(), "submission");
-    output::say(&format!("{submissions} graded: {}\n", report.display()))
+    let mut text = format!("{submissions} graded: {}\n", report.display());
+    for PassedOver { name, reason } in &passed_over {
+        let _ = writeln!(text, "passed over: {name} ({reason})");
+    }
+    output::say(&text)
 }

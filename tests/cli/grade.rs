@@ -330,7 +330,7 @@ fn a_bad_rubric_is_bad_input() {
         sandbox.run(&["grade", "bad.json", "all", "-o", "out", "--no-images"])
     };
     run(RUBRIC.replace("\"title\"", "\"tittle\"")).refuses(
-        "bad.json: unknown field `tittle`, expected one of `format`, `version`, `title`, `reference`, `script`, `tolerances`, `fps`, `points` at line 1 column 53",
+        "bad.json: unknown field `tittle`, expected one of `format`, `version`, `title`, `reference`, `script`, `keyframe_file`, `tolerances`, `fps`, `points` at line 1 column 53",
     );
     run(RUBRIC.replace("\"readable\": 2", "\"readable\": -2"))
         .refuses("bad.json: points.readable is -2, expected 0 to 1000000");
@@ -362,7 +362,7 @@ fn a_rubric_in_toml_is_the_same() {
         (
             "title =",
             "tittle =",
-            "unknown field `tittle`, expected one of `format`, `version`, `title`, `reference`, `script`, `tolerances`, `fps`, `points` at line 4 column 1",
+            "unknown field `tittle`, expected one of `format`, `version`, `title`, `reference`, `script`, `keyframe_file`, `tolerances`, `fps`, `points` at line 4 column 1",
         ),
         ("readable = 10", "readable = -2", "points.readable is -2, expected 0 to 1000000"),
         ("readable = 10", "readable = nan", "points.readable is NaN, expected 0 to 1000000"),
