@@ -9,8 +9,8 @@ use crate::storage::EntryKind;
 
 /// The most files that are read of one submission.
 const MOST_FILES: usize = 200;
-/// The most files of one submission that are listed.
-const MOST_LISTED: usize = 5_000;
+/// The most files and folders of one submission that are listed.
+const MOST_LISTED: usize = 20_000;
 /// The largest file of a submission that is read, unpacked: 16 MiB.
 const LARGEST_FILE_BYTES: u64 = 16 << 20;
 /// The most bytes that are read of a submission, unpacked: 64 MiB.
@@ -87,7 +87,7 @@ impl Submission {
     /// Reads the files.
     #[must_use]
     pub fn read(&self, preferred: &PreferredNames) -> Contents {
-        let mut reading = Reading { preferred, contents: Contents::default(), bytes: 0 };
+        let mut reading = Reading { preferred, contents: Contents::default(), bytes: 0, listed: 0 };
         let is_alone = self.roots.len() == 1;
         for root in &self.roots {
             match root.kind {
@@ -106,7 +106,10 @@ impl Submission {
 struct Reading<'a> {
     preferred: &'a PreferredNames,
     contents: Contents,
+    /// How many bytes were read.
     bytes: u64,
+    /// How many entries were listed.
+    listed: usize,
 }
 
 /// A file that was listed and may be read.
@@ -126,25 +129,24 @@ impl Reading<'_> {
 
     /// A submission that is one file, or one of the student's files in an export without folders.
     fn read_root(&mut self, root: &Entry, is_alone: bool) {
+        if let (false, Some((one, many))) = (self.is_wanted(&root.name), kind_not_read(&root.name)) {
+            return self.skip(&root.name, Why::Kind(one, many));
+        }
         match self.opened(&root.name, &root.place) {
             Ok(Some(archive)) => {
                 let above = if is_alone { String::new() } else { format!("{}/", root.name) };
                 self.read_folder(&archive, &above, 1);
             }
-            Err(problem) if is_alone => self.contents.problem = Some(problem),
-            Err(problem) => self.skip(&root.name, Why::Problem(problem)),
-            Ok(None) => {
-                if let (false, Some((one, many))) = (self.is_wanted(&root.name), kind_not_read(&root.name)) {
-                    self.skip(&root.name, Why::Kind(one, many));
-                } else {
-                    self.read_file(&root.name, &root.place);
-                }
+            Ok(None) => self.read_file(&root.name, &root.place),
+            Err(Why::Problem(problem)) if is_alone => {
+                self.contents.problem = Some(format!("{}: {problem}", root.name));
             }
+            Err(why) => self.skip(&root.name, why),
         }
     }
 
     /// The archive at a place as a folder; `None` if there is no archive.
-    fn opened(&self, name: &str, place: &Place) -> Result<Option<Place>, String> {
+    fn opened(&self, name: &str, place: &Place) -> Result<Option<Place>, Why> {
         let largest = |name: &str| {
             let is_wanted = self.is_wanted(name) && !name.split('/').any(is_hidden);
             is_wanted.then_some(LARGEST_FILE_BYTES)
@@ -152,8 +154,8 @@ impl Reading<'_> {
         let keep = Keep { largest: &largest, most: MOST_BYTES, through: MOST_LOOKED_THROUGH };
         match place.archive(name, &keep) {
             Ok(archive) => Ok(archive.map(|archive| Place::Packed(archive, String::new()))),
-            Err(Unread::Problem(problem)) => Err(problem),
-            Err(Unread::Large) => Err("it is too large".to_owned()),
+            Err(Unread::Problem(problem)) => Err(Why::Problem(problem)),
+            Err(Unread::Large) => Err(Why::Large),
         }
     }
 
@@ -174,20 +176,22 @@ impl Reading<'_> {
                     self.skip(&name, Why::Problem(problem));
                 }
                 Ok(Some(archive)) => self.read_folder(&archive, &format!("{name}/"), archives + 1),
-                Err(problem) => self.skip(&name, Why::Problem(problem)),
+                Err(why) => self.skip(&name, why),
             }
         }
     }
 
     fn list(&mut self, folder: &Place, root: &Place, above: &str, depth: usize, listed: &mut Vec<Listed>) {
-        let left = MOST_LISTED.saturating_sub(listed.len());
+        let left = MOST_LISTED.saturating_sub(self.listed);
         let (entries, count) = match folder.list(left) {
             Ok(found) => found,
             Err(problem) => return self.skip(above, Why::Problem(problem)),
         };
+        self.listed += entries.len();
         if count > entries.len() {
-            let problem = format!("it has more than {MOST_LISTED} files, and no more are looked at");
-            self.skip(above.trim_end_matches('/'), Why::Problem(problem));
+            let folder = if above.is_empty() { "the rest" } else { above };
+            let problem = format!("at most {MOST_LISTED} files and folders of a submission are listed");
+            self.skip(folder, Why::Problem(problem));
         }
         for entry in entries.into_iter().filter(|entry| !is_hidden(&entry.name)) {
             let name = format!("{above}{}", entry.name);

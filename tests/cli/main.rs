@@ -1,6 +1,7 @@
 //! The command line, by running the binary: bytes in; bytes, files and exit statuses out.
 
 mod check;
+mod class;
 mod compare;
 mod convert;
 mod diagnose;
