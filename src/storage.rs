@@ -193,6 +193,17 @@ pub fn absolute(path: &Path) -> PathBuf {
     std::path::absolute(path).unwrap_or_else(|_| path.to_owned())
 }
 
+/// The path of an entry without links above it and without `..`; the entry itself may be a link.
+#[must_use]
+pub fn resolved(path: &Path) -> PathBuf {
+    let path = absolute(path);
+    let found = match (path.parent(), path.file_name()) {
+        (Some(folder), Some(name)) => fs::canonicalize(folder).map(|folder| folder.join(name)),
+        _ => fs::canonicalize(&path),
+    };
+    found.unwrap_or(path)
+}
+
 /// Whether a file or folder exists.
 #[must_use]
 pub fn exists(path: &Path) -> bool {

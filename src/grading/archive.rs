@@ -190,17 +190,17 @@ impl Archive {
     }
 
     fn list_zip(&mut self, source: Source) -> Result<(), String> {
-        let mut zip = zip::ZipArchive::new(source).map_err(zip_sentence)?;
+        let mut zip = zip::ZipArchive::new(source).map_err(|error| zip_sentence(&error))?;
         if zip.len() > MOST_ENTRIES {
             return Err(format!("it has {} entries, and at most {MOST_ENTRIES} are looked at", zip.len()));
         }
         let metadata = zip.metadata();
         for index in 0..metadata.len() {
-            let entry = metadata.entry(index).map_err(zip_sentence)?;
+            let entry = metadata.entry(index).map_err(|error| zip_sentence(&error))?;
             // Archives of macOS hold UTF-8 without saying so.
             let path = match std::str::from_utf8(entry.name_raw()) {
                 Ok(path) => path.to_owned(),
-                Err(_) => entry.name().map_err(zip_sentence)?.into_owned(),
+                Err(_) => entry.name().map_err(|error| zip_sentence(&error))?.into_owned(),
             };
             let path = path.replace('\\', "/");
             let item = if entry.is_dir() || path.ends_with('/') {
@@ -316,15 +316,19 @@ impl Archive {
 
 fn packed(zip: &mut zip::ZipArchive<Source>, index: usize, most: u64) -> Result<Vec<u8>, String> {
     let mut bytes = Vec::new();
-    let entry = zip.by_index(index).map_err(zip_sentence)?;
-    entry.take(most).read_to_end(&mut bytes).map_err(|error| format!("it is broken in the zip: {error}"))?;
+    let entry = zip.by_index(index).map_err(|error| zip_sentence(&error))?;
+    entry.take(most).read_to_end(&mut bytes).map_err(|error| {
+        // What is not supported may come to light only here.
+        let inner = error.get_ref().and_then(|inner| inner.downcast_ref::<ZipError>());
+        inner.map_or_else(|| format!("it is broken: {error}"), zip_sentence)
+    })?;
     Ok(bytes)
 }
 
 /// What keeps a zip, or a file in it, from being read.
-fn zip_sentence(error: ZipError) -> String {
+fn zip_sentence(error: &ZipError) -> String {
     match error {
-        ZipError::UnsupportedArchive(what) if what == ZipError::PASSWORD_REQUIRED => "it needs a password".to_owned(),
+        ZipError::UnsupportedArchive(ZipError::PASSWORD_REQUIRED) => "it needs a password".to_owned(),
         ZipError::CompressionMethodNotSupported(method) => {
             let name = match method {
                 6 => "imploded",
@@ -340,7 +344,7 @@ fn zip_sentence(error: ZipError) -> String {
             format!("it is {name}, and only Deflate is unpacked")
         }
         ZipError::UnsupportedArchive(what) => format!("the zip is of a kind that is not read: {what}"),
-        error => format!("the zip is broken or cut off: {error}"),
+        _ => "the zip is broken or cut off".to_owned(),
     }
 }
 
@@ -394,29 +398,4 @@ impl<R: Read> Read for Counted<R> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_first_bytes_tell_the_kind() {
-        assert_eq!(ArchiveKind::of(b"PK\x03\x04..."), Some(ArchiveKind::Zip));
-        assert_eq!(ArchiveKind::of(b"Rar!\x1a\x07\x01\0"), Some(ArchiveKind::Other("RAR")));
-        assert_eq!(ArchiveKind::of(b"7z\xbc\xaf\x27\x1c").map(ArchiveKind::name).as_deref(), Some("a 7z archive"));
-        let mut header = tar::Header::new_old();
-        header.set_path("a.txt").expect("it is short");
-        header.set_cksum();
-        assert_eq!(ArchiveKind::of(header.as_bytes()), Some(ArchiveKind::Tar));
-        for text in [&b""[..], &[0; 512], &[b'7'; 512], b"PKs are letters"] {
-            assert_eq!(ArchiveKind::of(text), None);
-        }
-    }
-
-    #[test]
-    fn links_lead_nowhere_but_inside() {
-        assert_eq!(linked("a/b", "c"), Some("a/c".to_owned()));
-        assert_eq!(linked("a/b", "../c"), Some("c".to_owned()));
-        assert_eq!(linked("b", "../b"), None);
-        assert_eq!(linked("a/b", "/etc/passwd"), None);
-        assert_eq!(normalized("", "../../x/./y"), Some("x/y".to_owned()));
-    }
-}
+mod tests;

@@ -33,7 +33,7 @@ pub struct Unreadable {
     pub problem: String,
     /// Whether it holds nothing but blanks.
     pub is_empty: bool,
-    /// Whether it looks as if keyframes were meant: a JSON object, or mostly numbers.
+    /// Whether it looks as if keyframes were meant: a JSON object with names of this program's format, or mostly numbers.
     pub is_alike: bool,
 }
 
@@ -75,12 +75,13 @@ fn is_samples_header(line: &str) -> bool {
     ["key_time", "rbt_ind"].iter().all(|name| columns.contains(name))
 }
 
-/// Whether a line is one of a trace: a JSON object as `script --trace` prints it.
+/// Whether a line is one of a trace, in which each is a JSON object, and not a keyframe file that stands on one line.
 fn is_trace_line(line: &str) -> bool {
     let object = || serde_json::from_str::<Value>(line).ok();
     line.starts_with('{')
         && object().is_some_and(|object| {
-            object.get("format").is_none() && (object.get("command").is_some() || object.get("playing").is_some())
+            let has_keyframes = object.get("keyframes").is_some_and(Value::is_array);
+            object.get("format").is_none() && !has_keyframes
         })
 }
 
@@ -101,7 +102,8 @@ fn is_alike(start: &str, bytes: &[u8]) -> bool {
     if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
         return true;
     }
-    if start.trim_start().starts_with('{') {
+    let names = ["\"format\"", "keyframe", "\"pose", "translation", "rotation"];
+    if start.trim_start().starts_with('{') && names.iter().any(|name| start.contains(name)) {
         return true;
     }
     let signs = |c: char| c.is_whitespace() || ",;:|()[]{}<>=\"'".contains(c);
@@ -140,7 +142,10 @@ mod tests {
             ("time,node,x\n0,sky,1\n", "other"),
             ("{\"line\": 1, \"command\": \"key n\", \"keyframes\": 1, \"playing\": false}\n", "trace"),
             ("{\"format\": \"inbetween.keyframes\", \"command\": 1}", "alike"),
+            ("{\"step\": 1}\n{\"step\": 2}\n", "trace"),
+            ("{\"keyframes\": []}", "alike"),
             ("{\"format\": ", "alike"),
+            ("{\n  \"version\": 2, \"tasks\": []\n}", "other"),
             ("# mine\nkey n\nkey >\n", "script"),
             ("key n\njump\nkey >\nwait 1s\n", "script"),
             ("These are the authors:\nA and B\n", "other"),

@@ -71,9 +71,10 @@ impl Found {
 /// [`FileError`]: something that is named is not there or cannot be opened, there are no submissions, or there are too many.
 pub fn find(arguments: &[PathBuf], naming: Naming, preferred: &PreferredNames) -> Result<Found, FileError> {
     let mut named: Vec<&PathBuf> = Vec::new();
+    let mut known = HashSet::new();
     for path in arguments {
         storage::kind(path).map_err(|error| FileError::storage(path, error))?;
-        if !named.iter().any(|known| storage::absolute(known) == storage::absolute(path)) {
+        if known.insert(storage::resolved(path)) {
             named.push(path);
         }
     }
@@ -124,7 +125,7 @@ fn argument(path: &Path, follows: bool) -> Entry {
         Ok(kind) => kind,
         Err(_) => EntryKind::Other,
     };
-    let name = storage::absolute(path).file_name().map(|name| name.to_string_lossy().into_owned());
+    let name = storage::resolved(path).file_name().map(|name| name.to_string_lossy().into_owned());
     let name = name.unwrap_or_else(|| path.display().to_string());
     Entry { name, kind, place: Place::Disk(path.to_owned()) }
 }
@@ -308,9 +309,16 @@ fn name_apart(submissions: &mut [Submission]) {
             *taken.entry(submission.name.clone()).or_default() += 1;
         }
         equal.retain(|&index| taken[&submissions[index].name] > 1);
-        if equal.is_empty() || is_at_an_end {
+        if equal.is_empty() {
             return;
         }
+        if is_at_an_end {
+            break;
+        }
+    }
+    // Names that the system cannot show may look alike.
+    for (number, &index) in (1..).zip(&equal) {
+        submissions[index].name.push_str(&format!(" #{number}"));
     }
 }
 
@@ -334,5 +342,8 @@ mod tests {
         name_apart(&mut submissions);
         let names: Vec<&str> = submissions.iter().map(|submission| submission.name.as_str()).collect();
         assert_eq!(names, ["alice/one/k.txt", "bob/one/k.txt", "two/k.txt", "other.txt"]);
+        let mut alike = vec![submission("/a/k.txt"), submission("/a/k.txt")];
+        name_apart(&mut alike);
+        assert_eq!([&*alike[0].name, &*alike[1].name], ["a/k.txt #1", "a/k.txt #2"]);
     }
 }

@@ -4,7 +4,7 @@ use serde_json::Value;
 
 use super::content::{Content, Unreadable, content_of};
 use super::folder;
-use super::names::{PreferredNames, has_keyframe_ending, speaks_of_keyframes};
+use super::names::{PreferredNames, ending, has_keyframe_ending, speaks_of_keyframes};
 use super::submission::{Contents, Member, Skipped, Why, shortly, skipped_sentences};
 use super::trace;
 use crate::diagnosis::SampleRows;
@@ -115,6 +115,10 @@ impl Sorted {
                 Content::Samples => sorted.samples.push(member),
                 Content::Trace => sorted.traces.push(member),
                 Content::Script => sorted.scripts.push(member),
+                // Nothing else is named so.
+                Content::Unreadable(why) if !why.is_alike && ending(&member.name) == "jsonl" => {
+                    sorted.traces.push(member);
+                }
                 Content::Unreadable(why) => sorted.failed.push(Failed { member, why }),
                 Content::Keyframes(file, inferred) => sorted.add_keyframes(member, file, inferred, preferred),
             }

@@ -1,7 +1,7 @@
 //! Where files of submissions are: on the disk or in an archive.
 
 use std::io::{Cursor, Read as _};
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
 use super::archive::{Archive, ArchiveKind, HEAD_BYTES, Item, Keep, Source, Unread};
@@ -141,9 +141,12 @@ impl Place {
     #[must_use]
     pub fn folders(&self) -> Vec<String> {
         let of_disk = |path: &Path| {
-            let path = storage::absolute(path);
-            let parts = path.components().rev().skip(1);
-            parts.map(|part| part.as_os_str().to_string_lossy().into_owned()).collect::<Vec<_>>()
+            let path = storage::resolved(path);
+            let parts = path.components().rev().skip(1).filter_map(|part| match part {
+                Component::Normal(name) => Some(name.to_string_lossy().into_owned()),
+                _ => None,
+            });
+            parts.collect::<Vec<_>>()
         };
         match self {
             Self::Disk(path) => of_disk(path),

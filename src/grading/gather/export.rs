@@ -41,7 +41,9 @@ fn is_number(text: &str) -> bool {
 fn canvas(name: &str) -> Option<Student> {
     let parts: Vec<&str> = name.split('_').collect();
     // The student's name may have signs of its own, and so may the file's: the first two numbers that follow each other count.
-    let first = (1..parts.len().saturating_sub(2)).find(|&at| is_number(parts[at]) && is_number(parts[at + 1]))?;
+    // Small ones are not the system's: `lab_6_1_ann.txt` is another's than `lab_6_2_bob.txt`.
+    let is_of = |at: usize, digits: usize| is_number(parts[at]) && parts[at].len() >= digits;
+    let first = (1..parts.len().saturating_sub(2)).find(|&at| is_of(at, 2) && is_of(at + 1, 3))?;
     let is_late = first > 1 && parts[first - 1] == "LATE";
     let student = parts[..first - usize::from(is_late)].join("_");
     let file = parts[first + 2..].join("_");
@@ -77,8 +79,8 @@ mod tests {
         };
         for (name, expected) in [
             ("smithemma_100000_9000000_asst6.zip", student(Form::Canvas, "smithemma", "100000", false, "asst6.zip")),
-            ("김민지_LATE_12_34_my_anim-1.txt", student(Form::Canvas, "김민지", "12", true, "my_anim-1.txt")),
-            ("de_la_cruz_LATE_1_2_3_4.txt", student(Form::Canvas, "de_la_cruz", "1", true, "3_4.txt")),
+            ("김민지_LATE_12_345_my_anim-1.txt", student(Form::Canvas, "김민지", "12", true, "my_anim-1.txt")),
+            ("de_la_cruz_LATE_10_200_3_4.txt", student(Form::Canvas, "de_la_cruz", "10", true, "3_4.txt")),
             ("Anna 김_102035_assignsubmission_file_", student(Form::Moodle, "Anna 김", "102035", false, "")),
             ("Anna 김_102035_assignsubmission_file", student(Form::Moodle, "Anna 김", "102035", false, "")),
             (
@@ -88,8 +90,9 @@ mod tests {
             ("Bo Li_7_assignsubmission_onlinetext_", student(Form::Moodle, "Bo Li", "7", false, "")),
             ("animation.txt", None),
             ("hw_6_final.txt", None),
-            ("_1_2_a.txt", None),
-            ("a_1_2_", None),
+            ("_100_2000_a.txt", None),
+            ("a_100_2000_", None),
+            ("lab_6_1_ann.txt", None),
             ("submission_12", None),
             ("_assignsubmission_file_", None),
         ] {
