@@ -8,8 +8,8 @@ const LABELS: [&str; 5] =
 pub fn of_english(text: &str) -> Vec<(&str, String)> {
     let mut are_labels = false;
     let mut messages = Vec::new();
-    let mut lines = text.lines().skip_while(|line| !line.is_empty());
-    while let Some(line) = lines.next() {
+    let lines = text.lines().skip_while(|line| !line.is_empty());
+    for line in lines {
         if line.starts_with("# ") {
             are_labels = LABELS.iter().any(|heading| line.starts_with(heading));
         } else if let Some((id, text)) = line.split_once(" = ").filter(|_| !are_labels && !line.starts_with('@')) {
