@@ -5,6 +5,7 @@ use std::fmt;
 use std::io::{self, Cursor, Read, Seek, SeekFrom};
 use std::sync::Arc;
 
+use tar::EntryType;
 use zip::result::ZipError;
 
 use crate::storage::Opened;
@@ -260,7 +261,7 @@ impl Archive {
                 Item::Link(target.and_then(|target| linked(&path, &target)))
             } else if kind.is_hard_link() {
                 Item::Link(target.and_then(|target| normalized("", &target)))
-            } else if !kind.is_file() && !kind.is_contiguous() && !kind.is_gnu_sparse() {
+            } else if !matches!(kind, EntryType::Regular | EntryType::Continuous | EntryType::GNUSparse) {
                 // Headers of a whole archive have no entry of their own.
                 if kind.is_pax_global_extensions() {
                     continue;

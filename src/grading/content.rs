@@ -80,8 +80,9 @@ fn is_trace_line(line: &str) -> bool {
     let object = || serde_json::from_str::<Value>(line).ok();
     line.starts_with('{')
         && object().is_some_and(|object| {
+            let is_empty = object.as_object().is_some_and(serde_json::Map::is_empty);
             let has_keyframes = object.get("keyframes").is_some_and(Value::is_array);
-            object.get("format").is_none() && !has_keyframes
+            !is_empty && !has_keyframes && object.get("format").is_none()
         })
 }
 
@@ -143,6 +144,7 @@ mod tests {
             ("{\"line\": 1, \"command\": \"key n\", \"keyframes\": 1, \"playing\": false}\n", "trace"),
             ("{\"format\": \"inbetween.keyframes\", \"command\": 1}", "alike"),
             ("{\"step\": 1}\n{\"step\": 2}\n", "trace"),
+            ("{}", "other"),
             ("{\"keyframes\": []}", "alike"),
             ("{\"format\": ", "alike"),
             ("{\n  \"version\": 2, \"tasks\": []\n}", "other"),

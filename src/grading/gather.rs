@@ -318,7 +318,7 @@ fn name_apart(submissions: &mut [Submission]) {
     }
     // Names that the system cannot show may look alike.
     for (number, &index) in (1..).zip(&equal) {
-        submissions[index].name.push_str(&format!(" #{number}"));
+        submissions[index].name = format!("{} #{number}", submissions[index].name);
     }
 }
 

@@ -285,9 +285,9 @@ fn reason_for_none(failed: &[Failed], skipped: &[Skipped]) -> String {
     let others: Vec<Skipped> =
         skipped.iter().filter(|skipped| !matches!(skipped.why, Why::Problem(_))).cloned().collect();
     if looked_at.is_empty() && !others.is_empty() {
-        let sentences = skipped_sentences(&others).join(" ");
-        let sentences = sentences.trim_end_matches('.');
-        reason.push_str(&format!("; {}{}", sentences[..1].to_lowercase(), &sentences[1..]));
+        let sentences = skipped_sentences(&others).join(" ").replacen("Skipped", "skipped", 1);
+        reason.push_str("; ");
+        reason.push_str(sentences.trim_end_matches('.'));
     }
     reason
 }

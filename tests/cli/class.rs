@@ -1,6 +1,7 @@
 //! Classes as course systems export them: which rows there are, and what each gets.
 
 use std::collections::BTreeMap;
+use std::fmt::Write as _;
 use std::io::Write as _;
 
 use inbetween::scene::{DEFAULT_SCENE, built_in_scene};
@@ -78,7 +79,7 @@ fn locked(name: &str, bytes: &[u8]) -> Vec<u8> {
 fn as_text(keyframes: &[Vec<Placed>]) -> Vec<u8> {
     let mut text = format!("{} {}\n", keyframes.len(), keyframes[0].len());
     for ([x, y, z], [w, i, j, k]) in keyframes.iter().flatten() {
-        text.push_str(&format!("{x} {y} {z} {w} {i} {j} {k}\n"));
+        writeln!(text, "{x} {y} {z} {w} {i} {j} {k}").unwrap();
     }
     text.into_bytes()
 }
@@ -206,9 +207,11 @@ fn exported(form: &str, hand_ins: &[HandIn]) -> (Files, Vec<Row>) {
         let composed =
             if form == "canvas" { composed.to_lowercase().split(' ').rev().collect() } else { composed.to_owned() };
         rows.push((name, composed, if form == "folders" { String::new() } else { id.to_string() }, is_late));
-        metadata.push_str(&format!(
+        write!(
+            metadata,
             "submission_{id}:\n  :submitters:\n  - :name: \"{student}\"\n    :sid: '{id}'\n  :created_at: 2026-10-01 12:00:00 Z\n"
-        ));
+        )
+        .unwrap();
     }
     if form == "gradescope" {
         class.push(("submission_metadata.yml".to_owned(), metadata.into_bytes()));
