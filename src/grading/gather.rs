@@ -146,11 +146,12 @@ fn add_class(path: &Path, preferred: &PreferredNames, found: &mut Found) -> Resu
         let keep = Keep { largest: &largest, most: MOST_KEPT_BYTES, through: u64::MAX };
         match entry.place.archive(&entry.name, &keep) {
             Ok(Some(archive)) => Place::Packed(archive, String::new()),
-            // What is wrong with one file is in its marks.
-            Ok(None) | Err(Unread::Large | Unread::Problem(_)) => {
+            Ok(None) => {
                 add(vec![Row::of_its_own(entry)], found);
                 return Ok(());
             }
+            Err(Unread::Large) => return Err(bad("it is too large".to_owned())),
+            Err(Unread::Problem(problem)) => return Err(bad(problem)),
         }
     };
     let (entries, count) = entered(&class, &entry.name).map_err(bad)?;

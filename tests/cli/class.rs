@@ -366,6 +366,13 @@ fn rows_have_names_that_tell_them_apart() {
     sandbox
         .run(&["grade", "rubric.json", "empty", "-o", "x", "--no-images"])
         .refuses("empty: there are no submissions");
+    for (name, bytes, sentence) in [
+        ("class.zip", &b"PK\x03\x04"[..], "the zip is broken or cut off"),
+        ("class.rar", b"Rar!\x1a\x07\x01", "it is a RAR archive, and only zip, tar and tar.gz are opened"),
+    ] {
+        sandbox.write(name, bytes);
+        sandbox.run(&["grade", "rubric.json", name, "-o", "x", "--no-images"]).refuses(&format!("{name}: {sentence}"));
+    }
     sandbox.run(&["grade", "rubric.json", "a", "--one", "--classes", "-o", "x"]).misuses();
 }
 
