@@ -61,19 +61,23 @@ pub fn html(marks: &[Marks], passed_over: &[PassedOver], rubric: &Rubric, pictur
     );
     let mean = marks.iter().map(Marks::points).sum::<f64>() / (marks.len().max(1)) as f64;
     let out_of = marks.first().map_or(0.0, Marks::out_of);
+    let has_students = marks.iter().any(|marks| student(marks).is_some());
     let _ = writeln!(
         text,
         "<p class=\"sum\">{} submissions, {} points on average out of {}.</p>\n<section><table class=\"overview\">\
-         <tr><th>submission</th><th>points</th><th></th><th>samples show</th></tr>",
+         <tr><th>submission</th>{}<th>points</th><th></th><th>samples show</th></tr>",
         marks.len(),
         number((mean * 100.0).round() / 100.0),
-        number(out_of)
+        number(out_of),
+        if has_students { "<th>student</th>" } else { "" }
     );
     for (index, marks) in marks.iter().enumerate() {
+        let of_student = escaped(&student(marks).unwrap_or_default());
+        let of_student = if has_students { format!("<td>{of_student}</td>") } else { String::new() };
         let share = if marks.out_of() > 0.0 { 100.0 * marks.points() / marks.out_of() } else { 0.0 };
         let _ = writeln!(
             text,
-            "<tr><td><a href=\"#s{index}\">{}</a></td><td class=\"n\">{} / {}</td>\
+            "<tr><td><a href=\"#s{index}\">{}</a></td>{of_student}<td class=\"n\">{} / {}</td>\
              <td><span class=\"bar\"><i style=\"width:{share:.0}%\"></i></span></td><td>{}</td></tr>",
             escaped(&marks.name),
             number(marks.points()),

@@ -331,6 +331,7 @@ fn a_class_gets_the_same_marks_in_every_form() {
     assert!(table.contains(",ñandújosé,100001,late,11,11,"), "{table}");
     let report = sandbox.read("out/report.html");
     assert!(report.contains("<p class=\"sum\">ñandújosé, id 100001, late</p>"), "the student");
+    assert!(report.contains("<th>student</th>") && report.contains("<td>ñandújosé, id 100001, late</td>"), "overview");
     assert!(report.contains("Passed over: ") && report.contains("Thumbs.db (a hidden or system file)"), "passed over");
 }
 
