@@ -1,21 +1,27 @@
 //! Grading: submissions in, marks by a rubric out, and tables, a report and pictures of the marks.
 //!
 //! ```text
-//! paths ─ submission ─► members ─ parsed ─► Parsed ─ Marks::of(rubric) ─► Marks ─┬─ tables ─► grades.csv, grades.json
+//! paths ─ gather ─► submissions ─ read ─► members ─ parsed ─► Parsed ─ Marks::of(rubric) ─► Marks ─┬─ tables ─► grades.csv, grades.json
 //!                                                                                └─ pictures ─ report ─► report.html
 //! ```
 //!
-//! `Marks::of` uses `item` and `verdicts` (graded items), `samples` and `shown` (diagnoses), `folder` (runs scripts in memory) and `trace`.
+//! `gather` uses `place` and `archive` (files on the disk and in archives); `parsed` uses `content` (what a file is) and `names` (which
+//! of several files is meant). `Marks::of` uses `item` and `verdicts` (graded items), `samples` and `shown` (diagnoses), `folder` (runs scripts in memory) and `trace`.
 //!
 //! A submission is gathered, sorted and parsed once. Submissions are marked on all cores, each apart from the others; results are in the
 //! order in which the submissions were named, and nothing in them depends on time. Nothing in a submission is trusted: work is bounded
 //! by counts, not by a clock, so that results are the same on every machine.
 
+mod archive;
+mod content;
 mod folder;
+mod gather;
 mod item;
 mod marks;
+mod names;
 mod parsed;
 mod pictures;
+mod place;
 mod report;
 mod rubric;
 mod samples;
@@ -27,6 +33,7 @@ mod verdicts;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
+pub use gather::{Found, Naming, PassedOver, find};
 pub use item::{Item, ItemKind, Verdict};
 pub use marks::Marks;
 pub use parsed::Parsed;
@@ -34,8 +41,10 @@ pub use pictures::{ReportPicture, SIZE as PICTURE_SIZE, pictures_of};
 pub use report::html;
 pub use rubric::Rubric;
 pub use samples::SampleDiagnosis;
-pub use submission::{Member, Submission, find, unpacked};
+pub use submission::Submission;
 pub use tables::{csv, json};
+
+use submission::Contents;
 
 use crate::parallel::map_in_order;
 use crate::scene::SceneGraph;
@@ -48,7 +57,12 @@ pub fn mark_all(submissions: &[Submission], rubric: &Rubric, scene: &SceneGraph)
 
 /// Marks one submission. Nothing in it should make this program panic; if something does, it costs this submission only.
 fn mark_one(submission: &Submission, rubric: &Rubric, scene: &SceneGraph) -> Marks {
-    let mark = |members| Marks::of(&submission.name, &Parsed::new(members, scene), rubric, scene);
-    catch_unwind(AssertUnwindSafe(|| mark(submission.read())))
-        .unwrap_or_else(|_| mark(Err("this program failed on it: please report the submission".to_owned())))
+    let mark = |contents| {
+        let parsed = Parsed::new(contents, &rubric.keyframe_file, scene);
+        Marks::of(submission, &parsed, rubric, scene)
+    };
+    catch_unwind(AssertUnwindSafe(|| mark(submission.read(&rubric.keyframe_file)))).unwrap_or_else(|_| {
+        let problem = Some("this program failed on it: please report the submission".to_owned());
+        mark(Contents { problem, ..Contents::default() })
+    })
 }

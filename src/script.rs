@@ -21,7 +21,7 @@ pub use print::{print, print_swiftly};
 pub use problem::{LineProblem, ScriptError};
 pub use restore::{Restore, imported_line};
 pub use run::{NoWindow, Runner, Step, Windowless};
-pub use table::{help, markdown};
+pub use table::{help, is_first_word, markdown};
 pub use trace::{State, TraceLine, state_json};
 
 use crate::editor::Command;

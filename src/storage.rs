@@ -4,6 +4,7 @@ mod destination;
 mod draft;
 mod known;
 mod log;
+mod open;
 mod place;
 mod stamp;
 mod walk;
@@ -22,6 +23,7 @@ pub use destination::is_stream;
 pub use draft::{Committed, Draft, Foreign};
 pub use known::{KnownFiles, OutsideChange};
 pub use log::{LeftLog, Log, begins_with, epoch_seconds, logs, state_folder};
+pub use open::{Opened, open};
 pub use place::{Place, input_name, is_standard, output_name};
 pub use stamp::{Stamp, Stamping};
 pub use walk::{Entry, EntryKind, entries as list, inside, kind};
@@ -223,6 +225,17 @@ pub fn settings_path() -> Option<PathBuf> {
 #[must_use]
 pub fn absolute(path: &Path) -> PathBuf {
     std::path::absolute(path).unwrap_or_else(|_| path.to_owned())
+}
+
+/// The path of an entry without links above it and without `..`; the entry itself may be a link.
+#[must_use]
+pub fn resolved(path: &Path) -> PathBuf {
+    let path = absolute(path);
+    let found = match (path.parent(), path.file_name()) {
+        (Some(folder), Some(name)) => fs::canonicalize(folder).map(|folder| folder.join(name)),
+        _ => fs::canonicalize(&path),
+    };
+    found.unwrap_or(path)
 }
 
 /// Whether a file or folder exists.

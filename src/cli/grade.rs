@@ -1,5 +1,6 @@
 //! `inbetween grade`: a folder of submissions, marked by a rubric.
 
+use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use super::arguments::GradeArguments;
@@ -8,7 +9,7 @@ use super::progress::Progress;
 use super::{CliError, misuse, output};
 use crate::export::Painter;
 use crate::files::{self, scene};
-use crate::grading::{self, PICTURE_SIZE, Rubric};
+use crate::grading::{self, Found, Naming, PICTURE_SIZE, PassedOver, Rubric};
 use crate::storage;
 use crate::text::counted;
 use crate::words::texts;
@@ -27,13 +28,18 @@ pub fn run(arguments: &GradeArguments, named_scene: Option<&Path>) -> Result<(),
     let painter = if arguments.no_images { None } else { Some(Painter::headless(PICTURE_SIZE, None)?) };
     let scene = scene::load(named_scene)?;
     let rubric = Rubric::load(&arguments.rubric, &scene)?;
-    let submissions = grading::find(&arguments.submissions)?;
+    let naming = match (arguments.one, arguments.classes) {
+        (true, _) => Naming::One,
+        (_, true) => Naming::Classes,
+        _ => Naming::Guessed,
+    };
+    let Found { submissions, passed_over } = grading::find(&arguments.submissions, naming, &rubric.keyframe_file)?;
     let places = rubric.files.iter().fold(places(arguments, named_scene), |places, file| {
         places.reads_as(storage::input_name(file), "a file of the rubric", file)
     });
     // Standard input is among the arguments.
-    let named = submissions.iter().filter(|one| !storage::is_standard(one.path()));
-    named.fold(places, |places, one| places.reads_as(one.name.clone(), "SUBMISSION", one.path())).check()?;
+    let named = submissions.iter().flat_map(|one| one.paths().map(|path| (one.name.clone(), path)));
+    named.fold(places, |places, (name, path)| places.reads_as(name, "SUBMISSION", path)).check()?;
     let marks = grading::mark_all(&submissions, &rubric, &scene);
     let mut pictures = vec![Vec::new(); marks.len()];
     if let Some(mut painter) = painter {
@@ -46,10 +52,14 @@ pub fn run(arguments: &GradeArguments, named_scene: Option<&Path>) -> Result<(),
     files::create_folder(folder)?;
     let [table, json, report] = results(folder);
     files::write(&table, grading::csv(&marks).as_bytes())?;
-    files::write(&json, grading::json(&marks, &rubric).as_bytes())?;
-    files::write(&report, grading::html(&marks, &rubric, &pictures).as_bytes())?;
+    files::write(&json, grading::json(&marks, &passed_over, &rubric).as_bytes())?;
+    files::write(&report, grading::html(&marks, &passed_over, &rubric, &pictures).as_bytes())?;
     let submissions = counted(marks.len(), "submission");
-    output::say(&format!("{submissions} graded: {}\n", report.display()))
+    let mut text = format!("{submissions} graded: {}\n", report.display());
+    for PassedOver { name, reason } in &passed_over {
+        let _ = writeln!(text, "passed over: {name} ({reason})");
+    }
+    output::say(&text)
 }
 
 /// The files that are written.

@@ -26,6 +26,8 @@ const LONGEST_WAIT: Duration = Duration::from_hours(1);
 const MOST_KEYFRAMES: usize = 2_000;
 /// The most bytes that a script may write, all in all.
 const MOST_WRITTEN_BYTES: usize = 32 << 20;
+/// The most bytes that a script may read, all in all.
+const MOST_READ_BYTES: usize = 64 << 20;
 /// The script's keyframe file, as where `script` is not told another.
 const KEYFRAME_FILE: &str = "animation.json";
 /// Where a screenshot without a name goes. It is not drawn, so that the name stays free.
@@ -76,7 +78,7 @@ impl Ran {
 pub fn run(lines: &[Line], scene: &SceneGraph, keyframes: Option<&[u8]>) -> Result<Ran, String> {
     let editor = Editor::new(Arc::new(scene.clone()), PathBuf::from(KEYFRAME_FILE));
     let files = keyframes.map(|bytes| (KEYFRAME_FILE.to_owned(), bytes.to_owned())).into_iter().collect();
-    let mut runner = Runner::new(Folder { editor, files, written: 0, no_window: NoWindow::default() });
+    let mut runner = Runner::new(Folder { editor, files, read: 0, written: 0, no_window: NoWindow::default() });
     let mut waited = Duration::ZERO;
     let mut trace = Vec::with_capacity(lines.len());
     for line in lines {
@@ -110,6 +112,8 @@ pub fn run(lines: &[Line], scene: &SceneGraph, keyframes: Option<&[u8]>) -> Resu
 struct Folder {
     editor: Editor,
     files: BTreeMap<String, Vec<u8>>,
+    /// Bytes that were read, all in all.
+    read: usize,
     /// Bytes that were written, all in all.
     written: usize,
     no_window: NoWindow,
@@ -130,6 +134,10 @@ impl Host for Folder {
 
     fn read(&mut self, _access: FileAccess, path: &Path) -> Result<FileOutcome<Vec<u8>>, String> {
         let bytes = self.files.get(&plain_name(path)?).cloned();
+        self.read += bytes.as_ref().map_or(0, Vec::len);
+        if self.read > MOST_READ_BYTES {
+            return Err(format!("it reads more than {MOST_READ_BYTES} bytes"));
+        }
         Ok(bytes.ok_or_else(|| texts::STORAGE_NOT_FOUND.into()))
     }
 

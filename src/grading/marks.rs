@@ -4,6 +4,7 @@ use super::item::{Item, ItemKind};
 use super::parsed::Parsed;
 use super::rubric::Rubric;
 use super::samples::{SampleDiagnosis, note_of_too_many, sample_diagnoses};
+use super::submission::Submission;
 use super::verdicts::Marker;
 use crate::keyframe::KeyframeList;
 use crate::scene::SceneGraph;
@@ -13,6 +14,12 @@ use crate::scene::SceneGraph;
 pub struct Marks {
     /// The submission's name.
     pub name: String,
+    /// The student's name, where it is known.
+    pub student: Option<String>,
+    /// The student's number in the course system, where it is known.
+    pub id: Option<String>,
+    /// Whether the course system says that it came late.
+    pub is_late: bool,
     /// What was graded, in the rubric's order.
     pub items: Vec<Item>,
     /// One diagnosis for each sample file that is read.
@@ -28,7 +35,7 @@ pub struct Marks {
 impl Marks {
     /// Marks a submission by a rubric.
     #[must_use]
-    pub fn of(name: &str, parsed: &Parsed, rubric: &Rubric, scene: &SceneGraph) -> Self {
+    pub fn of(submission: &Submission, parsed: &Parsed, rubric: &Rubric, scene: &SceneGraph) -> Self {
         let mut notes: Vec<String> = parsed.problem.iter().cloned().collect();
         match &parsed.keyframes {
             Ok(read) => notes.extend(read.inferred.clone()),
@@ -37,13 +44,17 @@ impl Marks {
             Err(_) => {}
         }
         notes.extend(note_of_too_many(parsed));
+        notes.extend(parsed.notes.iter().cloned());
         let samples = sample_diagnoses(parsed, rubric);
         let marker = Marker { rubric, scene, parsed, samples: &samples };
         let items = rubric.items().map(|(kind, out_of)| Item::new(kind, out_of, marker.verdict(kind))).collect();
         let read = parsed.keyframes.as_ref().ok();
         let keyframe_file = read.map(|read| read.file.clone());
         Self {
-            name: name.to_owned(),
+            name: submission.name.clone(),
+            student: submission.student.clone(),
+            id: submission.id.clone(),
+            is_late: submission.is_late,
             items,
             samples,
             keyframe_file,

@@ -2,14 +2,17 @@
 
 use serde_json::Value;
 
+use super::content::{Content, Unreadable, content_of};
 use super::folder;
-use super::submission::Member;
+use super::names::{PreferredNames, ending, has_keyframe_ending, speaks_of_keyframes};
+use super::submission::{Contents, Member, Skipped, Why, shortly, skipped_sentences};
 use super::trace;
 use crate::diagnosis::SampleRows;
 use crate::interpolation::Interpolation;
-use crate::keyframe::KeyframeList;
+use crate::keyframe::{KeyframeFile, KeyframeList};
 use crate::scene::SceneGraph;
 use crate::script::Line;
+use crate::text::counted;
 use crate::text_layouts::read_keyframes;
 
 /// The largest file of samples in a submission, in bytes.
@@ -50,94 +53,199 @@ pub struct ParsedKeyframes {
 pub struct Parsed {
     /// Why none of its files could be read.
     pub problem: Option<String>,
-    /// The keyframes of the first file that holds some; without such a file, those that the script makes.
+    /// The keyframes of the likeliest file that holds some; without such a file, those that the script makes.
     pub keyframes: Result<ParsedKeyframes, String>,
-    /// The first keyframe file's bytes, whether or not they can be read: what the submission's own script reads.
+    /// The bytes of that keyframe file, or of the likeliest that cannot be read: what the submission's own script reads.
     pub first_keyframe_file: Option<Vec<u8>>,
     /// Samples of playback, at most `MOST_SAMPLES` files.
     pub samples: Vec<ParsedFile<SampleRows>>,
     /// How many files of samples there are.
     pub samples_count: usize,
-    /// The first hotkey script.
+    /// The likeliest hotkey script.
     pub script: Option<ParsedFile<Vec<Line>>>,
-    /// The first trace of a script: its objects.
+    /// The likeliest trace of a script: its objects.
     pub trace: Option<ParsedFile<Vec<Value>>>,
+    /// What else was found, and what was skipped: sentences.
+    pub notes: Vec<String>,
 }
 
-/// The kind of a submission's file.
-enum Kind {
-    Samples,
-    Trace,
-    Script(Result<Vec<Line>, String>),
-    Keyframes,
-    /// Sources of programs, pictures and the like.
-    Other,
+/// A file that holds no keyframes, as they may have been meant.
+struct Failed {
+    member: Member,
+    why: Unreadable,
 }
 
-const KEYFRAME_ENDINGS: [&str; 10] = ["json", "txt", "csv", "dat", "key", "keys", "kf", "anim", "py", "out"];
+impl Failed {
+    /// Whether it is to blame where there are no keyframes.
+    fn is_to_blame(&self, preferred: &PreferredNames) -> bool {
+        let (name, why) = (&self.member.name, &self.why);
+        let is_named_so = has_keyframe_ending(name) && (speaks_of_keyframes(name) || why.is_empty);
+        why.is_alike || is_named_so || preferred.fit(name)
+    }
 
-/// Determines the kind of a file. Samples: the first line contains `key_time`. Trace: `.jsonl`, or `trace` in the name. Script: `script` in
-/// the name, or a `.txt` file that parses as one and is not empty. Keyframes: by the extension, or a name without a dot.
-fn kind_of(member: &Member, scene: &SceneGraph) -> Kind {
-    let name = member.name.rsplit('/').next().unwrap_or_default().to_ascii_lowercase();
-    let ending = name.rsplit_once('.').map_or("", |(_, ending)| ending);
-    let start = String::from_utf8_lossy(&member.bytes[..member.bytes.len().min(300)]).to_ascii_lowercase();
-    if start.lines().next().unwrap_or_default().contains("key_time") {
-        return Kind::Samples;
+    /// Those that are likelier to be meant come first.
+    fn rank(&self, preferred: &PreferredNames) -> impl Ord + use<> {
+        let (name, why) = (&self.member.name, &self.why);
+        let is_no_match = (!has_keyframe_ending(name), !speaks_of_keyframes(name), !why.is_alike);
+        (preferred.place(name), is_no_match, preferred.rank(name))
     }
-    if ending == "jsonl" || name.contains("trace") {
-        return Kind::Trace;
+}
+
+/// The files of a submission by what they are.
+#[derive(Default)]
+struct Sorted {
+    /// The keyframe file to grade, with what was inferred.
+    best: Option<(Member, KeyframeFile, Option<String>)>,
+    /// The place of the best's name among the rubric's.
+    place: usize,
+    /// Other keyframe files: their names and numbers of keyframes.
+    others: Vec<(String, usize)>,
+    failed: Vec<Failed>,
+    samples: Vec<Member>,
+    scripts: Vec<Member>,
+    traces: Vec<Member>,
+}
+
+impl Sorted {
+    /// Sorts files that come in their order of rank.
+    fn new(members: Vec<Member>, preferred: &PreferredNames, scene: &SceneGraph) -> Self {
+        let mut sorted = Self::default();
+        for member in members {
+            match content_of(&member.bytes, scene) {
+                Content::Samples => sorted.samples.push(member),
+                Content::Trace => sorted.traces.push(member),
+                Content::Script => sorted.scripts.push(member),
+                // Nothing else is named so.
+                Content::Unreadable(why) if !why.is_alike && ending(&member.name) == "jsonl" => {
+                    sorted.traces.push(member);
+                }
+                Content::Unreadable(why) => sorted.failed.push(Failed { member, why }),
+                Content::Keyframes(file, inferred) => sorted.add_keyframes(member, file, inferred, preferred),
+            }
+        }
+        sorted.failed.sort_by_cached_key(|failed| failed.rank(preferred));
+        sorted
     }
-    let is_named_script = name.contains("script");
-    if is_named_script || ending == "txt" {
-        let lines = folder::read_script(&member.bytes, scene);
-        if is_named_script || lines.as_ref().is_ok_and(|lines| !lines.is_empty()) {
-            return Kind::Script(lines);
+
+    fn add_keyframes(
+        &mut self,
+        member: Member,
+        file: KeyframeFile,
+        inferred: Option<String>,
+        preferred: &PreferredNames,
+    ) {
+        let count = file.keyframes.len();
+        if count > MOST_KEYFRAMES {
+            let problem = format!("{count} keyframes, and at most {MOST_KEYFRAMES} are graded");
+            self.failed.push(Failed { member, why: Unreadable { problem, is_empty: false, is_alike: true } });
+            return;
+        }
+        let place = preferred.place(&member.name);
+        match &mut self.best {
+            // One without keyframes gives way to one that has some, where the rubric prefers neither.
+            Some((_, best, _)) if place > self.place || !best.keyframes.is_empty() || count == 0 => {
+                self.others.push((member.name, count));
+            }
+            Some(best) => {
+                let (before, ..) = std::mem::replace(best, (member, file, inferred));
+                self.others.push((before.name, 0));
+            }
+            None => {
+                self.best = Some((member, file, inferred));
+                self.place = place;
+            }
         }
     }
-    if KEYFRAME_ENDINGS.contains(&ending) || !name.contains('.') { Kind::Keyframes } else { Kind::Other }
+
+    /// Sentences about what was found beside the files that are graded.
+    fn notes(&self, preferred: &PreferredNames) -> Vec<String> {
+        let mut notes = Vec::new();
+        if let Some((best, ..)) = &self.best
+            && !self.others.is_empty()
+        {
+            let others = self.others.iter().map(|(name, count)| format!("{name} ({})", counted(*count, "keyframe")));
+            let others: Vec<String> = others.collect();
+            notes.push(format!("The keyframes are those of {}; also found: {}.", best.name, shortly(&others)));
+        }
+        for (what, files) in [("script", &self.scripts), ("trace", &self.traces)] {
+            if let [first, others @ ..] = files.as_slice()
+                && !others.is_empty()
+            {
+                let others: Vec<&str> = others.iter().map(|member| member.name.as_str()).collect();
+                notes.push(format!("The {what} is {}; also found: {}.", first.name, shortly(&others)));
+            }
+        }
+        if self.best.is_some() {
+            let (alike, others): (Vec<&Failed>, Vec<&Failed>) =
+                self.failed.iter().partition(|failed| failed.is_to_blame(preferred));
+            if let [first, more @ ..] = alike.as_slice() {
+                let more: Vec<&str> = more.iter().map(|failed| failed.member.name.as_str()).collect();
+                let more = if more.is_empty() { String::new() } else { format!("; nor {}", shortly(&more)) };
+                notes.push(format!("{} cannot be read as keyframes: {}{more}.", first.member.name, first.why.problem));
+            }
+            let others: Vec<&str> = others.iter().map(|failed| failed.member.name.as_str()).collect();
+            if !others.is_empty() {
+                notes.push(format!("Neither keyframes, samples, trace nor script: {}.", shortly(&others)));
+            }
+        }
+        notes
+    }
 }
 
 impl Parsed {
-    /// Classifies and parses the files of a submission, or records why they cannot be read.
+    /// Classifies and parses the files of a submission.
     #[must_use]
-    pub fn new(members: Result<Vec<Member>, String>, scene: &SceneGraph) -> Self {
-        let (members, problem) = match members {
-            Ok(members) => (members, None),
-            Err(problem) => (Vec::new(), Some(problem)),
+    pub fn new(contents: Contents, preferred: &PreferredNames, scene: &SceneGraph) -> Self {
+        let Contents { members, skipped, problem } = contents;
+        let sorted = Sorted::new(members, preferred, scene);
+        let mut notes = sorted.notes(preferred);
+        notes.extend(skipped_sentences(&skipped));
+        let Sorted { best, failed, samples, scripts, traces, .. } = sorted;
+        let samples_count = samples.len();
+        let samples = samples.into_iter().take(MOST_SAMPLES);
+        let samples = samples.map(|Member { name, bytes }| ParsedFile { name, content: samples_of(&bytes, scene) });
+        let script = scripts.into_iter().next();
+        let script =
+            script.map(|Member { name, bytes }| ParsedFile { name, content: folder::read_script(&bytes, scene) });
+        let trace = traces.into_iter().next();
+        let trace = trace.map(|Member { name, bytes }| ParsedFile { name, content: trace::objects(&bytes) });
+        let blamed = failed.iter().find(|failed| failed.is_to_blame(preferred));
+        let first_unreadable = blamed.map(|failed| failed.member.bytes.clone());
+        let keyframes = match (best, blamed, &script) {
+            (Some((member, file, inferred)), ..) => Ok(graded(member, file, inferred)),
+            (None, Some(Failed { member, why }), _) => Err(format!("{}: {}", member.name, why.problem)),
+            (None, None, Some(script)) => keyframes_made(script, scene),
+            // If the files cannot be read, that is the reason for missing keyframes.
+            (None, None, None) => Err(problem.clone().unwrap_or_else(|| reason_for_none(&failed, &skipped))),
         };
-        let mut keyframe_files = Vec::new();
-        let mut samples = Vec::new();
-        let mut samples_count = 0;
-        let (mut script, mut trace) = (None, None);
-        for member in members {
-            match kind_of(&member, scene) {
-                Kind::Keyframes => keyframe_files.push(member),
-                Kind::Samples => {
-                    samples_count += 1;
-                    if samples.len() < MOST_SAMPLES {
-                        let content = samples_of(&member.bytes, scene);
-                        samples.push(ParsedFile { name: member.name, content });
-                    }
-                }
-                Kind::Script(content) => {
-                    script.get_or_insert(ParsedFile { name: member.name, content });
-                }
-                Kind::Trace => {
-                    trace.get_or_insert_with(|| ParsedFile {
-                        content: trace::objects(&member.bytes),
-                        name: member.name,
-                    });
-                }
-                Kind::Other => {}
-            }
+        let first_keyframe_file = keyframes.as_ref().ok().map(|read| read.bytes.clone()).or(first_unreadable);
+        let first_keyframe_file = first_keyframe_file.filter(|_| keyframes_are_of_a_file(&keyframes, script.as_ref()));
+        Self {
+            problem,
+            keyframes,
+            first_keyframe_file,
+            samples: samples.collect(),
+            samples_count,
+            script,
+            trace,
+            notes,
         }
-        let keyframes = keyframes_of(&keyframe_files, script.as_ref(), scene);
-        // If the files cannot be read, that is the reason for missing keyframes.
-        let keyframes = keyframes.map_err(|found| problem.clone().unwrap_or(found));
-        let first_keyframe_file = keyframe_files.into_iter().next().map(|member| member.bytes);
-        Self { problem, keyframes, first_keyframe_file, samples, samples_count, script, trace }
     }
+}
+
+/// Whether keyframes are from a file and not made by the script, which begins without a keyframe file.
+fn keyframes_are_of_a_file(
+    keyframes: &Result<ParsedKeyframes, String>,
+    script: Option<&ParsedFile<Vec<Line>>>,
+) -> bool {
+    !matches!((keyframes, script), (Ok(read), Some(script)) if read.file == script.name)
+}
+
+fn graded(member: Member, file: KeyframeFile, inferred: Option<String>) -> ParsedKeyframes {
+    let Member { name, bytes } = member;
+    let inferred = inferred.map(|inferred| format!("{name}: {inferred}"));
+    let (list, interpolation, ms_between_keyframes) = file.into_parts();
+    ParsedKeyframes { file: name, bytes, inferred, list, interpolation, ms_between_keyframes }
 }
 
 fn samples_of(bytes: &[u8], scene: &SceneGraph) -> Result<SampleRows, String> {
@@ -147,39 +255,39 @@ fn samples_of(bytes: &[u8], scene: &SceneGraph) -> Result<SampleRows, String> {
     SampleRows::from_csv(bytes, scene.rbt_count()).map_err(|error| error.to_string())
 }
 
-/// The keyframes of the first file that has some, or those that the script makes; otherwise the error of the first file.
-fn keyframes_of(
-    files: &[Member],
-    script: Option<&ParsedFile<Vec<Line>>>,
-    scene: &SceneGraph,
-) -> Result<ParsedKeyframes, String> {
-    let mut problem = None;
-    for member in files {
-        match keyframes_in(&member.name, &member.bytes, scene) {
-            Ok(read) => return Ok(read),
-            Err(found) => problem = problem.or(Some(found)),
-        }
-    }
-    if let (None, Some(ParsedFile { name, content })) = (&problem, script) {
-        let made = content.clone().and_then(|lines| folder::run(&lines, scene, None));
-        let made = made.map_err(|problem| format!("{name}: {problem}"))?.keyframe_file();
-        return keyframes_in(name, &made, scene);
-    }
-    Err(problem.unwrap_or_else(|| "there is no keyframe file".to_owned()))
+/// The keyframes that a script makes.
+fn keyframes_made(script: &ParsedFile<Vec<Line>>, scene: &SceneGraph) -> Result<ParsedKeyframes, String> {
+    let ParsedFile { name, content } = script;
+    let located = |problem: String| format!("{name}: {problem}");
+    let lines = content.as_ref().map_err(|problem| located(problem.clone()))?;
+    let bytes = folder::run(lines, scene, None).map_err(located)?.keyframe_file();
+    let read = read_keyframes(&bytes, scene).map_err(|problems| located(problems.join("; ")))?;
+    Ok(graded(Member { name: name.clone(), bytes }, read.file, None))
 }
 
-fn keyframes_in(file: &str, bytes: &[u8], scene: &SceneGraph) -> Result<ParsedKeyframes, String> {
-    let read = read_keyframes(bytes, scene).map_err(|problems| {
-        let more =
-            if problems.len() > 1 { format!(" (and {} more problems)", problems.len() - 1) } else { String::new() };
-        format!("{file}: {}{more}", problems.first().map_or("", String::as_str))
-    })?;
-    let inferred = read.report.as_ref().map(|report| format!("{file}: {}", report.to_string().replace('\n', "; ")));
-    let count = read.file.keyframes.len();
-    if count > MOST_KEYFRAMES {
-        return Err(format!("{file}: {count} keyframes, and at most {MOST_KEYFRAMES} are graded"));
+/// Why there are no keyframes, where no file looks like some: the archives that were not opened, and the files that were looked at.
+fn reason_for_none(failed: &[Failed], skipped: &[Skipped]) -> String {
+    let mut reason = "there is no keyframe file".to_owned();
+    let unopened = skipped.iter().filter_map(|skipped| match &skipped.why {
+        Why::Problem(problem) => Some(format!("{}: {problem}", skipped.name)),
+        _ => None,
+    });
+    for problem in unopened.take(2) {
+        reason.push_str("; ");
+        reason.push_str(&problem);
     }
-    let (list, interpolation, ms_between_keyframes) = read.file.into_parts();
-    let (file, bytes) = (file.to_owned(), bytes.to_owned());
-    Ok(ParsedKeyframes { file, bytes, inferred, list, interpolation, ms_between_keyframes })
+    let mut looked_at: Vec<&str> = failed.iter().map(|failed| failed.member.name.as_str()).collect();
+    looked_at.sort_unstable();
+    if !looked_at.is_empty() {
+        reason.push_str("; looked at: ");
+        reason.push_str(&shortly(&looked_at));
+    }
+    let others: Vec<Skipped> =
+        skipped.iter().filter(|skipped| !matches!(skipped.why, Why::Problem(_))).cloned().collect();
+    if looked_at.is_empty() && !others.is_empty() {
+        let sentences = skipped_sentences(&others).join(" ").replacen("Skipped", "skipped", 1);
+        reason.push_str("; ");
+        reason.push_str(sentences.trim_end_matches('.'));
+    }
+    reason
 }

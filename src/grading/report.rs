@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use super::gather::PassedOver;
 use super::item::{Item, ItemKind};
 use super::marks::Marks;
 use super::pictures::ReportPicture;
@@ -49,7 +50,7 @@ pub fn escaped(text: &str) -> String {
 /// The report: an overview with a row for each submission, then each with its points, reasons and pictures, which are in the order of
 /// `marks`.
 #[must_use]
-pub fn html(marks: &[Marks], rubric: &Rubric, pictures: &[Vec<ReportPicture>]) -> String {
+pub fn html(marks: &[Marks], passed_over: &[PassedOver], rubric: &Rubric, pictures: &[Vec<ReportPicture>]) -> String {
     let title = if rubric.title.is_empty() { "Grades" } else { &rubric.title };
     let mut text = format!(
         "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n\
@@ -60,19 +61,23 @@ pub fn html(marks: &[Marks], rubric: &Rubric, pictures: &[Vec<ReportPicture>]) -
     );
     let mean = marks.iter().map(Marks::points).sum::<f64>() / (marks.len().max(1)) as f64;
     let out_of = marks.first().map_or(0.0, Marks::out_of);
+    let has_students = marks.iter().any(|marks| student(marks).is_some());
     let _ = writeln!(
         text,
         "<p class=\"sum\">{} submissions, {} points on average out of {}.</p>\n<section><table class=\"overview\">\
-         <tr><th>submission</th><th>points</th><th></th><th>samples show</th></tr>",
+         <tr><th>submission</th>{}<th>points</th><th></th><th>samples show</th></tr>",
         marks.len(),
         number((mean * 100.0).round() / 100.0),
-        number(out_of)
+        number(out_of),
+        if has_students { "<th>student</th>" } else { "" }
     );
     for (index, marks) in marks.iter().enumerate() {
+        let of_student = escaped(&student(marks).unwrap_or_default());
+        let of_student = if has_students { format!("<td>{of_student}</td>") } else { String::new() };
         let share = if marks.out_of() > 0.0 { 100.0 * marks.points() / marks.out_of() } else { 0.0 };
         let _ = writeln!(
             text,
-            "<tr><td><a href=\"#s{index}\">{}</a></td><td class=\"n\">{} / {}</td>\
+            "<tr><td><a href=\"#s{index}\">{}</a></td>{of_student}<td class=\"n\">{} / {}</td>\
              <td><span class=\"bar\"><i style=\"width:{share:.0}%\"></i></span></td><td>{}</td></tr>",
             escaped(&marks.name),
             number(marks.points()),
@@ -80,7 +85,13 @@ pub fn html(marks: &[Marks], rubric: &Rubric, pictures: &[Vec<ReportPicture>]) -
             escaped(&diagnoses(marks).join(", "))
         );
     }
-    text.push_str("</table></section>\n");
+    text.push_str("</table>\n");
+    if !passed_over.is_empty() {
+        let passed = passed_over.iter().map(|passed| format!("{} ({})", passed.name, passed.reason));
+        let passed = passed.collect::<Vec<_>>().join(", ");
+        let _ = writeln!(text, "<p class=\"sum\">Passed over: {}.</p>", escaped(&passed));
+    }
+    text.push_str("</section>\n");
     for (index, (marks, pictures)) in marks.iter().zip(pictures).enumerate() {
         push_submission(&mut text, index, marks, pictures);
     }
@@ -120,6 +131,17 @@ fn rows(items: &[Item]) -> Vec<Row> {
     rows
 }
 
+/// What the course system says of the student, where it says more than the submission's name.
+fn student(marks: &Marks) -> Option<String> {
+    let id = marks.id.as_ref().map(|id| format!("id {id}"));
+    let late = marks.is_late.then(|| "late".to_owned());
+    if id.is_none() && late.is_none() {
+        return None;
+    }
+    let parts: Vec<String> = [marks.student.clone(), id, late].into_iter().flatten().collect();
+    Some(parts.join(", "))
+}
+
 fn push_submission(text: &mut String, index: usize, marks: &Marks, pictures: &[ReportPicture]) {
     let _ = writeln!(
         text,
@@ -128,6 +150,9 @@ fn push_submission(text: &mut String, index: usize, marks: &Marks, pictures: &[R
         number(marks.points()),
         number(marks.out_of())
     );
+    if let Some(student) = student(marks) {
+        let _ = writeln!(text, "<p class=\"sum\">{}</p>", escaped(&student));
+    }
     // Skip notes that repeat an item's reason.
     for note in marks.notes.iter().filter(|note| marks.items.iter().all(|item| item.reason != **note)) {
         let _ = writeln!(text, "<p class=\"note\">{}</p>", escaped(note));

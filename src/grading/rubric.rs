@@ -6,6 +6,7 @@ use serde::Deserialize;
 
 use super::folder::{self, Traced};
 use super::item::ItemKind;
+use super::names::PreferredNames;
 use crate::animation_diff::Tolerances;
 use crate::decode::{self, DecodeError};
 use crate::files::{self, FileError};
@@ -28,6 +29,8 @@ struct RubricText {
     reference: String,
     #[serde(default)]
     script: Option<String>,
+    #[serde(default)]
+    keyframe_file: Vec<String>,
     #[serde(default)]
     tolerances: TolerancesText,
     #[serde(default = "default_fps")]
@@ -88,6 +91,8 @@ pub struct Rubric {
     pub reference: KeyframeList,
     /// Milliseconds between the right keyframes.
     pub ms_between_keyframes: u32,
+    /// How keyframe files are named, to choose among several.
+    pub keyframe_file: PreferredNames,
     /// The hotkey script, where one is graded.
     pub script: Option<RubricScript>,
     /// The files that it names.
@@ -178,6 +183,8 @@ impl Rubric {
         if let Some(problem) = text.problem() {
             return Err(bad(problem));
         }
+        let keyframe_file =
+            PreferredNames::new(&text.keyframe_file).map_err(|problem| bad(format!("keyframe_file: {problem}")))?;
         let folder = path.parent().unwrap_or(Path::new(""));
         // Standard input is read by its own name alone.
         let beside = |name: &str| if name == "-" { PathBuf::from(name) } else { folder.join(name) };
@@ -205,6 +212,7 @@ impl Rubric {
             fps: text.fps,
             reference,
             ms_between_keyframes,
+            keyframe_file,
             script,
             files,
         })

@@ -1,32 +1,42 @@
-//! Submissions: finding them, and reading the files of one, within bounds.
+//! Reading the files of one submission, within bounds.
+//!
+//! What cannot be read is skipped, with the reason, and never fatal. Bounds count what is read.
 
-use std::io::{Cursor, Read as _};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use zip::result::ZipError;
+use super::archive::{Keep, Unread};
+use super::names::{PreferredNames, is_hidden, kind_not_read};
+use super::place::{Entry, Place};
+use crate::storage::EntryKind;
 
-use crate::files::FileError;
-use crate::storage::{self, EntryKind};
-
-/// The most submissions at a time.
-const MOST_SUBMISSIONS: usize = 20_000;
-/// The most files of one submission.
+/// The most files that are read of one submission.
 const MOST_FILES: usize = 200;
-/// The largest file of a submission, unpacked, and the largest zip, packed: 16 MiB.
+/// The most files and folders of one submission that are listed.
+const MOST_LISTED: usize = 20_000;
+/// The largest file of a submission that is read, unpacked: 16 MiB.
 const LARGEST_FILE_BYTES: u64 = 16 << 20;
-/// The most bytes of a submission, unpacked: 64 MiB.
+/// The most bytes that are read of a submission, unpacked: 64 MiB.
 const MOST_BYTES: u64 = 64 << 20;
+/// The most bytes of an archive that are looked through where it can be read only as a whole: 1 GiB.
+const MOST_LOOKED_THROUGH: u64 = 1 << 30;
 /// The maximum depth of folders in a submission.
 const DEEPEST: usize = 8;
+/// How deep archives are opened inside each other.
+const DEEPEST_ARCHIVE: usize = 2;
 
 /// One student's entry, not yet read.
 #[derive(Clone, Debug)]
 pub struct Submission {
-    /// Its name in the results; no two are the same.
+    /// Its name in the results, that of its folder or file; no two are the same.
     pub name: String,
-    path: PathBuf,
-    /// The folder that the submission was found in, if one was given: its links must not lead out of that.
-    root: Option<PathBuf>,
+    /// The student's name, where the entry's name tells it.
+    pub student: Option<String>,
+    /// The student's number in the course system, where the entry's name tells it.
+    pub id: Option<String>,
+    /// Whether the course system says that it came late.
+    pub is_late: bool,
+    /// Its folders and files, at least one: the entry, and its name in the submission.
+    pub(super) roots: Vec<Entry>,
 }
 
 /// A file of a submission.
@@ -38,189 +48,254 @@ pub struct Member {
     pub bytes: Vec<u8>,
 }
 
-/// Finds the submissions: each file or zip that is named, and each entry of each folder that is named. They are in the order of the
-/// arguments, entries of a folder by name; names that begin with a dot are ignored.
-///
-/// # Errors
-/// [`FileError`]: something that is named is not there, or there are too many.
-pub fn find(arguments: &[PathBuf]) -> Result<Vec<Submission>, FileError> {
-    let mut found: Vec<Submission> = Vec::new();
-    for path in arguments {
-        let bad = |error| FileError::storage(path.display(), error);
-        if storage::is_standard(path) {
-            found.push(Submission { name: storage::input_name(path), path: path.clone(), root: None });
-            continue;
-        }
-        // Follow a link that the user named.
-        if storage::list(path, 0).is_err() {
-            storage::kind(path).map_err(bad)?;
-            let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-            found.push(Submission { name, path: path.clone(), root: None });
-            continue;
-        }
-        let (entries, count) = storage::list(path, MOST_SUBMISSIONS).map_err(bad)?;
-        if count > entries.len() {
-            return Err(FileError::new(path.display(), format!("more than {MOST_SUBMISSIONS} submissions")));
-        }
-        let entries = entries.into_iter().filter(|entry| !entry.name.starts_with('.'));
-        found.extend(entries.map(|entry| Submission { name: entry.name, path: entry.path, root: Some(path.clone()) }));
-    }
-    if found.len() > MOST_SUBMISSIONS {
-        return Err(FileError::new("submissions", format!("more than {MOST_SUBMISSIONS}")));
-    }
-    let mut names = std::collections::HashSet::new();
-    for submission in &mut found {
-        let name = submission.name.clone();
-        for number in 2.. {
-            if names.insert(submission.name.clone()) {
-                break;
-            }
-            submission.name = format!("{name} ({number})");
-        }
-    }
-    Ok(found)
+/// Why a file was skipped.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Why {
+    /// Its ending tells that it holds nothing to grade: the kind, in singular and plural.
+    Kind(&'static str, &'static str),
+    /// It is larger than [`LARGEST_FILE_BYTES`].
+    Large,
+    /// It is a link out of the submission.
+    Link,
+    /// Its folder is too deep.
+    Deep,
+    /// Enough files, or enough bytes, were read before it.
+    Enough,
+    /// It cannot be read: a sentence.
+    Problem(String),
 }
 
-/// The files of a submission that is one file: what is packed in a zip, or the file itself. In the order of their names.
-///
-/// # Errors
-/// Why there are none: a sentence, with the bound that was hit.
-pub fn unpacked(name: &str, bytes: Vec<u8>) -> Result<Vec<Member>, String> {
-    let mut files = Files::default();
-    files.put(name, bytes)?;
-    Ok(files.sorted())
+/// A file that was skipped.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Skipped {
+    /// Its path in the submission.
+    pub name: String,
+    /// Why.
+    pub why: Why,
+}
+
+/// What was read of a submission.
+#[derive(Clone, Debug, Default)]
+pub struct Contents {
+    /// Files, the likeliest first.
+    pub members: Vec<Member>,
+    /// What was not read.
+    pub skipped: Vec<Skipped>,
+    /// Why nothing could be read.
+    pub problem: Option<String>,
 }
 
 impl Submission {
-    /// Where it is: a file, a folder, or `-` for standard input.
+    /// A submission that is one file, or an archive, in memory.
     #[must_use]
-    pub fn path(&self) -> &Path {
-        &self.path
+    pub fn in_memory(name: &str, bytes: Vec<u8>) -> Self {
+        let root = Entry { name: name.to_owned(), kind: EntryKind::File, place: Place::Memory(bytes.into()) };
+        Self { name: name.to_owned(), student: None, id: None, is_late: false, roots: vec![root] }
     }
 
-    /// Reads the files, in the order of their names.
-    ///
-    /// # Errors
-    /// Why not: a sentence, with the bound that was hit.
-    pub fn read(&self) -> Result<Vec<Member>, String> {
-        let mut files = Files::default();
-        if storage::is_standard(&self.path) {
-            let bytes = storage::read(&self.path, LARGEST_FILE_BYTES).map_err(|error| error.to_string())?;
-            return unpacked(&self.name, bytes);
-        }
-        let path = match (storage::kind(&self.path).map_err(|error| error.to_string())?, &self.root) {
-            (EntryKind::Link, Some(root)) => storage::inside(&self.path, root)
-                .ok_or_else(|| "it is a link out of the folder, which is not followed".to_owned())?,
-            _ => self.path.clone(),
-        };
-        match storage::list(&path, 0) {
-            Ok(_) => files.walk(&path, "", 0)?,
-            Err(_) if storage::kind(&path).is_ok_and(|kind| kind == EntryKind::Other) => {
-                return Err("it is neither a file nor a folder".to_owned());
-            }
-            Err(_) => {
-                let bytes = storage::read(&path, LARGEST_FILE_BYTES).map_err(|error| error.to_string())?;
-                files.put(&self.name, bytes)?;
+    /// The files and folders on the disk that it is, or the archive that it is in.
+    pub fn paths(&self) -> impl Iterator<Item = &Path> {
+        self.roots.iter().filter_map(|root| root.place.path())
+    }
+
+    /// Reads the files.
+    #[must_use]
+    pub fn read(&self, preferred: &PreferredNames) -> Contents {
+        let mut reading = Reading { preferred, contents: Contents::default(), bytes: 0, listed: 0 };
+        let is_alone = self.roots.len() == 1;
+        for root in &self.roots {
+            match root.kind {
+                EntryKind::Folder => reading.read_folder(&root.place, "", 0),
+                EntryKind::Other => reading.contents.problem = Some("it is neither a file nor a folder".to_owned()),
+                EntryKind::File | EntryKind::Link => reading.read_root(root, is_alone),
             }
         }
-        Ok(files.sorted())
+        let mut contents = reading.contents;
+        contents.members.sort_by_cached_key(|member| preferred.rank(&member.name));
+        contents.skipped.sort_by(|a, b| a.name.cmp(&b.name));
+        contents
     }
 }
 
-#[derive(Default)]
-struct Files {
-    members: Vec<Member>,
+struct Reading<'a> {
+    preferred: &'a PreferredNames,
+    contents: Contents,
+    /// How many bytes were read.
     bytes: u64,
+    /// How many entries were listed.
+    listed: usize,
 }
 
-impl Files {
-    /// The files in the order of their names.
-    fn sorted(mut self) -> Vec<Member> {
-        self.members.sort_by(|a, b| a.name.cmp(&b.name));
-        self.members
+/// A file that was listed and may be read.
+struct Listed {
+    name: String,
+    place: Place,
+}
+
+impl Reading<'_> {
+    fn skip(&mut self, name: &str, why: Why) {
+        self.contents.skipped.push(Skipped { name: name.to_owned(), why });
     }
 
-    /// Adds the file of a submission that is one file: what is packed in it, or itself.
-    fn put(&mut self, name: &str, bytes: Vec<u8>) -> Result<(), String> {
-        if bytes.starts_with(b"PK\x03\x04") || bytes.starts_with(b"PK\x05\x06") {
-            self.unpack(bytes)
-        } else {
-            self.add(name.to_owned(), bytes)
-        }
+    fn is_wanted(&self, name: &str) -> bool {
+        self.preferred.fit(name) || kind_not_read(name).is_none()
     }
 
-    fn add(&mut self, name: String, bytes: Vec<u8>) -> Result<(), String> {
-        self.bytes += bytes.len() as u64;
-        if self.bytes > MOST_BYTES {
-            return Err(format!("more than {} MiB in all, which is the bound for a submission", MOST_BYTES >> 20));
+    /// A submission that is one file, or one of the student's files in an export without folders.
+    fn read_root(&mut self, root: &Entry, is_alone: bool) {
+        if let (false, Some((one, many))) = (self.is_wanted(&root.name), kind_not_read(&root.name)) {
+            return self.skip(&root.name, Why::Kind(one, many));
         }
-        if self.members.len() == MOST_FILES {
-            return Err(format!("more than {MOST_FILES} files, which is the bound for a submission"));
-        }
-        self.members.push(Member { name, bytes });
-        Ok(())
-    }
-
-    fn walk(&mut self, folder: &Path, above: &str, depth: usize) -> Result<(), String> {
-        if depth > DEEPEST {
-            return Err(format!("{above}: folders more than {DEEPEST} deep, which is the bound for a submission"));
-        }
-        let (entries, count) = storage::list(folder, MOST_FILES).map_err(|error| format!("{above}{error}"))?;
-        if count > entries.len() {
-            return Err(format!("more than {MOST_FILES} files, which is the bound for a submission"));
-        }
-        // Skip links: files inside the submission are read anyway, and others must not be.
-        for entry in entries.into_iter().filter(|entry| !entry.name.starts_with('.')) {
-            let name = format!("{above}{}", entry.name);
-            match entry.kind {
-                EntryKind::Folder => self.walk(&entry.path, &format!("{name}/"), depth + 1)?,
-                EntryKind::File => {
-                    let bytes =
-                        storage::read(&entry.path, LARGEST_FILE_BYTES).map_err(|error| format!("{name}: {error}"))?;
-                    self.add(name, bytes)?;
-                }
-                EntryKind::Link | EntryKind::Other => {}
+        match self.opened(&root.name, &root.place) {
+            Ok(Some(archive)) => {
+                let above = if is_alone { String::new() } else { format!("{}/", root.name) };
+                self.read_folder(&archive, &above, 1);
             }
+            Ok(None) => self.read_file(&root.name, &root.place),
+            Err(Why::Problem(problem)) if is_alone => {
+                self.contents.problem = Some(format!("{}: {problem}", root.name));
+            }
+            Err(why) => self.skip(&root.name, why),
         }
-        Ok(())
     }
 
-    fn unpack(&mut self, bytes: Vec<u8>) -> Result<(), String> {
-        let broken = |error: ZipError| {
-            let is_locked = matches!(error, ZipError::InvalidPassword)
-                || matches!(error, ZipError::UnsupportedArchive(ZipError::PASSWORD_REQUIRED));
-            match error {
-                _ if is_locked => "the zip needs a password".to_owned(),
-                ZipError::UnsupportedArchive(_) | ZipError::CompressionMethodNotSupported(_) => {
-                    "the zip is packed in a way that is not read: make it with deflate, as every program can".to_owned()
-                }
-                _ => "the zip is broken or cut off".to_owned(),
-            }
+    /// The archive at a place as a folder; `None` if there is no archive.
+    fn opened(&self, name: &str, place: &Place) -> Result<Option<Place>, Why> {
+        let largest = |name: &str| {
+            let is_wanted = self.is_wanted(name) && !name.split('/').any(is_hidden);
+            is_wanted.then_some(LARGEST_FILE_BYTES)
         };
-        let mut archive = zip::ZipArchive::new(Cursor::new(bytes)).map_err(broken)?;
-        if archive.len() > 4 * MOST_FILES {
-            return Err(format!("the zip has {} entries, and at most {} are looked at", archive.len(), 4 * MOST_FILES));
+        let keep = Keep { largest: &largest, most: MOST_BYTES, through: MOST_LOOKED_THROUGH };
+        match place.archive(name, &keep) {
+            Ok(archive) => Ok(archive.map(|archive| Place::Packed(archive, String::new()))),
+            Err(Unread::Problem(problem)) => Err(Why::Problem(problem)),
+            Err(Unread::Large) => Err(Why::Large),
         }
-        for index in 0..archive.len() {
-            let entry = archive.by_index(index).map_err(broken)?;
-            let name = entry.name().map_err(broken)?.into_owned();
-            let is_plain = |part: &str| !part.starts_with('.') || part == "." || part == "..";
-            // Names are used as labels only: nothing is unpacked to the disk.
-            let is_hidden = name.split('/').any(|part| !is_plain(part) || part == "__MACOSX");
-            if entry.is_dir() || entry.is_symlink() || is_hidden {
+    }
+
+    /// Reads a folder with all below it: first it is listed, then the likeliest files are read.
+    fn read_folder(&mut self, folder: &Place, above: &str, archives: usize) {
+        let mut listed = Vec::new();
+        self.list(folder, folder, above, 0, &mut listed);
+        listed.sort_by_cached_key(|file| self.preferred.rank(&file.name));
+        for Listed { name, place } in listed {
+            if self.contents.members.len() >= MOST_FILES {
+                self.skip(&name, Why::Enough);
                 continue;
             }
-            let left = LARGEST_FILE_BYTES.min(MOST_BYTES.saturating_sub(self.bytes));
-            let mut bytes = Vec::new();
-            entry.take(left + 1).read_to_end(&mut bytes).map_err(|_| format!("{name} in the zip: it is damaged"))?;
-            if bytes.len() as u64 > left {
-                let (file, all) = (LARGEST_FILE_BYTES >> 20, MOST_BYTES >> 20);
-                return Err(format!(
-                    "{name} in the zip: it unpacks to more than the bounds for a submission, {file} MiB a file and {all} MiB in all"
-                ));
+            match self.opened(&name, &place) {
+                Ok(None) => self.read_file(&name, &place),
+                Ok(Some(_)) if archives >= DEEPEST_ARCHIVE => {
+                    let problem = "it is an archive in an archive in an archive, which is not opened".to_owned();
+                    self.skip(&name, Why::Problem(problem));
+                }
+                Ok(Some(archive)) => self.read_folder(&archive, &format!("{name}/"), archives + 1),
+                Err(why) => self.skip(&name, why),
             }
-            self.add(name, bytes)?;
         }
-        Ok(())
+    }
+
+    fn list(&mut self, folder: &Place, root: &Place, above: &str, depth: usize, listed: &mut Vec<Listed>) {
+        let left = MOST_LISTED.saturating_sub(self.listed);
+        let (entries, count) = match folder.list(left) {
+            Ok(found) => found,
+            Err(problem) => return self.skip(above, Why::Problem(problem)),
+        };
+        self.listed += entries.len();
+        if count > entries.len() {
+            let folder = if above.is_empty() { "the rest" } else { above };
+            let problem = format!("at most {MOST_LISTED} files and folders of a submission are listed");
+            self.skip(folder, Why::Problem(problem));
+        }
+        for entry in entries.into_iter().filter(|entry| !is_hidden(&entry.name)) {
+            let name = format!("{above}{}", entry.name);
+            let place = match entry.kind {
+                EntryKind::Folder if depth >= DEEPEST => {
+                    self.skip(&name, Why::Deep);
+                    continue;
+                }
+                EntryKind::Folder => {
+                    self.list(&entry.place, root, &format!("{name}/"), depth + 1, listed);
+                    continue;
+                }
+                EntryKind::File => entry.place,
+                EntryKind::Link => {
+                    if let Some(place) = entry.place.followed(root) {
+                        place
+                    } else {
+                        self.skip(&name, Why::Link);
+                        continue;
+                    }
+                }
+                EntryKind::Other => {
+                    self.skip(&name, Why::Problem("it is neither a file nor a folder".to_owned()));
+                    continue;
+                }
+            };
+            match kind_not_read(&name) {
+                Some((one, many)) if !self.preferred.fit(&name) => self.skip(&name, Why::Kind(one, many)),
+                _ => listed.push(Listed { name, place }),
+            }
+        }
+    }
+
+    fn read_file(&mut self, name: &str, place: &Place) {
+        let left = MOST_BYTES.saturating_sub(self.bytes);
+        match place.read(LARGEST_FILE_BYTES.min(left)) {
+            Ok(bytes) => {
+                self.bytes += bytes.len() as u64;
+                self.contents.members.push(Member { name: name.to_owned(), bytes });
+            }
+            Err(Unread::Large) if left < LARGEST_FILE_BYTES => self.skip(name, Why::Enough),
+            Err(Unread::Large) => self.skip(name, Why::Large),
+            Err(Unread::Problem(problem)) => self.skip(name, Why::Problem(problem)),
+        }
+    }
+}
+
+/// Sentences that say shortly what was skipped and why; none where nothing was.
+#[must_use]
+pub fn skipped_sentences(skipped: &[Skipped]) -> Vec<String> {
+    let mut kinds: Vec<(&str, &str, Vec<&str>)> = Vec::new();
+    let mut reasons: Vec<(String, Vec<&str>)> = Vec::new();
+    for Skipped { name, why } in skipped {
+        let reason = match why {
+            Why::Kind(one, many) => {
+                match kinds.iter_mut().find(|(known, ..)| known == one) {
+                    Some((.., names)) => names.push(name),
+                    None => kinds.push((one, many, vec![name])),
+                }
+                continue;
+            }
+            Why::Large => format!("larger than {} MiB", LARGEST_FILE_BYTES >> 20),
+            Why::Link => "a link that does not lead to a file of the submission".to_owned(),
+            Why::Deep => format!("folders more than {DEEPEST} deep"),
+            Why::Enough => {
+                format!("at most {MOST_FILES} files and {} MiB of a submission are read", MOST_BYTES >> 20)
+            }
+            Why::Problem(problem) => problem.clone(),
+        };
+        match reasons.iter_mut().find(|(known, _)| *known == reason) {
+            Some((_, names)) => names.push(name),
+            None => reasons.push((reason, vec![name])),
+        }
+    }
+    let kinds = kinds.into_iter().map(|(one, many, names)| {
+        let (count, names_shortly) = (names.len(), shortly(&names));
+        format!("{count} {} ({names_shortly})", if count == 1 { one } else { many })
+    });
+    let kinds: Vec<String> = kinds.collect();
+    let kinds = (!kinds.is_empty()).then(|| format!("Skipped: {}.", kinds.join(", ")));
+    let reasons = reasons.into_iter().map(|(reason, names)| format!("Skipped {}: {reason}.", shortly(&names)));
+    kinds.into_iter().chain(reasons).collect()
+}
+
+/// At most four names, and how many more there are.
+#[must_use]
+pub fn shortly<T: AsRef<str>>(names: &[T]) -> String {
+    let first: Vec<&str> = names.iter().take(4).map(AsRef::as_ref).collect();
+    match names.len() - first.len() {
+        0 => first.join(", "),
+        more => format!("{} and {more} more", first.join(", ")),
     }
 }

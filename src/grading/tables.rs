@@ -2,6 +2,7 @@
 
 use serde_json::{Value, json};
 
+use super::gather::PassedOver;
 use super::marks::Marks;
 use super::rubric::Rubric;
 
@@ -11,18 +12,29 @@ use super::rubric::Rubric;
 /// cells at semicolons.
 #[must_use]
 pub fn csv(marks: &[Marks]) -> String {
-    let mut header = vec!["submission".to_owned(), "points".to_owned(), "out_of".to_owned(), "diagnosis".to_owned()];
+    let first = ["submission", "student", "id", "late", "points", "out_of", "diagnosis"];
+    let mut header: Vec<String> = first.map(str::to_owned).into();
     // Every submission has the same items.
     header.extend(marks.iter().take(1).flat_map(|marks| &marks.items).map(|item| item.kind.id()));
-    header.push("reasons".to_owned());
+    header.extend(["keyframe_file", "reasons", "notes"].map(str::to_owned));
     let mut text = row(&header);
     for marks in marks {
-        let mut cells =
-            vec![marks.name.clone(), number(marks.points()), number(marks.out_of()), diagnoses(marks).join("; ")];
+        let late = if marks.is_late { "late" } else { "" };
+        let mut cells = vec![
+            marks.name.clone(),
+            marks.student.clone().unwrap_or_default(),
+            marks.id.clone().unwrap_or_default(),
+            late.to_owned(),
+            number(marks.points()),
+            number(marks.out_of()),
+            diagnoses(marks).join("; "),
+        ];
         cells.extend(marks.items.iter().map(|item| number(item.points)));
         let lost = marks.items.iter().filter(|item| item.has_lost());
         let reasons: Vec<String> = lost.map(|item| format!("{}: {}", item.kind.id(), item.reason)).collect();
+        cells.push(marks.keyframe_file.clone().unwrap_or_default());
         cells.push(reasons.join(" "));
+        cells.push(marks.notes.join(" "));
         text.push_str(&row(&cells));
     }
     text
@@ -61,7 +73,7 @@ fn cell(text: &str) -> String {
 
 /// The results as JSON; `assets/grading/grades.schema.json` says how.
 #[must_use]
-pub fn json(marks: &[Marks], rubric: &Rubric) -> String {
+pub fn json(marks: &[Marks], passed_over: &[PassedOver], rubric: &Rubric) -> String {
     let submission = |marks: &Marks| {
         let items: Vec<Value> = marks
             .items
@@ -84,13 +96,15 @@ pub fn json(marks: &[Marks], rubric: &Rubric) -> String {
             })
             .collect();
         json!({
-            "name": marks.name, "points": marks.points(), "out_of": marks.out_of(), "keyframe_file": marks.keyframe_file,
+            "name": marks.name, "student": marks.student, "id": marks.id, "late": marks.is_late, "points": marks.points(), "out_of": marks.out_of(), "keyframe_file": marks.keyframe_file,
             "items": items, "samples": samples, "notes": marks.notes,
         })
     };
+    let passed = |passed: &PassedOver| json!({"name": passed.name, "reason": passed.reason});
     let value = json!({
         "format": "inbetween.grades", "version": 1, "title": rubric.title,
         "submissions": marks.iter().map(submission).collect::<Vec<_>>(),
+        "passed_over": passed_over.iter().map(passed).collect::<Vec<_>>(),
     });
     let mut text = serde_json::to_string_pretty(&value).expect("values have keys that are text");
     text.push('\n');

@@ -43,6 +43,12 @@ fn lines() -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
     commands::lines().map(|line| (line.name, line.usage, line.does)).chain(OWN_LINES)
 }
 
+/// Whether a script line may begin with this word.
+#[must_use]
+pub fn is_first_word(word: &str) -> bool {
+    lines().any(|(name, ..)| name == word)
+}
+
 /// Every first word, in a sentence.
 pub(super) fn names_sentence() -> String {
     let names: Vec<&str> = lines().map(|(name, ..)| name).collect();

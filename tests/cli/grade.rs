@@ -17,7 +17,7 @@ fn paths() -> Vec<String> {
     built_in_scene(DEFAULT_SCENE).unwrap().rbt_paths().map(str::to_owned).collect()
 }
 
-fn text_of(keyframes: &[Vec<Placed>], interpolation: &str) -> String {
+pub fn text_of(keyframes: &[Vec<Placed>], interpolation: &str) -> String {
     file(keyframes, &paths(), "two-robots", interpolation, 2000)
 }
 
@@ -43,7 +43,7 @@ fn graded(sandbox: &Sandbox) -> BTreeMap<String, Value> {
 }
 
 /// Checks what the schema uses of JSON Schema.
-fn follows(value: &Value, schema: &Value, place: &str) {
+pub fn follows(value: &Value, schema: &Value, place: &str) {
     let is_type = |name: &str| match name {
         "object" => value.is_object(),
         "array" => value.is_array(),
@@ -72,11 +72,11 @@ fn follows(value: &Value, schema: &Value, place: &str) {
     }
 }
 
-fn item<'a>(graded: &'a Value, name: &str) -> &'a Value {
+pub fn item<'a>(graded: &'a Value, name: &str) -> &'a Value {
     graded["items"].as_array().unwrap().iter().find(|item| item["item"] == name).unwrap()
 }
 
-fn zipped(members: &[(&str, &[u8])]) -> Vec<u8> {
+pub fn zipped(members: &[(&str, &[u8])]) -> Vec<u8> {
     let mut writer = zip::ZipWriter::new(Cursor::new(Vec::new()));
     for (name, bytes) in members {
         writer.start_file(*name, SimpleFileOptions::default()).unwrap();
@@ -237,8 +237,13 @@ fn what_a_submission_unpacks_to_is_bounded() {
     sandbox.write("all/outside.zip", zipped(&[("../../outside.json", text_of(&made, "linear").as_bytes())]));
     let graded = graded(&sandbox);
     let reason = |name: &str| item(&graded[name], "readable")["reason"].as_str().unwrap().to_owned();
-    assert!(reason("large.zip").contains("16 MiB a file"), "{}", reason("large.zip"));
-    assert!(reason("many.zip").contains("more than 200 files"), "{}", reason("many.zip"));
+    assert_eq!(reason("large.zip"), "there is no keyframe file; skipped a.json: larger than 16 MiB");
+    assert_eq!(
+        reason("many.zip"),
+        "there is no keyframe file; looked at: 0.json, 1.json, 10.json, 100.json and 196 more"
+    );
+    let note = graded["many.zip"]["notes"].as_array().unwrap().last().unwrap();
+    assert_eq!(note, "Skipped 99.json: at most 200 files and 64 MiB of a submission are read.");
     assert_eq!(item(&graded["outside.zip"], "readable")["points"], 2.0);
     assert!(!sandbox.path("outside.json").exists());
 }
@@ -268,7 +273,7 @@ fn every_bound_is_named_when_it_is_hit() {
         }
     };
     std::fs::create_dir_all(sandbox.path("all/deep/1/2/3/4/5/6/7/8/9/10")).unwrap();
-    let entries: Vec<String> = (0..801).map(|number| format!(".{number}")).collect();
+    let entries: Vec<String> = (0..20_001).map(|number| format!("{number}.o")).collect();
     let entries: Vec<(&str, &[u8])> = entries.iter().map(|name| (name.as_str(), &b""[..])).collect();
     sandbox.write("all/entries.zip", zipped(&entries));
     let blank = vec![b' '; 15 << 20];
@@ -286,11 +291,14 @@ fn every_bound_is_named_when_it_is_hit() {
         "writes",
         &[("keys.json", keys.into_bytes()), ("script.txt", [&b"key i\n"[..], &b"key n\nkey w\n".repeat(900)].concat())],
     );
+    let spaces = [&b" ".repeat(12 << 20)[..], text_of(&made, "linear").as_bytes()].concat();
+    folder("reads", &[("keys.json", spaces), ("script.txt", b"key i\n".repeat(6))]);
     let graded = graded(&sandbox);
     for (name, place, sentence) in [
+        ("reads", "script", "script.txt: line 6: it reads more than 67108864 bytes"),
         ("deep", "readable", "folders more than 8 deep"),
-        ("entries.zip", "readable", "the zip has 801 entries, and at most 800 are looked at"),
-        ("sum.zip", "readable", "64 MiB in all"),
+        ("entries.zip", "readable", "the rest: at most 20000 files and folders of a submission are listed"),
+        ("sum.zip", "readable", "there is no keyframe file; looked at: a, b, c, d"),
         ("nested", "readable", "unknown field \"more\""),
         ("rows", "readable", "2001 keyframes, and at most 2000 are graded"),
         ("samples", "linear_playback", "at most 4194304 are read"),
@@ -301,6 +309,10 @@ fn every_bound_is_named_when_it_is_hit() {
         assert_eq!(item["points"], 0.0, "{name}");
         assert!(item["reason"].as_str().unwrap().contains(sentence), "{name}: {}", item["reason"]);
     }
+    assert_eq!(
+        graded["sum.zip"]["notes"],
+        json!(["Skipped e: at most 200 files and 64 MiB of a submission are read."])
+    );
 }
 
 #[cfg(unix)]
@@ -313,13 +325,26 @@ fn links_out_of_the_folder_are_not_followed() {
     symlink(sandbox.path("all/inside.json"), sandbox.path("all/in.json")).unwrap();
     std::fs::create_dir(sandbox.path("all/folder")).unwrap();
     symlink(sandbox.path("reference.json"), sandbox.path("all/folder/keys.json")).unwrap();
+    sandbox.write("all/folder/try.json", text_of(&made, "linear"));
+    symlink("../folder/try.json", sandbox.path("all/folder/in.json")).unwrap();
     let graded = graded(&sandbox);
+    let names: Vec<&str> = graded.keys().map(String::as_str).collect();
+    assert_eq!(names, ["folder", "inside.json"]);
+    assert_eq!(graded["folder"]["keyframe_file"], "in.json");
     assert_eq!(
-        item(&graded["out.json"], "readable")["reason"],
-        "it is a link out of the folder, which is not followed"
+        graded["folder"]["notes"],
+        json!([
+            "The keyframes are those of in.json; also found: try.json (8 keyframes).",
+            "Skipped keys.json: a link that does not lead to a file of the submission."
+        ])
     );
-    assert_eq!(item(&graded["folder"], "readable")["points"], 0.0);
-    assert_eq!(item(&graded["in.json"], "readable")["points"], 2.0);
+    let passed = sandbox.json("out/grades.json")["passed_over"].clone();
+    let link = |name: &str| json!({"name": name, "reason": "a link, which is not followed"});
+    assert_eq!(passed, json!([link("in.json"), link("out.json")]));
+    // A link that the user names alone is followed.
+    symlink(sandbox.path("all"), sandbox.path("linked")).unwrap();
+    sandbox.run(&["grade", "rubric.json", "linked", "-o", "again", "--no-images"]).succeeds();
+    assert_eq!(sandbox.read("out/grades.json"), sandbox.read("again/grades.json"));
 }
 
 #[test]
@@ -330,7 +355,7 @@ fn a_bad_rubric_is_bad_input() {
         sandbox.run(&["grade", "bad.json", "all", "-o", "out", "--no-images"])
     };
     run(RUBRIC.replace("\"title\"", "\"tittle\"")).refuses(
-        "bad.json: line 1 column 53: unknown field \"tittle\", expected format, version, title, reference, script, tolerances, fps or points",
+        "bad.json: line 1 column 53: unknown field \"tittle\", expected format, version, title, reference, script, keyframe_file, tolerances, fps or points",
     );
     run(RUBRIC.replace("\"readable\": 2", "\"readable\": -2"))
         .refuses("bad.json: points.readable is -2, expected 0 to 1000000");
@@ -362,7 +387,7 @@ fn a_rubric_in_toml_is_the_same() {
         (
             "title =",
             "tittle =",
-            "line 4 column 1: unknown field \"tittle\", expected format, version, title, reference, script, tolerances, fps or points",
+            "line 4 column 1: unknown field \"tittle\", expected format, version, title, reference, script, keyframe_file, tolerances, fps or points",
         ),
         ("readable = 10", "readable = -2", "points.readable is -2, expected 0 to 1000000"),
         ("readable = 10", "readable = nan", "points.readable is NaN, expected 0 to 1000000"),

@@ -2,6 +2,7 @@
 
 mod bounds;
 mod check;
+mod class;
 mod compare;
 mod convert;
 mod diagnose;

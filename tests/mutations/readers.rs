@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use inbetween::diagnosis::{Sequence, diagnose, samples_from_csv};
-use inbetween::grading::{Marks, Parsed, Rubric, unpacked};
+use inbetween::grading::{Marks, Parsed, Rubric, Submission};
 use inbetween::journal;
 use inbetween::keyframe::{Keyframe, KeyframeFile, keyframes_from_json};
 use inbetween::picture::{Image, png_size};
@@ -62,13 +62,12 @@ pub fn all() -> Vec<Reader> {
     let rubric = Rubric::load(&originals::grading().join("rubric.json"), scene).expect("it is good");
     let rubric: &'static Rubric = Box::leak(Box::new(rubric));
     let submission = move |name: &str, bytes: &[u8]| {
-        let members = unpacked(name, bytes.to_vec());
-        if let Err(problem) = &members {
-            check_sentence(problem);
-        }
-        let marks = Marks::of(name, &Parsed::new(members, scene), rubric, scene);
+        let submission = Submission::in_memory(name, bytes.to_vec());
+        let parsed = Parsed::new(submission.read(&rubric.keyframe_file), &rubric.keyframe_file, scene);
+        let marks = Marks::of(&submission, &parsed, rubric, scene);
         assert!(marks.points() >= 0.0 && marks.points() <= marks.out_of(), "{marks:?}");
         marks.items.iter().for_each(|item| check_sentence(&item.reason));
+        marks.notes.iter().for_each(|note| check_sentence(note));
     };
     let script = |bytes: &[u8], scene: &SceneGraph| match script::parse(bytes, scene) {
         Ok(lines) => assert!(lines.len() <= bytes.split(|&byte| byte == b'\n').count()),
