@@ -1,6 +1,6 @@
 //! Broken samples: none makes reading or diagnosing them panic, and what is read is as it says.
 
-use inbetween::diagnosis::{Sequence, diagnose, samples_from_csv};
+use inbetween::diagnosis::{Listing, Sequence, diagnose, samples_from_csv};
 use inbetween::keyframe::Keyframe;
 use inbetween::scene::{DEFAULT_SCENE, built_in_scene};
 use proptest::prelude::*;
@@ -51,7 +51,7 @@ proptest! {
                 prop_assert!(!samples.rows.is_empty());
                 prop_assert!(samples.rows.iter().all(|row| row.node.get() < NODES && row.key_time.is_finite() && row.key_time >= 0.0));
                 let keyframes = vec![Keyframe::new(scene.rest_pose().clone()); 5];
-                let diagnosis = diagnose(&Sequence::new(&keyframes).unwrap(), &samples);
+                let diagnosis = diagnose(&Sequence::new(&keyframes).unwrap(), &samples, Listing::All);
                 let residuals: Vec<f64> = diagnosis.candidates.iter().map(|candidate| candidate.residual).collect();
                 prop_assert!(residuals.iter().all(|residual| *residual >= 0.0), "{residuals:?}");
                 prop_assert!(!diagnosis.best().name.is_empty());

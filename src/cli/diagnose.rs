@@ -4,7 +4,9 @@ use std::fmt::Write as _;
 
 use super::arguments::DiagnoseArguments;
 use super::{CliError, output};
-use crate::diagnosis::{self, Candidate, Diagnosis, LARGEST_SAMPLES_BYTES, Sequence, samples_from_csv};
+use crate::diagnosis::{
+    self, Candidate, Diagnosis, LARGEST_SAMPLES_BYTES, Listing, Samples, Sequence, samples_from_csv,
+};
 use crate::files::{self, FileError};
 use crate::keyframe::{DEFAULT_MS_BETWEEN_KEYFRAMES, LARGEST_FILE_BYTES};
 use crate::scene::SceneGraph;
@@ -28,8 +30,8 @@ pub fn run(arguments: &DiagnoseArguments, scene: &SceneGraph) -> Result<(), CliE
     let ms_between_keyframes = file.ms_between_keyframes.unwrap_or(DEFAULT_MS_BETWEEN_KEYFRAMES);
     let samples = samples_from_csv(&sample_bytes, scene.rbt_count(), ms_between_keyframes)
         .map_err(|error| FileError::new(samples.display(), error))?;
-    let diagnosis = diagnosis::diagnose(&sequence, &samples);
-    let text = if arguments.json { to_json(&diagnosis) } else { sentences(&diagnosis) };
+    let diagnosis = diagnosis::diagnose(&sequence, &samples, Listing::All);
+    let text = if arguments.json { to_json(&diagnosis) } else { sentences(&diagnosis, &sequence, &samples) };
     output::say(&text)
 }
 
@@ -43,8 +45,9 @@ fn to_json(diagnosis: &Diagnosis) -> String {
     let also: Vec<_> = diagnosis.also().iter().map(|candidate| format!("\"{}\"", candidate.name)).collect();
     let best = diagnosis.best();
     format!(
-        "{{\"best\": \"{}\", \"also\": [{}], \"residual\": {:?}, \"candidates\": [{}]}}\n",
+        "{{\"best\": \"{}\", \"explained\": {}, \"also\": [{}], \"residual\": {:?}, \"candidates\": [{}]}}\n",
         best.name,
+        diagnosis.is_explained(),
         also.join(", "),
         best.residual,
         candidates.join(", ")
@@ -52,27 +55,42 @@ fn to_json(diagnosis: &Diagnosis) -> String {
 }
 
 /// The diagnosis as text: explanation, advice and runners-up.
-fn sentences(diagnosis: &Diagnosis) -> String {
+fn sentences(diagnosis: &Diagnosis, sequence: &Sequence, samples: &Samples) -> String {
     let best = diagnosis.best();
     let rows = counted(diagnosis.rows, "row");
-    let mut text = if diagnosis.is_explained() {
-        format!("{} explains the samples, with a residual of {:.2e} over {rows}.\n", best.name, best.residual)
-    } else {
-        format!(
-            "No known mistake explains the samples; {} is nearest, with a residual of {:.2e} over {rows}.\n",
-            best.name, best.residual
-        )
-    };
+    let mut text = String::new();
     if diagnosis.is_explained() {
-        let advice = best.advice();
-        let _ = writeln!(text, "{}", advice.what);
-        if !advice.change.is_empty() {
-            let _ = writeln!(text, "What to change: {}", advice.change);
+        let explains = if best.mistakes.len() == 1 { "explains" } else { "explain" };
+        let _ = writeln!(text, "{} {explains} the samples, with a residual of {:.2e} over {rows}.", best.name, best.residual);
+        for mistake in &best.mistakes {
+            let _ = writeln!(text, "{}", mistake.what);
+            if !mistake.change.is_empty() {
+                let _ = writeln!(text, "What to change: {}", mistake.change);
+            }
         }
+        if let Some(degrees) = best.frozen_below_degrees {
+            let _ = writeln!(text, "Here turns of less than about {degrees:.2} degrees are left out.");
+        }
+    } else {
+        let _ = writeln!(
+            text,
+            "None of the known mistakes explains the samples. {} is nearest, with a residual of {:.2e} over {rows}.",
+            best.name, best.residual
+        );
     }
-    let names = |candidates: &[Candidate]| candidates.iter().map(|c| c.name).collect::<Vec<_>>().join(", ");
-    if !diagnosis.also().is_empty() {
-        let _ = writeln!(text, "These keyframes cannot tell it from: {}.", names(diagnosis.also()));
+    if let Some(early) = diagnosis.ends_before {
+        let end = sequence.last_key_time();
+        let _ = writeln!(text, "The samples end {} before the end, at key time {}.", short(early), short(end - early));
+    }
+    let names = |candidates: &[&Candidate]| candidates.iter().map(|c| c.name.as_str()).collect::<Vec<_>>().join(", ");
+    if diagnosis.is_explained() {
+        let [too_few, same] = diagnosis.also_by_cause(sequence, samples);
+        if !too_few.is_empty() {
+            let _ = writeln!(text, "The samples are too few to tell it from: {}.", names(&too_few));
+        }
+        if !same.is_empty() {
+            let _ = writeln!(text, "These keyframes cannot tell it from: {}.", names(&same));
+        }
     }
     let runners_up: Vec<String> = diagnosis
         .runners_up()
@@ -84,4 +102,10 @@ fn sentences(diagnosis: &Diagnosis) -> String {
         let _ = writeln!(text, "Runners-up: {}.", runners_up.join(", "));
     }
     text
+}
+
+/// A key time with at most six decimals.
+fn short(key_time: f64) -> String {
+    let text = format!("{key_time:.6}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }

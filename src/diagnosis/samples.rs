@@ -3,8 +3,8 @@
 use glam::DVec3;
 use thiserror::Error;
 
-use super::model::INTEGER_TICK_PACE;
-use super::play::WHOLE;
+use super::rules::INTEGER_TICK_PACE;
+use super::sequence::WHOLE;
 use crate::pose::RbtIndex;
 use crate::text::str_without_byte_order_mark;
 
@@ -19,6 +19,8 @@ const MS: &str = "ms";
 pub struct Row {
     /// The key time at which it should have been shown, at least 0.
     pub key_time: f64,
+    /// How far the key time may be off, for it was printed with so many decimals: half a unit of the last.
+    pub key_time_error: f64,
     /// The node's index in poses.
     pub node: RbtIndex,
     /// Its translation in its parent's space, in scene units; may be NaN.
@@ -32,10 +34,50 @@ pub struct Row {
 pub struct Samples {
     /// The rows in file order.
     pub rows: Vec<Row>,
-    /// Whether they carry milliseconds.
-    pub has_ms: bool,
-    /// Whether any number in them is not finite.
-    pub has_no_number: bool,
+    /// How far their numbers may be off.
+    pub tolerances: Tolerances,
+}
+
+/// How far each number of a sample may be off and still agree: half a unit of the decimals that its column shows, or what single
+/// precision leaves, whichever is larger.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tolerances {
+    /// Of x, y and z of a translation, in scene units; at least 1e-4.
+    pub translation: [f64; 3],
+    /// Of w, x, y and z of a rotation; at least 2e-4.
+    pub rotation: [f64; 4],
+}
+
+impl Tolerances {
+    const LEAST_OF_TRANSLATION: f64 = 1e-4;
+    const LEAST_OF_ROTATION: f64 = 2e-4;
+
+    /// By the decimals of the columns, of translation and of rotation.
+    fn new(translation: [usize; 3], rotation: [usize; 4]) -> Self {
+        // A column without decimals may hold nothing but zeros, whose decimals were left out: the others of its kind tell how many.
+        let most = |decimals: &[usize]| decimals.iter().copied().max().unwrap_or_default();
+        let of = |decimals: usize, most: usize, least: f64| {
+            // A fiftieth more, for what is rounded was computed in single precision.
+            (1.02 * half_unit(if decimals == 0 { most } else { decimals })).max(least)
+        };
+        Self {
+            translation: translation.map(|decimals| of(decimals, most(&translation), Self::LEAST_OF_TRANSLATION)),
+            rotation: rotation.map(|decimals| of(decimals, most(&rotation), Self::LEAST_OF_ROTATION)),
+        }
+    }
+}
+
+/// Half a unit of the last of so many decimals.
+fn half_unit(decimals: usize) -> f64 {
+    0.5 * 0.1_f64.powi(decimals.min(300) as i32)
+}
+
+/// How many decimals a number shows: `1.50` shows 2, `1.5e-3` shows 4.
+fn decimals(field: &str) -> usize {
+    let (number, exponent) = field.split_once(['e', 'E']).unwrap_or((field, "0"));
+    let shown = number.split_once('.').map_or(0, |(_, fraction)| fraction.len());
+    let exponent = exponent.parse::<i64>().unwrap_or_default().clamp(-1000, 1000);
+    usize::try_from(shown as i64 - exponent).unwrap_or_default()
 }
 
 impl Samples {
@@ -94,7 +136,7 @@ pub enum SamplesError {
         expected: usize,
     },
     /// A field is not a number.
-    #[error("line {line}, column {column}: {found:?} is not a number")]
+    #[error("line {line}, column {column}: {found:?} is not a number{}", hint(found))]
     Number {
         /// The line, from 1.
         line: usize,
@@ -125,6 +167,11 @@ pub enum SamplesError {
     },
 }
 
+/// What may help with a field that is not a number.
+fn hint(found: &str) -> &'static str {
+    if found.contains(',') { ": write decimals with a point, not with a comma" } else { "" }
+}
+
 /// Reads samples of keyframes that are `ms_between_keyframes` milliseconds apart: [`SampleRows::from_csv`] and [`SampleRows::samples`].
 ///
 /// # Errors
@@ -139,11 +186,11 @@ pub struct SampleRows {
     rows: Vec<Row>,
     /// The column `ms`; empty without it.
     times_ms: Vec<f64>,
-    has_ms: bool,
+    tolerances: Tolerances,
 }
 
 impl SampleRows {
-    /// Reads samples for a scene of `nodes` RBT nodes. Columns may come in any order; `nan`, `-nan(ind)`, `1.#QNAN` and their like are read
+    /// Reads samples for a scene of `nodes` RBT nodes. Fields are parted by commas, semicolons or tabs, whichever the header has. Columns may come in any order; `nan`, `-nan(ind)`, `1.#QNAN` and their like are read
     /// as NaN. A byte order mark, either line ending and blank lines are skipped.
     ///
     /// # Errors
@@ -157,15 +204,22 @@ impl SampleRows {
         let header = Header::read(line, header)?;
         let mut rows = Vec::new();
         let mut times_ms = Vec::new();
+        let mut shown = Decimals::default();
         for (line, text) in lines {
-            let (row, ms) = header.row(line, text, nodes)?;
+            let (row, ms) = header.row(line, text, nodes, &mut shown)?;
             rows.push(row);
             times_ms.extend(ms);
         }
         if rows.is_empty() {
             return Err(SamplesError::NoRows);
         }
-        Ok(Self { rows, times_ms, has_ms: header.ms.is_some() })
+        if !is_regular(&rows) {
+            for row in &mut rows {
+                row.key_time_error = key_time_error(shown.of_key_times[whole_digits(row.key_time)]);
+            }
+        }
+        let [x, y, z, rotation @ ..] = shown.of_numbers;
+        Ok(Self { rows, times_ms, tolerances: Tolerances::new([x, y, z], rotation) })
     }
 
     /// The samples of keyframes that are `ms_between_keyframes` milliseconds apart. It shows whether key times were counted by a clock of
@@ -174,10 +228,40 @@ impl SampleRows {
     pub fn samples(&self, ms_between_keyframes: u32) -> Samples {
         let mut rows = self.rows.clone();
         correct_key_times(&mut rows, &self.times_ms, f64::from(ms_between_keyframes));
-        let is_number =
-            |row: &Row| row.translation.is_finite() && row.rotation_wxyz.iter().all(|number| number.is_finite());
-        Samples { has_ms: self.has_ms, has_no_number: !rows.iter().all(is_number), rows }
+        Samples { rows, tolerances: self.tolerances }
     }
+}
+
+/// How far a key time of so many decimals may be off. With fewer than three, it is taken as it stands: almost any motion would agree.
+fn key_time_error(decimals: usize) -> f64 {
+    if decimals < 3 { 0.0 } else { half_unit(decimals) }
+}
+
+/// Whether key times go in equal steps, but perhaps for the last: then they are as exact as they are printed.
+fn is_regular(rows: &[Row]) -> bool {
+    let mut key_times: Vec<f64> = rows.iter().map(|row| row.key_time).collect();
+    key_times.sort_by(f64::total_cmp);
+    key_times.dedup();
+    let [first, second, .., _] = key_times[..] else { return true };
+    let steps = key_times[..key_times.len() - 1].windows(2).map(|pair| pair[1] - pair[0]);
+    steps.into_iter().all(|step| (step - (second - first)).abs() < 1e-9)
+}
+
+/// The most decimals that were seen.
+#[derive(Default)]
+struct Decimals {
+    /// Of each number of translation and rotation.
+    of_numbers: [usize; 7],
+    /// Of key times by the digits before the point: programs that print a number of significant digits leave the fewer decimals, the more
+    /// digits come before.
+    of_key_times: [usize; MOST_WHOLE_DIGITS + 1],
+}
+
+const MOST_WHOLE_DIGITS: usize = 8;
+
+/// The digits before the point, 1 to [`MOST_WHOLE_DIGITS`].
+fn whole_digits(number: f64) -> usize {
+    (1..MOST_WHOLE_DIGITS).find(|digits| number < 10_f64.powi(*digits as i32)).unwrap_or(MOST_WHOLE_DIGITS)
 }
 
 /// If the key times are slower than the milliseconds by the factor 16/(1000/60), corrects them.
@@ -197,15 +281,17 @@ struct Header {
     columns: [usize; COLUMNS.len()],
     ms: Option<usize>,
     fields: usize,
+    separator: char,
 }
 
-fn fields(line: &str) -> impl Iterator<Item = &str> {
-    line.strip_suffix(',').unwrap_or(line).split(',').map(|field| field.trim().trim_matches('"'))
+fn fields(line: &str, separator: char) -> impl Iterator<Item = &str> {
+    line.strip_suffix(separator).unwrap_or(line).split(separator).map(|field| field.trim().trim_matches('"'))
 }
 
 impl Header {
     fn read(line: usize, text: &str) -> Result<Self, SamplesError> {
-        let names: Vec<String> = fields(text).map(str::to_ascii_lowercase).collect();
+        let separator = [';', '\t'].into_iter().find(|separator| text.contains(*separator)).unwrap_or(',');
+        let names: Vec<String> = fields(text, separator).map(str::to_ascii_lowercase).collect();
         let find = |column: &str| names.iter().position(|name| name == column);
         let mut columns = [0; COLUMNS.len()];
         for (index, column) in columns.iter_mut().zip(COLUMNS) {
@@ -216,11 +302,17 @@ impl Header {
         if let Some(index) = extra {
             return Err(SamplesError::ExtraColumn { line, column: names[index].clone() });
         }
-        Ok(Self { columns, ms, fields: names.len() })
+        Ok(Self { columns, ms, fields: names.len(), separator })
     }
 
-    fn row(&self, line: usize, text: &str, nodes: usize) -> Result<(Row, Option<f64>), SamplesError> {
-        let found: Vec<&str> = fields(text).collect();
+    fn row(
+        &self,
+        line: usize,
+        text: &str,
+        nodes: usize,
+        shown: &mut Decimals,
+    ) -> Result<(Row, Option<f64>), SamplesError> {
+        let found: Vec<&str> = fields(text, self.separator).collect();
         if found.len() != self.fields {
             return Err(SamplesError::Fields { line, found: found.len(), expected: self.fields });
         }
@@ -235,6 +327,7 @@ impl Header {
         let mut values = [0.0; 7];
         for (at, value) in values.iter_mut().enumerate() {
             *value = number(self.columns[at + 2], COLUMNS[at + 2])?;
+            shown.of_numbers[at] = shown.of_numbers[at].max(decimals(found[self.columns[at + 2]]));
         }
         let [x, y, z, rotation_wxyz @ ..] = values;
         let node = found[self.columns[1]];
@@ -245,7 +338,10 @@ impl Header {
         })?;
         let ms = self.ms.map(|index| time(index, MS)).transpose()?;
         let key_time = time(self.columns[0], COLUMNS[0])?;
-        Ok((Row { key_time, node: RbtIndex::new(node), translation: DVec3::new(x, y, z), rotation_wxyz }, ms))
+        let of_key_times = &mut shown.of_key_times[whole_digits(key_time)];
+        *of_key_times = (*of_key_times).max(decimals(found[self.columns[0]]));
+        let (node, translation) = (RbtIndex::new(node), DVec3::new(x, y, z));
+        Ok((Row { key_time, key_time_error: 0.0, node, translation, rotation_wxyz }, ms))
     }
 }
 
@@ -302,7 +398,7 @@ mod tests {
     fn a_mark_either_line_ending_and_any_order_are_read() {
         let text = "\u{feff}MS,key_time,rbt_ind,tx,ty,tz,rw,rx,ry,rz\r\n\r\n500,0.25,3,1,2,3,nan,0,0,0\r\n";
         let samples = samples_from_csv(text.as_bytes(), 22, 2000).expect("it is good");
-        assert!(samples.has_ms && samples.has_no_number);
+        assert!(samples.rows[0].rotation_wxyz[0].is_nan());
         assert_eq!((samples.rows[0].key_time, samples.rows[0].node.get()), (0.25, 3));
         assert_eq!(samples.rows[0].translation, DVec3::new(1.0, 2.0, 3.0));
     }

@@ -2,7 +2,7 @@ use inbetween::scene::{DEFAULT_SCENE, built_in_scene};
 use serde_json::Value;
 
 use crate::sandbox::{Sandbox, keyframe_file};
-use crate::student::{LINEAR, SPLINE, Student, file, keyframes};
+use crate::student::{LINEAR, LINEAR_PAIRS, SINGLE, SPLINE, SPLINE_PAIRS, Student, file, keyframes, varied_keyframes};
 
 fn paths() -> Vec<String> {
     built_in_scene(DEFAULT_SCENE).unwrap().rbt_paths().map(str::to_owned).collect()
@@ -16,42 +16,81 @@ fn names(value: &Value) -> Vec<&str> {
     value.as_array().unwrap().iter().map(|name| name.as_str().unwrap()).collect()
 }
 
-#[track_caller]
-fn check(mistake: &str, plays_splines: bool, seed: u64, has_ms: bool, decimals: usize) {
-    let sandbox = Sandbox::new();
-    let made = keyframes(seed, 8, 22);
-    let interpolation = if plays_splines { "catmull-rom" } else { "linear" };
-    sandbox.write("k.json", file(&made, &paths(), "two-robots", interpolation, 2000));
-    let student = Student { mistake, plays_splines, keyframes: &made };
-    sandbox.write("s.csv", student.samples(6.0, 2000.0, has_ms, decimals));
-    let found = diagnosed(&sandbox);
-    let residual = found["residual"].as_f64().unwrap();
-    let noise = 20.0 * 0.1_f64.powi(i32::try_from(decimals).unwrap());
-    assert_eq!(found["best"], mistake, "{interpolation}, seed {seed}: {found}");
-    assert!(residual < noise, "{mistake}, {interpolation}: {residual}");
-    let expected_also: &[&str] = match (mistake, plays_splines) {
-        ("last-sample-missing", false) => &["correct"],
-        ("last-sample-missing", true) => &["correct-catmull-rom"],
-        _ => &[],
-    };
-    assert_eq!(names(&found["also"]), expected_also, "{mistake}, {interpolation}");
-    let candidates = found["candidates"].as_array().unwrap();
-    assert_eq!(candidates.len(), if has_ms { 17 } else { 16 });
-    assert_eq!(candidates[0]["name"], mistake);
-    let residuals: Vec<f64> = candidates.iter().map(|candidate| candidate["residual"].as_f64().unwrap()).collect();
-    assert!(residuals.is_sorted_by(|a, b| *a <= *b + 1e-9), "{residuals:?}");
+/// A check that what a program shows is named: with a column of milliseconds or without, to so many decimals.
+struct Check<'a> {
+    mistake: &'a str,
+    plays_splines: bool,
+    seed: u64,
+    has_ms: bool,
+    decimals: usize,
+    is_single: bool,
 }
+
+/// What is asked of the plainest check of a mistake.
+fn plain(mistake: &str, plays_splines: bool) -> Check<'_> {
+    Check { mistake, plays_splines, seed: 7, has_ms: false, decimals: 6, is_single: false }
+}
+
+impl Check<'_> {
+    #[track_caller]
+    fn passes(&self) {
+        let Self { mistake, plays_splines, seed, has_ms, decimals, is_single } = *self;
+        let sandbox = Sandbox::new();
+        let made = varied_keyframes(seed, 8, 22);
+        let interpolation = if plays_splines { "catmull-rom" } else { "linear" };
+        sandbox.write("k.json", file(&made, &paths(), "two-robots", interpolation, 2000));
+        let made_mistake = if is_single { format!("{mistake} + {SINGLE}") } else { mistake.to_owned() };
+        let student = Student { mistake: &made_mistake, plays_splines, keyframes: &made };
+        sandbox.write("s.csv", student.samples(6.0, 2000.0, has_ms, decimals));
+        let found = diagnosed(&sandbox);
+        let residual = found["residual"].as_f64().unwrap();
+        let noise = 20.0 * 0.1_f64.powi(i32::try_from(decimals).unwrap()) + if is_single { 1e-5 } else { 0.0 };
+        let what = format!("{mistake}, {interpolation}, seed {seed}, {decimals} decimals, single {is_single}: {found}");
+        assert_eq!(found["best"], mistake, "{what}");
+        assert_eq!(found["explained"], true, "{what}");
+        assert!(residual < noise, "{what}");
+        let expected_also = match (mistake.strip_suffix("last-sample-missing"), plays_splines) {
+            (Some(""), false) => vec!["correct"],
+            (Some(""), true) => vec!["correct-catmull-rom"],
+            (Some(other), _) => vec![other.trim_end_matches(" + ")],
+            (None, _) => Vec::new(),
+        };
+        assert_eq!(names(&found["also"]), expected_also, "{what}");
+        let candidates = found["candidates"].as_array().unwrap();
+        let is_pair = mistake.contains(" + ");
+        assert_eq!(candidates.len(), if is_pair { 29 } else { 28 });
+        assert_eq!(candidates[0]["name"], mistake);
+        let residuals: Vec<f64> = candidates.iter().map(|candidate| candidate["residual"].as_f64().unwrap()).collect();
+        assert!(residuals.is_sorted_by(|a, b| *a <= *b + 1e-9), "{residuals:?}");
+    }
+}
+
+const PLAYBACKS: [(&[&str], &[&str], bool); 2] = [(&LINEAR, &LINEAR_PAIRS, false), (&SPLINE, &SPLINE_PAIRS, true)];
 
 #[test]
 fn every_mistake_is_named() {
-    for (mistakes, plays_splines) in [(&LINEAR[..], false), (&SPLINE[..], true)] {
+    for (mistakes, _, plays_splines) in PLAYBACKS {
         for mistake in mistakes {
-            check(mistake, plays_splines, 7, *mistake == "integer-tick", 6);
+            plain(mistake, plays_splines).passes();
+            Check { seed: 12, decimals: 3, is_single: true, ..plain(mistake, plays_splines) }.passes();
         }
     }
-    check("correct", false, 8, true, 6);
-    check("nlerp-for-slerp", false, 9, true, 3);
-    check("no-division-by-six", true, 10, false, 4);
+    Check { seed: 8, has_ms: true, ..plain("correct", false) }.passes();
+    Check { has_ms: true, ..plain("integer-tick", true) }.passes();
+    Check { seed: 9, has_ms: true, decimals: 3, ..plain("nlerp-for-slerp", false) }.passes();
+    Check { seed: 10, decimals: 4, ..plain("no-division-by-six", true) }.passes();
+}
+
+#[test]
+fn every_pair_is_named() {
+    assert!(LINEAR_PAIRS.len() + SPLINE_PAIRS.len() >= 30);
+    for (_, pairs, plays_splines) in PLAYBACKS {
+        for (index, pair) in pairs.iter().enumerate() {
+            let (seed, is_single) = (20 + index as u64, index % 2 == 1);
+            let decimals = if index % 3 == 2 { 3 } else { 6 };
+            Check { seed, decimals, is_single, ..plain(pair, plays_splines) }.passes();
+        }
+    }
 }
 
 #[test]

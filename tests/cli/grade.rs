@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 use zip::write::SimpleFileOptions;
 
 use crate::sandbox::Sandbox;
-use crate::student::{LINEAR, Placed, SPLINE, Student, file, keyframes};
+use crate::student::{LINEAR, Placed, SPLINE, Student, file, keyframes, varied_keyframes};
 
 const RUBRIC: &str = r#"{"format": "inbetween.rubric", "version": 1, "title": "<b>Six</b>", "reference": "reference.json",
     "script": "hotkeys.txt", "tolerances": {"translation": 0.001, "rotation_degrees": 0.1},
