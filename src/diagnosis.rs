@@ -1,7 +1,7 @@
 //! Diagnosis: which known mistake explains what a student's own program showed.
 //!
 //! The samples of that program are compared with the right result and with the result of each known mistake. Everything is computed
-//! in double precision and without [`crate::interpolation`], so that each can be tested against the other. Pure functions: text and
+//! in double precision and without the formulas of [`crate::interpolation`], so that each can be tested against the other. Pure functions: text and
 //! keyframes in, names and residuals out. This module does not know files, the editor or the command line.
 //!
 //! A mistake *explains* the samples if every row agrees with it, number by number, within [`Tolerances`]: half a unit of the decimals
@@ -30,6 +30,8 @@ use catalogue::{Form, forms, is_old};
 use compare::Comparison;
 use judge::Judge;
 use rules::Rules;
+
+use crate::interpolation::Interpolation;
 
 /// Residuals that differ by no more than this are equal.
 pub const EQUAL_RESIDUALS: f64 = 1e-9;
@@ -84,6 +86,12 @@ impl Candidate {
         self.mistakes.iter().any(|mistake| mistake.is_about_range())
     }
 
+    /// The interpolation in which it is made.
+    #[must_use]
+    pub fn interpolation(&self) -> Interpolation {
+        if self.rules.moves.spline.is_some() { Interpolation::CatmullRom } else { Interpolation::Linear }
+    }
+
     /// Whether it shows the right result.
     #[must_use]
     pub fn is_right(&self) -> bool {
@@ -123,7 +131,7 @@ impl Candidate {
 /// Which candidates a diagnosis lists.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Listing {
-    /// Those that explain the samples; if none does, all. This is quicker.
+    /// Those that explain the samples; if none does, right playback. This is much quicker.
     Explanations,
     /// Every one.
     All,
@@ -206,13 +214,30 @@ pub fn diagnose(sequence: &Sequence, samples: &Samples, listing: Listing) -> Dia
     }
     let equals = explaining.len();
     let mut candidates = explaining;
-    if listing == Listing::All || equals == 0 {
+    if listing == Listing::All {
         candidates.extend(others(&mut judge, &forms, &candidates));
+    } else if equals == 0 {
+        let right: Vec<Form> = forms.into_iter().filter(|form| form.entry.mistake.is_right()).collect();
+        candidates = others(&mut judge, &right, &[]);
     }
     let least = candidates[0].residual;
     let nearest = candidates.iter().take_while(|candidate| candidate.residual <= least + EQUAL_RESIDUALS).count();
     let equals = if equals == 0 { nearest } else { equals };
     Diagnosis { candidates, equals, rows: samples.rows.len(), ends_before }
+}
+
+/// What a program shows that makes a mistake, in an interpolation if it can be made there, and the interpolation; `None` without such a
+/// mistake. 12 moments an interval.
+#[must_use]
+pub fn played(sequence: &Sequence, name: &str, interpolation: Interpolation) -> Option<(Interpolation, Vec<Row>)> {
+    const MOMENTS: usize = 12;
+    let is_spline = interpolation == Interpolation::CatmullRom;
+    let of_name = || forms().filter(|form| form.entry.mistake.name == name);
+    let form = of_name().find(|form| form.is_spline == is_spline).or_else(|| of_name().next())?;
+    let moments = (0..=sequence.last_key_time() as usize * MOMENTS).map(|moment| moment as f64 / MOMENTS as f64);
+    let rows = compare::rows(sequence, &form.rules(), moments);
+    let interpolation = if form.is_spline { Interpolation::CatmullRom } else { Interpolation::Linear };
+    Some((interpolation, rows))
 }
 
 /// Right playback and the mistakes that explain the samples alone, in the catalogue's order.
@@ -277,6 +302,7 @@ fn put_missing_end_first(explaining: &mut Vec<Candidate>, forms: &[Form]) {
 /// Right playback and the mistakes that do not explain the samples, by residual. Those of equal residual stand in the catalogue's order.
 fn others(judge: &mut Judge, forms: &[Form], explaining: &[Candidate]) -> Vec<Candidate> {
     judge.be_strict();
+    judge.prepare(&forms.iter().map(Form::rules).collect::<Vec<_>>());
     let mut found: Vec<Candidate> = Vec::new();
     for form in forms {
         let rules = form.rules();

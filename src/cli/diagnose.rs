@@ -1,13 +1,17 @@
 //! `inbetween diagnose`: names the known mistake that explains a student's samples.
 
+mod film;
+
 use std::fmt::Write as _;
 
 use super::arguments::DiagnoseArguments;
 use super::{CliError, output};
 use crate::diagnosis::{
-    self, Candidate, Diagnosis, LARGEST_SAMPLES_BYTES, Listing, Samples, Sequence, samples_from_csv,
+    self, Candidate, Diagnosis, LARGEST_SAMPLES_BYTES, Listing, Row, Samples, Sequence, samples_from_csv,
 };
+use crate::export::Animation;
 use crate::files::{self, FileError};
+use crate::interpolation::Interpolation;
 use crate::keyframe::{DEFAULT_MS_BETWEEN_KEYFRAMES, LARGEST_FILE_BYTES};
 use crate::scene::SceneGraph;
 use crate::text::counted;
@@ -16,23 +20,37 @@ use crate::text_layouts::read_keyframes;
 /// The number of runners-up in the text output.
 const RUNNERS_UP: usize = 3;
 
-/// Prints the diagnosis, as sentences or as JSON.
+/// Prints the diagnosis, as sentences or as JSON, and draws the film that is asked for.
 ///
 /// # Errors
-/// [`CliError`]: the keyframes or the samples are bad.
+/// [`CliError`]: the keyframes or the samples are bad, the film cannot be drawn or written.
 pub fn run(arguments: &DiagnoseArguments, scene: &SceneGraph) -> Result<(), CliError> {
-    let (keyframes, samples) = (&arguments.keyframes, &arguments.samples);
+    let keyframes = arguments.keyframes.as_path();
+    let film = arguments.film.as_deref().map(|path| Ok::<_, CliError>((path, film::format_of(path)?))).transpose()?;
     let keyframe_bytes = files::read(keyframes, LARGEST_FILE_BYTES)?;
-    let sample_bytes = files::read(samples, LARGEST_SAMPLES_BYTES)?;
     let file =
         read_keyframes(&keyframe_bytes, scene).map_err(|problems| FileError::all(keyframes.display(), problems))?.file;
     let sequence = Sequence::new(&file.keyframes).map_err(|error| FileError::new(keyframes.display(), error))?;
+    let draw = |interpolation: Option<Interpolation>, rows: &[Row], name: &str| {
+        let Some(film) = film else { return Ok(()) };
+        let animation = Animation::load(keyframes, scene, interpolation)?;
+        film::write(film, scene, (keyframes, &animation), rows, name)
+    };
+    let Some(samples) = &arguments.samples else {
+        let name = arguments.mistake.unwrap_or_default();
+        let in_file = file.interpolation.unwrap_or_default();
+        let Some((interpolation, rows)) = diagnosis::played(&sequence, name, in_file) else { return Ok(()) };
+        return draw(Some(interpolation), &rows, name);
+    };
+    let sample_bytes = files::read(samples, LARGEST_SAMPLES_BYTES)?;
     let ms_between_keyframes = file.ms_between_keyframes.unwrap_or(DEFAULT_MS_BETWEEN_KEYFRAMES);
     let samples = samples_from_csv(&sample_bytes, scene.rbt_count(), ms_between_keyframes)
         .map_err(|error| FileError::new(samples.display(), error))?;
     let diagnosis = diagnosis::diagnose(&sequence, &samples, Listing::All);
     let text = if arguments.json { to_json(&diagnosis) } else { sentences(&diagnosis, &sequence, &samples) };
-    output::say(&text)
+    output::say(&text)?;
+    let name = if diagnosis.is_explained() { &diagnosis.best().name } else { "none of the known mistakes" };
+    draw(Some(diagnosis.best().interpolation()), &samples.rows, name)
 }
 
 /// The diagnosis as one line of JSON.
@@ -61,7 +79,11 @@ fn sentences(diagnosis: &Diagnosis, sequence: &Sequence, samples: &Samples) -> S
     let mut text = String::new();
     if diagnosis.is_explained() {
         let explains = if best.mistakes.len() == 1 { "explains" } else { "explain" };
-        let _ = writeln!(text, "{} {explains} the samples, with a residual of {:.2e} over {rows}.", best.name, best.residual);
+        let _ = writeln!(
+            text,
+            "{} {explains} the samples, with a residual of {:.2e} over {rows}.",
+            best.name, best.residual
+        );
         for mistake in &best.mistakes {
             let _ = writeln!(text, "{}", mistake.what);
             if !mistake.change.is_empty() {

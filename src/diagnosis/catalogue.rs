@@ -8,7 +8,6 @@ mod later;
 
 use std::fmt::Write as _;
 
-
 use super::rules::{LINEAR, Rules, SPLINE};
 
 /// A change of the rules of right playback.

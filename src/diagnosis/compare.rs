@@ -58,7 +58,9 @@ impl<'a> Comparison<'a> {
     pub fn move_off(&self, row: &Row, timing: Timing, moves: Moves) -> Off {
         let moments = self.sequence.moments(&timing, row.key_time, self.last_before_end, moves.spline.is_some());
         let off = |moment| match moment {
-            Moment::Keyframe(index) => self.move_off_from(row, self.sequence.at(index, row.node).translation, DVec3::ZERO),
+            Moment::Keyframe(index) => {
+                self.move_off_from(row, self.sequence.at(index, row.node).translation, DVec3::ZERO)
+            }
             Moment::Between { start, alpha } => {
                 let corners = [-1, 0, 1, 2].map(|offset| self.sequence.at(start + offset, row.node).translation);
                 let shown = translation(corners, alpha, &moves);
@@ -76,18 +78,15 @@ impl<'a> Comparison<'a> {
         match (row.translation.is_finite(), shown.is_finite()) {
             (true, true) => Off {
                 squared: row.translation.distance_squared(shown).min(LARGEST_SQUARE),
-                agrees: (row.translation - shown)
-                    .abs()
-                    .cmple(DVec3::from(self.tolerances.translation) + spread)
-                    .all(),
+                agrees: (row.translation - shown).abs().cmple(DVec3::from(self.tolerances.translation) + spread).all(),
             },
             (is_number, is_shown) => no_number(is_number == is_shown),
         }
     }
 
-    /// The distance of a row's rotation from rules that leave no turn out.
+    /// The distance of a row's rotation. If turns are left out, it is below the usual threshold.
     pub fn turn_off(&self, row: &Row, timing: Timing, turns: &Turns) -> Off {
-        self.turn_off_at(row, timing, turns, &mut Threshold::at(0.0))
+        self.turn_off_at(row, timing, turns, &mut Threshold::known(None))
     }
 
     /// The distance of a row's rotation, where turns below a threshold may be left out.
@@ -172,7 +171,7 @@ impl<'a> Comparison<'a> {
                     rules: &rules.turns,
                     is_lenient: false,
                     choices: Choices::default(),
-                    threshold: Threshold::at(threshold.unwrap_or(0.0)),
+                    threshold: Threshold::known(threshold),
                 };
                 let rotations = corners.map(|corner| read(corner.rotation, &rules.turns));
                 let translations = corners.map(|corner| corner.translation);
@@ -183,7 +182,7 @@ impl<'a> Comparison<'a> {
         Some(Row { key_time, key_time_error: 0.0, node, translation, rotation_wxyz })
     }
 
-    /// Whether two rules show different things within some interval, beyond the tolerances. The first may leave turns out.
+    /// Whether two rules show different things within some interval, beyond the tolerances. Below `threshold` the first leave turns out.
     pub fn differ(&self, one: &Rules, threshold: Option<f64>, other: &Rules) -> bool {
         /// Moments in an interval.
         const MOMENTS: usize = 8;
@@ -198,6 +197,17 @@ impl<'a> Comparison<'a> {
             })
         })
     }
+}
+
+/// What rules show of every node at key times.
+pub(super) fn rows(sequence: &Sequence, rules: &Rules, key_times: impl Iterator<Item = f64> + Clone) -> Vec<Row> {
+    let end = sequence.last_key_time();
+    let last_before_end = key_times.clone().filter(|key_time| *key_time < end).fold(0.0, f64::max);
+    let exact = Tolerances { translation: [0.0; 3], rotation: [0.0; 4] };
+    let comparison = Comparison { sequence, tolerances: exact, last_before_end, is_lenient: false };
+    let nodes = |key_time| (0..sequence.nodes()).map(move |node| (key_time, RbtIndex::new(node)));
+    let places = key_times.flat_map(nodes);
+    places.filter_map(|(key_time, node)| comparison.row(rules, None, key_time, node)).collect()
 }
 
 fn no_number(agrees: bool) -> Off {

@@ -8,12 +8,10 @@ use super::motion::Threshold;
 use super::rules::{Freezes, LINEAR, Moves, Rules, SPLINE, Timing, Turns};
 use super::samples::{Row, Samples};
 use super::sequence::Sequence;
+use crate::parallel::map_in_order;
 
 /// Half the angle of the largest turn that counts as small, in radians: 40 degrees.
 const LARGEST_SMALL_TURN: f64 = 0.35;
-
-/// Half the angle of the usual threshold, a dot product of 0.9995, for residuals where none explains the samples.
-const USUAL_THRESHOLD: f64 = 0.031_62;
 
 /// How rules agree with every row.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,17 +58,19 @@ impl<'a> Judge<'a> {
     /// The distances of every row from right playback: of translation, of rotation.
     fn offs(&self, right: &Rules) -> Vec<[Off; 2]> {
         let rows = self.samples.rows.iter();
-        rows.map(|row| [self.comparison.move_off(row, right.timing, right.moves), self.comparison.turn_off(row, right.timing, &right.turns)])
-            .collect()
+        rows.map(|row| {
+            [
+                self.comparison.move_off(row, right.timing, right.moves),
+                self.comparison.turn_off(row, right.timing, &right.turns),
+            ]
+        })
+        .collect()
     }
 
     /// Whether every row agrees with the rules, beyond what right playback explains.
     ///
     /// Where right playback explains the samples, a mistake agrees only if it shows the same whatever rounding decides.
     pub fn agreement(&mut self, rules: &Rules) -> Option<Agreement> {
-        if self.right_agrees && rules.turns.freezes != Freezes::Nowhere {
-            return None;
-        }
         if !self.moves_agree((rules.timing, rules.moves)) {
             return None;
         }
@@ -96,7 +96,14 @@ impl<'a> Judge<'a> {
     fn turns_agree(&self, timing: Timing, turns: &Turns) -> Option<Agreement> {
         let mut rows = self.orders[1].iter().map(|index| &self.samples.rows[*index]);
         if turns.freezes == Freezes::Nowhere {
-            return rows.all(|row| self.comparison.turn_off(row, timing, turns).agrees).then_some(Agreement { threshold: None });
+            return rows
+                .all(|row| self.comparison.turn_off(row, timing, turns).agrees)
+                .then_some(Agreement { threshold: None });
+        }
+        if self.right_agrees {
+            // Any threshold is possible that no turn is below: the usual one tells.
+            let agrees = rows.all(|row| self.comparison.turn_off(row, timing, turns).agrees);
+            return agrees.then_some(Agreement { threshold: None });
         }
         // The thresholds with which every row so far agrees, as spans: above the first number, up to the second.
         let mut feasible = vec![(0.0, LARGEST_SMALL_TURN)];
@@ -134,6 +141,25 @@ impl<'a> Judge<'a> {
         self.comparison.is_lenient = false;
     }
 
+    /// Computes at once, on all cores, what the residuals of these rules need of rotations.
+    pub fn prepare(&mut self, all: &[Rules]) {
+        let mut keys: Vec<(Timing, Turns)> = Vec::new();
+        for key in all.iter().map(|rules| (rules.timing, rules.turns)) {
+            if !keys.contains(&key) && self.sums_of_turns.iter().all(|(known, _)| *known != key) {
+                keys.push(key);
+            }
+        }
+        let sums = map_in_order(&keys, |key| self.sum_of_turns(*key, None));
+        self.sums_of_turns.extend(keys.into_iter().zip(sums));
+    }
+
+    /// The sum of the squared distances of rotations.
+    fn sum_of_turns(&self, (timing, turns): (Timing, Turns), agreement: Option<Agreement>) -> f64 {
+        let threshold = Threshold::known(agreement.and_then(|agreement| agreement.threshold));
+        let of_row = |row| self.comparison.turn_off_at(row, timing, &turns, &mut threshold.clone()).squared;
+        self.samples.rows.iter().map(of_row).sum()
+    }
+
     /// The root mean square over the rows of the distance from the rules.
     pub fn residual(&mut self, rules: &Rules, agreement: Option<Agreement>) -> f64 {
         let key = (rules.timing, rules.moves);
@@ -146,9 +172,7 @@ impl<'a> Judge<'a> {
         let key = (rules.timing, rules.turns);
         let known = self.sums_of_turns.iter().find(|(known, _)| *known == key).map(|(_, sum)| *sum);
         let turns = known.unwrap_or_else(|| {
-            let half_angle = agreement.and_then(|agreement| agreement.threshold).unwrap_or(USUAL_THRESHOLD);
-            let of_row = |row| self.comparison.turn_off_at(row, key.0, &key.1, &mut Threshold::at(half_angle)).squared;
-            let sum = self.samples.rows.iter().map(of_row).sum();
+            let sum = self.sum_of_turns(key, agreement);
             self.sums_of_turns.push((key, sum));
             sum
         });

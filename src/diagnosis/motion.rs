@@ -9,6 +9,8 @@ use super::rules::{AtZero, Blend, ControlPoints, CrossAngle, Divisor, Freezes, M
 const HALF_TURN: f64 = 1e-6;
 /// A rotation is the identity if the sine of half its angle is below this.
 const NO_TURN: f64 = 1e-7;
+/// A rotation whose sine is below this has no axis but rounding's.
+const NOTHING: f64 = 1e-12;
 /// Up to this sine of half its angle, rounding in single precision decides whether a rotation is the identity: its cosine is 1 − 2⁻²³.
 const PERHAPS_NO_TURN: f64 = 5e-4;
 /// Up to this, rounding in single precision decides whether a component of a turn is 0.
@@ -29,6 +31,11 @@ impl Threshold {
     /// A threshold, in radians of half the angle.
     pub const fn at(half_angle: f64) -> Self {
         Self { half_angle, next: f64::INFINITY }
+    }
+
+    /// A threshold that the samples show; otherwise the usual one, a dot product of 0.9995.
+    pub fn known(half_angle: Option<f64>) -> Self {
+        Self::at(half_angle.unwrap_or(0.031_62))
     }
 
     fn freezes(&mut self, turn: DQuat) -> bool {
@@ -120,7 +127,13 @@ impl Turning<'_> {
         let mut is_long = || if turn.w.abs() < HALF_TURN { self.choices.pick() } else { turn.w < 0.0 };
         match negation {
             Negation::Nothing => turn,
-            Negation::All => if is_long() { -turn } else { turn },
+            Negation::All => {
+                if is_long() {
+                    -turn
+                } else {
+                    turn
+                }
+            }
             Negation::OnlyW => DQuat { w: turn.w.abs(), ..turn },
         }
     }
@@ -141,7 +154,7 @@ impl Turning<'_> {
         if has_no_number || divides_by_zero {
             return NO_NUMBER;
         }
-        if sine == 0.0 {
+        if sine < NOTHING {
             return DQuat::IDENTITY;
         }
         let (new_sine, new_cosine) = (self.rules.angle_factor * exponent * sine.atan2(turn.w)).sin_cos();

@@ -167,8 +167,7 @@ const IN_ORDER: [usize; 4] = [0, 1, 2, 3];
 /// x, y, z, w instead of w, x, y, z.
 pub(super) const W_LAST: [usize; 4] = [1, 2, 3, 0];
 
-const CONTROL_POINTS: ControlPoints =
-    ControlPoints { share: 1.0 / 6.0, first: [2, 0], second: [3, 1], second_base: 2 };
+const CONTROL_POINTS: ControlPoints = ControlPoints { share: 1.0 / 6.0, first: [2, 0], second: [3, 1], second_base: 2 };
 
 /// Right linear playback.
 pub(super) const LINEAR: Rules = Rules {
@@ -201,7 +200,9 @@ pub(super) const INTEGER_TICK_PACE: f64 = 16.0 * 60.0 / 1000.0;
 impl Turns {
     /// Whether rounding decides in more than half turns: it does where a special case of exact numbers is met.
     pub fn rounding_decides(&self) -> bool {
-        self.when_equal != WhenEqual::Right || self.divides_by != Divisor::Length || matches!(self.blend, Blend::CrossProduct(_))
+        self.when_equal != WhenEqual::Right
+            || self.divides_by != Divisor::Length
+            || matches!(self.blend, Blend::CrossProduct(_))
     }
 }
 

@@ -57,7 +57,8 @@ fn playback_named(name: &str) -> Option<Interpolation> {
 
 /// The diagnosis against the sequence of keyframes that explains the samples best; the first of those that do equally well.
 fn nearest(rows: &SampleRows, sequences: &[(Sequence, u32)]) -> Result<Diagnosis, String> {
-    let diagnoses = sequences.iter().map(|(sequence, ms)| diagnose(sequence, &rows.samples(*ms), Listing::Explanations));
+    let diagnoses =
+        sequences.iter().map(|(sequence, ms)| diagnose(sequence, &rows.samples(*ms), Listing::Explanations));
     let nearer = |one: Diagnosis, other: Diagnosis| {
         let (is_explained, is_other_explained) = (one.is_explained(), other.is_explained());
         let is_nearer = other.best().residual < one.best().residual - EQUAL_RESIDUALS;

@@ -134,7 +134,8 @@ impl Marker<'_> {
             best.is_about_range().then_some((best, &show.file))
         });
         if let Some((best, file)) = wrong {
-            let what: Vec<&str> = best.mistakes.iter().filter(|mistake| mistake.is_about_range()).map(|m| m.what).collect();
+            let what: Vec<&str> =
+                best.mistakes.iter().filter(|mistake| mistake.is_about_range()).map(|m| m.what).collect();
             return Verdict::unmet(format!("{file}: {}. {}", best.name, what.join(" ")));
         }
         let Some(list) = self.list() else { return Verdict::unmet(UNREADABLE) };

@@ -82,11 +82,11 @@ pub const LINEAR_PAIRS: [&str; 14] = [
 pub const SPLINE_PAIRS: [&str; 18] = [
     "sixth-in-integers + last-sample-missing",
     "sixth-in-integers-in-rotations + last-sample-missing",
-    "sixth-in-integers-in-translations + no-conditional-negation-in-control-points",
+    "no-conditional-negation-in-control-points + sixth-in-integers-in-translations",
     "no-conditional-negation-in-control-points + last-sample-missing",
     "no-conditional-negation + no-conditional-negation-in-control-points",
     "nlerp-for-slerp + no-division-by-six",
-    "lerp-for-slerp + sixth-in-integers",
+    "lerp-for-slerp + second-control-point-on-wrong-keyframe",
     "second-control-point-on-wrong-keyframe + no-division-by-six",
     "second-control-point-on-wrong-keyframe + all-keyframes-played",
     "sixth-in-integers-in-rotations + second-control-point-on-wrong-keyframe-in-translations",
@@ -275,7 +275,8 @@ impl Student<'_> {
             return self.fit([0, 1, 2, 3].map(|c| weights[0] * from[c] + weights[1] * to[c]));
         }
         let turn = self.turn(self.over(to, from), !self.makes("no-conditional-negation"));
-        let is_still = turn[1].abs().max(turn[2].abs()).max(turn[3].abs()) < 1e-12 || (self.makes(SINGLE) && turn[0] >= 1.0);
+        let is_still =
+            turn[1].abs().max(turn[2].abs()).max(turn[3].abs()) < 1e-12 || (self.makes(SINGLE) && turn[0] >= 1.0);
         if self.makes("small-turns-frozen") && turn[0] > 0.9995 {
             return from;
         }
@@ -310,9 +311,8 @@ impl Student<'_> {
         let base_of_moves = if self.makes(&format!("{wrong}-in-translations")) { from } else { base };
         let short = !self.makes("no-conditional-negation-in-control-points");
         let ahead = if self.makes("tangent-from-wrong-neighbour") { from } else { to };
-        let tangent = |to: Quaternion, from: Quaternion, share| {
-            self.power(self.turn(self.over(to, from), short), share)
-        };
+        let tangent =
+            |to: Quaternion, from: Quaternion, share| self.power(self.turn(self.over(to, from), short), share);
         let d = (
             [0, 1, 2].map(|axis| from.0[axis] + of_moves * (ahead.0[axis] - before.0[axis])),
             self.times(tangent(ahead.1, before.1, of_turns), from.1),
@@ -330,7 +330,10 @@ impl Student<'_> {
                 let [linear, square, cube] = [c - a, 2.0 * a - 5.0 * b + 4.0 * c - d, 3.0 * b - a - 3.0 * c + d];
                 b + alpha / 2.0 * (linear + alpha * (square + alpha * cube))
             };
-            return (translation, [0, 1, 2, 3].map(|part| cubic([before, from, to, after].map(|corner| corner.1[part]))));
+            return (
+                translation,
+                [0, 1, 2, 3].map(|part| cubic([before, from, to, after].map(|corner| corner.1[part]))),
+            );
         }
         (translation, rotation)
     }

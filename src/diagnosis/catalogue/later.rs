@@ -35,10 +35,7 @@ pub(super) const ROWS: [Mistake; 11] = [
         looks: "Slow turns stand still and jump once at every keyframe; large turns are right.",
         line: "if (dot > 0.9995) return q0;",
         linear: &[|rules| rules.turns.freezes = Freezes::Blends],
-        spline: &[
-            |rules| rules.turns.freezes = Freezes::Blends,
-            |rules| rules.turns.freezes = Freezes::Powers,
-        ],
+        spline: &[|rules| rules.turns.freezes = Freezes::Blends, |rules| rules.turns.freezes = Freezes::Powers],
     },
     Mistake {
         name: "powers-for-slerp",
@@ -79,14 +76,8 @@ pub(super) const ROWS: [Mistake; 11] = [
         right: "sin(phi) = |v|",
         looks: "Limbs that turn about their y or z axis vanish, and all that hangs on them.",
         line: "s = q[1] / k[0];",
-        linear: &[
-            |rules| rules.turns.divides_by = Divisor::X,
-            |rules| rules.turns.divides_by = Divisor::EachComponent,
-        ],
-        spline: &[
-            |rules| rules.turns.divides_by = Divisor::X,
-            |rules| rules.turns.divides_by = Divisor::EachComponent,
-        ],
+        linear: &[|rules| rules.turns.divides_by = Divisor::X, |rules| rules.turns.divides_by = Divisor::EachComponent],
+        spline: &[|rules| rules.turns.divides_by = Divisor::X, |rules| rules.turns.divides_by = Divisor::EachComponent],
     },
     Mistake {
         name: "second-control-point-on-wrong-keyframe-in-translations",
