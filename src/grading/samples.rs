@@ -62,7 +62,11 @@ fn nearest(rows: &SampleRows, sequences: &[(Sequence, u32)]) -> Result<Diagnosis
     let nearer = |one: Diagnosis, other: Diagnosis| {
         let (is_explained, is_other_explained) = (one.is_explained(), other.is_explained());
         let is_nearer = other.best().residual < one.best().residual - EQUAL_RESIDUALS;
-        if is_other_explained > is_explained || (is_other_explained == is_explained && is_nearer) { other } else { one }
+        if (is_other_explained && !is_explained) || (is_other_explained == is_explained && is_nearer) {
+            other
+        } else {
+            one
+        }
     };
     diagnoses.reduce(nearer).ok_or_else(|| "there are no keyframes to compare with".to_owned())
 }

@@ -29,13 +29,11 @@ const LAST_MS: f64 = 1000.0;
 /// [`CliError`]: the ending is not that of a film that is written without another program.
 pub fn format_of(path: &Path) -> Result<FilmFormat, CliError> {
     let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_ascii_lowercase();
-    match format_of_ending(&ending).map(|format| &format.encoder) {
-        Some(Encoder::Film(format)) => Ok(*format),
-        _ => {
-            let [_, own, _] = written_endings();
-            Err(CliError::bad_input(path.display(), format!("the name of this film ends in one of .{}", own.join(", ."))))
-        }
+    if let Some(Encoder::Film(format)) = format_of_ending(&ending).map(|format| &format.encoder) {
+        return Ok(*format);
     }
+    let [_, own, _] = written_endings();
+    Err(CliError::bad_input(path.display(), format!("the name of this film ends in one of .{}", own.join(", ."))))
 }
 
 /// Writes the film: on the left right playback, on the right the rows, under a name.
