@@ -20,6 +20,8 @@ use crate::scene::SceneGraph;
 const SIZE: Size = Size { width: 320, height: 240 };
 /// The most frames; more moments are thinned evenly.
 const MOST_FRAMES: usize = 240;
+/// The most letters that fit under a picture.
+const LONGEST_NAME: usize = 26;
 /// How long the last frame is shown, in milliseconds.
 const LAST_MS: f64 = 1000.0;
 
@@ -36,7 +38,7 @@ pub fn format_of(path: &Path) -> Result<FilmFormat, CliError> {
     Err(CliError::bad_input(path.display(), format!("the name of this film ends in one of .{}", own.join(", ."))))
 }
 
-/// Writes the film: on the left right playback, on the right the rows, under a name.
+/// Writes the film: on the left right playback, on the right the rows, under a name if it fits there.
 ///
 /// # Errors
 /// [`CliError`]: the keyframes cannot be played, the GPU fails, the film cannot be written.
@@ -68,10 +70,11 @@ pub fn write(
             let [w, x, y, z] = row.rotation_wxyz.map(|part| part as f32);
             shown.set(row.node, Rbt { translation: row.translation.as_vec3(), rotation: Quat::from_xyzw(x, y, z, w) });
         }
+        let caption = if name.len() > LONGEST_NAME { "as shown" } else { name };
         let cell = |picture, caption: &str| Cell { picture, caption: vec![caption.to_owned()] };
         let cells = [
             cell(painter.loose_pose(scene, &right, &right)?, "right"),
-            cell(painter.loose_pose(scene, &shown, &right)?, name),
+            cell(painter.loose_pose(scene, &shown, &right)?, caption),
         ];
         images.push(contact_sheet(Grid { columns: 2, rows: 1 }, &cells));
     }
