@@ -28,7 +28,7 @@ pub use sequence::{Sequence, TooFewKeyframes};
 
 use catalogue::{Form, forms, is_old};
 use compare::Comparison;
-use judge::Judge;
+use judge::{Agreement, Judge};
 use rules::Rules;
 
 use crate::interpolation::Interpolation;
@@ -71,10 +71,12 @@ pub struct Candidate {
     place: Place,
 }
 
-/// The place among answers that explain equally well: one mistake before two, known long before known later.
+/// The place among answers that explain equally well: one mistake before two, whatever rounding decides before what needs it, known long
+/// before known later.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Place {
     mistakes: usize,
+    needs_rounding: bool,
     later_ones: usize,
     ranks: [usize; 2],
 }
@@ -98,7 +100,7 @@ impl Candidate {
         self.mistakes.iter().all(|mistake| mistake.is_right())
     }
 
-    fn new(forms: &[Form], rules: Rules, threshold: Option<f64>) -> Self {
+    fn new(forms: &[Form], rules: Rules, agreement: Option<Agreement>) -> Self {
         let entries = || forms.iter().map(|form| form.entry);
         let names: Vec<&str> = entries().map(|entry| entry.mistake.name).collect();
         let mut ranks = [0; 2];
@@ -110,10 +112,13 @@ impl Candidate {
             residual: 0.0,
             explains: true,
             mistakes: entries().map(|entry| entry.mistake).collect(),
-            frozen_below_degrees: threshold.map(|half_angle| 2.0 * half_angle.to_degrees()),
+            frozen_below_degrees: agreement
+                .and_then(|agreement| agreement.threshold)
+                .map(|half_angle| 2.0 * half_angle.to_degrees()),
             rules,
             place: Place {
                 mistakes: forms.len(),
+                needs_rounding: agreement.is_some_and(|agreement| !agreement.is_exact),
                 later_ones: entries().filter(|entry| !is_old(entry.rank)).count(),
                 ranks,
             },
@@ -176,12 +181,6 @@ impl Diagnosis {
         self.best().explains
     }
 
-    /// Whether the samples show the right result, in one interpolation or the other.
-    #[must_use]
-    pub fn is_correct(&self) -> bool {
-        self.is_explained() && self.best().is_right()
-    }
-
     /// Those of [`Self::also`] that can be told from the best by more samples of the same keyframes, then those that cannot.
     #[must_use]
     pub fn also_by_cause(&self, sequence: &Sequence, samples: &Samples) -> [Vec<&Candidate>; 2] {
@@ -240,20 +239,27 @@ pub fn played(sequence: &Sequence, name: &str, interpolation: Interpolation) -> 
     Some((interpolation, rows))
 }
 
-/// Right playback and the mistakes that explain the samples alone, in the catalogue's order.
+/// Right playback and the mistakes that explain the samples alone, in the order of answers.
 fn singles(judge: &mut Judge, forms: &[Form]) -> Vec<Candidate> {
     let mut found: Vec<Candidate> = Vec::new();
     for form in forms {
-        if found.last().is_some_and(|last| last.mistakes[0] == form.entry.mistake) {
-            continue;
-        }
         let rules = form.rules();
         if let Some(agreement) = judge.agreement(&rules) {
             let residual = judge.residual(&rules, Some(agreement));
-            found.push(Candidate { residual, ..Candidate::new(&[*form], rules, agreement.threshold) });
+            keep(&mut found, Candidate { residual, ..Candidate::new(&[*form], rules, Some(agreement)) });
         }
     }
+    found.sort_by_key(|candidate| candidate.place);
     found
+}
+
+/// Adds a candidate. Of those of one name, the one with the better place stays.
+fn keep(found: &mut Vec<Candidate>, candidate: Candidate) {
+    match found.iter_mut().find(|known| known.name == candidate.name) {
+        Some(known) if candidate.place < known.place => *known = candidate,
+        Some(_) => {}
+        None => found.push(candidate),
+    }
 }
 
 /// The pairs of mistakes that explain the samples together, in the order of answers.
@@ -266,10 +272,8 @@ fn pairs(judge: &mut Judge, forms: &[Form]) -> Vec<Candidate> {
             let Some(agreement) = judge.agreement(&rules) else { continue };
             let is_end = one.entry.mistake.name == LAST_SAMPLE_MISSING;
             let both = if is_end { [*other, *one] } else { [*one, *other] };
-            let candidate = Candidate::new(&both, rules, agreement.threshold);
-            if found.iter().all(|known| known.name != candidate.name) {
-                found.push(Candidate { residual: judge.residual(&rules, Some(agreement)), ..candidate });
-            }
+            let residual = judge.residual(&rules, Some(agreement));
+            keep(&mut found, Candidate { residual, ..Candidate::new(&both, rules, Some(agreement)) });
         }
     }
     found.sort_by_key(|candidate| candidate.place);

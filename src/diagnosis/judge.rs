@@ -18,6 +18,8 @@ const LARGEST_SMALL_TURN: f64 = 0.35;
 pub(super) struct Agreement {
     /// Half the angle in radians below which turns are left out, if any are.
     pub threshold: Option<f64>,
+    /// Whether every row agrees without rounding deciding about special cases.
+    pub is_exact: bool,
 }
 
 /// The samples, with what was found out about them.
@@ -96,14 +98,17 @@ impl<'a> Judge<'a> {
     fn turns_agree(&self, timing: Timing, turns: &Turns) -> Option<Agreement> {
         let mut rows = self.orders[1].iter().map(|index| &self.samples.rows[*index]);
         if turns.freezes == Freezes::Nowhere {
-            return rows
-                .all(|row| self.comparison.turn_off(row, timing, turns).agrees)
-                .then_some(Agreement { threshold: None });
+            let agree = |comparison: Comparison| rows.clone().all(|row| comparison.turn_off(row, timing, turns).agrees);
+            return agree(self.comparison).then(|| {
+                let is_lenient = self.comparison.is_lenient && turns.rounding_decides();
+                let is_exact = !is_lenient || agree(Comparison { is_lenient: false, ..self.comparison });
+                Agreement { threshold: None, is_exact }
+            });
         }
         if self.right_agrees {
             // Any threshold is possible that no turn is below: the usual one tells.
             let agrees = rows.all(|row| self.comparison.turn_off(row, timing, turns).agrees);
-            return agrees.then_some(Agreement { threshold: None });
+            return agrees.then_some(Agreement { threshold: None, is_exact: true });
         }
         // The thresholds with which every row so far agrees, as spans: above the first number, up to the second.
         let mut feasible = vec![(0.0, LARGEST_SMALL_TURN)];
@@ -116,7 +121,7 @@ impl<'a> Judge<'a> {
             feasible = feasible.iter().copied().flat_map(both).collect();
         }
         let (low, high) = *feasible.first()?;
-        Some(Agreement { threshold: Some(f64::midpoint(low, high)) })
+        Some(Agreement { threshold: Some(f64::midpoint(low, high)), is_exact: true })
     }
 
     /// The thresholds above `lowest` with which a row agrees.

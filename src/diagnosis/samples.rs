@@ -1,7 +1,13 @@
 //! Samples of a student program's playback, as CSV.
 
+mod decimals;
+
 use glam::DVec3;
 use thiserror::Error;
+
+pub use decimals::Tolerances;
+
+use decimals::Decimals;
 
 use super::rules::INTEGER_TICK_PACE;
 use super::sequence::WHOLE;
@@ -36,48 +42,6 @@ pub struct Samples {
     pub rows: Vec<Row>,
     /// How far their numbers may be off.
     pub tolerances: Tolerances,
-}
-
-/// How far each number of a sample may be off and still agree: half a unit of the decimals that its column shows, or what single
-/// precision leaves, whichever is larger.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Tolerances {
-    /// Of x, y and z of a translation, in scene units; at least 1e-4.
-    pub translation: [f64; 3],
-    /// Of w, x, y and z of a rotation; at least 2e-4.
-    pub rotation: [f64; 4],
-}
-
-impl Tolerances {
-    const LEAST_OF_TRANSLATION: f64 = 1e-4;
-    const LEAST_OF_ROTATION: f64 = 2e-4;
-
-    /// By the decimals of the columns, of translation and of rotation.
-    fn new(translation: [usize; 3], rotation: [usize; 4]) -> Self {
-        // A column without decimals may hold nothing but zeros, whose decimals were left out: the others of its kind tell how many.
-        let most = |decimals: &[usize]| decimals.iter().copied().max().unwrap_or_default();
-        let of = |decimals: usize, most: usize, least: f64| {
-            // A fiftieth more, for what is rounded was computed in single precision.
-            (1.02 * half_unit(if decimals == 0 { most } else { decimals })).max(least)
-        };
-        Self {
-            translation: translation.map(|decimals| of(decimals, most(&translation), Self::LEAST_OF_TRANSLATION)),
-            rotation: rotation.map(|decimals| of(decimals, most(&rotation), Self::LEAST_OF_ROTATION)),
-        }
-    }
-}
-
-/// Half a unit of the last of so many decimals.
-fn half_unit(decimals: usize) -> f64 {
-    0.5 * 0.1_f64.powi(decimals.min(300) as i32)
-}
-
-/// How many decimals a number shows: `1.50` shows 2, `1.5e-3` shows 4.
-fn decimals(field: &str) -> usize {
-    let (number, exponent) = field.split_once(['e', 'E']).unwrap_or((field, "0"));
-    let shown = number.split_once('.').map_or(0, |(_, fraction)| fraction.len());
-    let exponent = exponent.parse::<i64>().unwrap_or_default().clamp(-1000, 1000);
-    usize::try_from(shown as i64 - exponent).unwrap_or_default()
 }
 
 impl Samples {
@@ -213,13 +177,8 @@ impl SampleRows {
         if rows.is_empty() {
             return Err(SamplesError::NoRows);
         }
-        if !is_regular(&rows) {
-            for row in &mut rows {
-                row.key_time_error = key_time_error(shown.of_key_times[whole_digits(row.key_time)]);
-            }
-        }
-        let [x, y, z, rotation @ ..] = shown.of_numbers;
-        Ok(Self { rows, times_ms, tolerances: Tolerances::new([x, y, z], rotation) })
+        shown.mark_key_times(&mut rows);
+        Ok(Self { rows, times_ms, tolerances: shown.tolerances() })
     }
 
     /// The samples of keyframes that are `ms_between_keyframes` milliseconds apart. It shows whether key times were counted by a clock of
@@ -230,38 +189,6 @@ impl SampleRows {
         correct_key_times(&mut rows, &self.times_ms, f64::from(ms_between_keyframes));
         Samples { rows, tolerances: self.tolerances }
     }
-}
-
-/// How far a key time of so many decimals may be off. With fewer than three, it is taken as it stands: almost any motion would agree.
-fn key_time_error(decimals: usize) -> f64 {
-    if decimals < 3 { 0.0 } else { half_unit(decimals) }
-}
-
-/// Whether key times go in equal steps, but perhaps for the last: then they are as exact as they are printed.
-fn is_regular(rows: &[Row]) -> bool {
-    let mut key_times: Vec<f64> = rows.iter().map(|row| row.key_time).collect();
-    key_times.sort_by(f64::total_cmp);
-    key_times.dedup();
-    let [first, second, .., _] = key_times[..] else { return true };
-    let steps = key_times[..key_times.len() - 1].windows(2).map(|pair| pair[1] - pair[0]);
-    steps.into_iter().all(|step| (step - (second - first)).abs() < 1e-9)
-}
-
-/// The most decimals that were seen.
-#[derive(Default)]
-struct Decimals {
-    /// Of each number of translation and rotation.
-    of_numbers: [usize; 7],
-    /// Of key times by the digits before the point: programs that print a number of significant digits leave the fewer decimals, the more
-    /// digits come before.
-    of_key_times: [usize; MOST_WHOLE_DIGITS + 1],
-}
-
-const MOST_WHOLE_DIGITS: usize = 8;
-
-/// The digits before the point, 1 to [`MOST_WHOLE_DIGITS`].
-fn whole_digits(number: f64) -> usize {
-    (1..MOST_WHOLE_DIGITS).find(|digits| number < 10_f64.powi(*digits as i32)).unwrap_or(MOST_WHOLE_DIGITS)
 }
 
 /// If the key times are slower than the milliseconds by the factor 16/(1000/60), corrects them.
@@ -327,7 +254,6 @@ impl Header {
         let mut values = [0.0; 7];
         for (at, value) in values.iter_mut().enumerate() {
             *value = number(self.columns[at + 2], COLUMNS[at + 2])?;
-            shown.of_numbers[at] = shown.of_numbers[at].max(decimals(found[self.columns[at + 2]]));
         }
         let [x, y, z, rotation_wxyz @ ..] = values;
         let node = found[self.columns[1]];
@@ -338,8 +264,8 @@ impl Header {
         })?;
         let ms = self.ms.map(|index| time(index, MS)).transpose()?;
         let key_time = time(self.columns[0], COLUMNS[0])?;
-        let of_key_times = &mut shown.of_key_times[whole_digits(key_time)];
-        *of_key_times = (*of_key_times).max(decimals(found[self.columns[0]]));
+        let numbers = std::array::from_fn(|at| found[self.columns[at + 2]]);
+        shown.see((found[self.columns[0]], key_time), numbers);
         let (node, translation) = (RbtIndex::new(node), DVec3::new(x, y, z));
         Ok((Row { key_time, key_time_error: 0.0, node, translation, rotation_wxyz }, ms))
     }
