@@ -116,15 +116,17 @@ mod tests {
 
     fn tolerances(rows: &[[&str; 7]]) -> Tolerances {
         let mut seen = Decimals::default();
-        rows.iter().for_each(|row| seen.see(("0.1", 0.1), *row));
+        for row in rows {
+            seen.see(("0.1", 0.1), *row);
+        }
         seen.tolerances()
     }
 
     #[test]
     fn each_column_has_its_own_and_zeros_that_were_left_out_do_not_count() {
         let fixed = tolerances(&[["1.00", "0.500", "1.000000", "1.000", "nan", "0.000", "0.000"]; 2]);
-        assert_eq!(fixed.translation, [1.02 * 5e-3, 1.02 * 5e-4, 1e-4]);
-        assert_eq!(fixed.rotation, [1.02 * 5e-4; 4]);
+        assert_eq!(fixed.translation, [1.02 * half_unit(2), 1.02 * half_unit(3), 1e-4]);
+        assert_eq!(fixed.rotation, [1.02 * half_unit(3); 4]);
         let stripped =
             tolerances(&[["1", "0.5", "0.25", "1", "0", "0", "0"], ["1", "0.5", "0.333333", "1", "0", "0", "0"]]);
         assert_eq!(stripped.translation, [1e-4; 3]);
