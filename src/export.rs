@@ -7,6 +7,7 @@
 mod error;
 mod ffmpeg;
 mod job;
+mod loose;
 mod moments;
 mod painter;
 mod pipeline;

@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use inbetween::cli::command_reference;
+use inbetween::diagnosis::markdown as mistakes;
 use inbetween::editor::keymap;
 use inbetween::manual::{self, Block, Link, Page};
 use inbetween::scene::{DEFAULT_SCENE, built_in_scene, scene_from_json};
@@ -40,6 +41,7 @@ fn check_block(page: &str, name: &str, made: &str) {
 fn tables_are_made_from_the_program() {
     check_block("hotkeys.md", "keys", &keymap::markdown());
     check_block("scripts.md", "lines", &script_lines());
+    check_block("mistakes.md", "mistakes", &mistakes());
     // Blank lines end the comments, so that Markdown begins anew.
     check_block("command-line.md", "commands", &format!("\n{}\n", command_reference()));
 }

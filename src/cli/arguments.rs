@@ -8,6 +8,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, ValueEnum};
 
 use crate::colour::Colour;
+use crate::diagnosis;
 use crate::export::{Size, Span};
 use crate::film::{Format, Grid, MOST_FRAMES_PER_SECOND, format_of_ending, stills};
 use crate::flip::DEFAULT_TOLERANCE;
@@ -105,18 +106,20 @@ Sources, object files, videos, pictures, documents, hidden files and links out o
 that waits for an hour, reads 64 MiB and writes 32 MiB. What is wrong with a submission is in its marks.";
 
 fn diagnose_help() -> String {
-    let mut names = crate::diagnosis::names();
+    let mut names = diagnosis::names();
     let mut next = || names.next().unwrap_or_default();
     let (linear, catmull_rom) = (next(), next());
     let mistakes: Vec<&str> = names.collect();
     format!(
         "\
 Name the mistake that explains what a program showed, from samples of its playback. The samples are CSV with the header \
-key_time,rbt_ind,tx,ty,tz,rw,rx,ry,rz and perhaps a column ms: a row for each node at each key time; nan, -nan(ind) and 1.#QNAN \
-are read as samples.
+key_time,rbt_ind,tx,ty,tz,rw,rx,ry,rz and perhaps a column ms, parted by commas, semicolons or tabs: a row for each node at each \
+key time; nan, -nan(ind) and 1.#QNAN are read as samples.
 
-They are compared with the right result, linear and Catmull-Rom, and with what each known mistake would show. The residual is the \
-root mean square over the rows of the distance of translations and of quaternions as printed. Residuals within 1e-9 are equal.
+They are compared with the right result, linear and Catmull-Rom, with what each known mistake would show, and with pairs of mistakes. \
+A name is given only if every row agrees, to the printed decimals or 0.0001 units and 0.0002 in a component of a quaternion, and the \
+right result does not. The residual is the root mean square over the rows of the distance of translations and of quaternions as \
+printed.
 
 The names: {linear} (linear), {catmull_rom}; {}.",
         mistakes.join(", ")
@@ -384,9 +387,15 @@ pub struct DiagnoseArguments {
     /// The keyframes that the program played, of at most 1 GiB.
     pub keyframes: PathBuf,
     /// The samples that it showed, as CSV of at most 64 MiB.
-    #[arg(value_name = "SAMPLES.csv")]
-    pub samples: PathBuf,
-    /// Print JSON: best, also, residual, candidates.
+    #[arg(value_name = "SAMPLES.csv", required_unless_present = "mistake")]
+    pub samples: Option<PathBuf>,
+    /// Draw a film: right playback beside what the samples show.
+    #[arg(long, value_name = "OUT.gif|OUT.apng|OUT.y4m")]
+    pub film: Option<PathBuf>,
+    /// Instead of samples, let this program make the mistake, for the film.
+    #[arg(long, value_name = "NAME", conflicts_with_all = ["samples", "json"], requires = "film", value_parser = known_mistake())]
+    pub mistake: Option<&'static str>,
+    /// Print JSON: best, explained, also, residual, candidates.
     #[arg(long)]
     pub json: bool,
 }
@@ -507,6 +516,11 @@ fn interpolation() -> impl TypedValueParser<Value = Interpolation> {
 fn still_format() -> impl TypedValueParser<Value = &'static Format> {
     PossibleValuesParser::new(stills().map(|format| format.ending))
         .try_map(|ending| format_of_ending(&ending).ok_or("unknown format"))
+}
+
+fn known_mistake() -> impl TypedValueParser<Value = &'static str> {
+    PossibleValuesParser::new(diagnosis::names())
+        .try_map(|name| diagnosis::names().find(|known| *known == name).ok_or("unknown mistake"))
 }
 
 fn layout() -> impl TypedValueParser<Value = Layout> {

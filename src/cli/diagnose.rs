@@ -1,14 +1,20 @@
 //! `inbetween diagnose`: names the known mistake that explains a student's samples.
 
+mod film;
+
 use std::fmt::Write as _;
 use std::path::Path;
 
 use super::arguments::DiagnoseArguments;
 use super::places::Places;
 use super::{CliError, output, scene};
-use crate::diagnosis::{self, Candidate, Diagnosis, LARGEST_SAMPLES_BYTES, Sequence, samples_from_csv};
+use crate::diagnosis::{
+    self, Candidate, Diagnosis, LARGEST_SAMPLES_BYTES, Listing, Row, Samples, Sequence, samples_from_csv,
+};
+use crate::export::Animation;
 use crate::files::{self, FileError};
-use crate::keyframe::{DEFAULT_MS_BETWEEN_KEYFRAMES, LARGEST_FILE_BYTES};
+use crate::interpolation::Interpolation;
+use crate::keyframe::LARGEST_FILE_BYTES;
 use crate::storage::input_name;
 use crate::text::counted;
 use crate::text_layouts::read_keyframes;
@@ -16,26 +22,41 @@ use crate::text_layouts::read_keyframes;
 /// The number of runners-up in the text output.
 const RUNNERS_UP: usize = 3;
 
-/// Prints the diagnosis, as sentences or as JSON.
+/// Prints the diagnosis, as sentences or as JSON, and draws the film that is asked for.
 ///
 /// # Errors
-/// [`CliError`]: the keyframes or the samples are bad.
+/// [`CliError`]: the keyframes or the samples are bad, the film cannot be drawn or written.
 pub fn run(arguments: &DiagnoseArguments, scene: Option<&Path>) -> Result<(), CliError> {
-    let (keyframes, samples) = (&arguments.keyframes, &arguments.samples);
-    Places::with_scene(scene).reads("KEYFRAMES", keyframes).reads("SAMPLES.csv", samples).check()?;
+    let keyframes = arguments.keyframes.as_path();
+    let places = Places::with_scene(scene).reads("KEYFRAMES", keyframes);
+    let places = arguments.samples.iter().fold(places, |places, samples| places.reads("SAMPLES.csv", samples));
+    arguments.film.iter().fold(places, |places, film| places.writes("--film", film)).check()?;
+    let film = arguments.film.as_deref().map(|path| Ok::<_, CliError>((path, film::format_of(path)?))).transpose()?;
     let scene = &scene::load(scene)?;
     let keyframe_bytes = files::read(keyframes, LARGEST_FILE_BYTES)?;
-    let sample_bytes = files::read(samples, LARGEST_SAMPLES_BYTES)?;
     let file = read_keyframes(&keyframe_bytes, scene)
         .map_err(|problems| FileError::all(input_name(keyframes), problems))?
         .file;
     let sequence = Sequence::new(&file.keyframes).map_err(|error| FileError::new(input_name(keyframes), error))?;
-    let ms_between_keyframes = file.ms_between_keyframes.unwrap_or(DEFAULT_MS_BETWEEN_KEYFRAMES);
+    let (list, in_file, ms_between_keyframes) = file.into_parts();
+    let draw = |interpolation: Interpolation, rows: &[Row], name: &str| {
+        let Some(film) = film else { return Ok(()) };
+        let animation = Animation { keyframes: list.clone(), interpolation, ms_between_keyframes };
+        film::write(film, scene, (keyframes, &animation), rows, name)
+    };
+    let Some(samples) = &arguments.samples else {
+        let name = arguments.mistake.unwrap_or_default();
+        let Some((interpolation, rows)) = diagnosis::played(&sequence, name, in_file) else { return Ok(()) };
+        return draw(interpolation, &rows, name);
+    };
+    let sample_bytes = files::read(samples, LARGEST_SAMPLES_BYTES)?;
     let located = |error| FileError::new(input_name(samples), error);
     let samples = samples_from_csv(&sample_bytes, scene.rbt_count(), ms_between_keyframes).map_err(located)?;
-    let diagnosis = diagnosis::diagnose(&sequence, &samples);
-    let text = if arguments.json { to_json(&diagnosis) } else { sentences(&diagnosis) };
-    output::say(&text)
+    let diagnosis = diagnosis::diagnose(&sequence, &samples, Listing::All);
+    let text = if arguments.json { to_json(&diagnosis) } else { sentences(&diagnosis, &sequence, &samples) };
+    output::say(&text)?;
+    let name = if diagnosis.is_explained() { &diagnosis.best().name } else { "none of the known mistakes" };
+    draw(diagnosis.best().interpolation(), &samples.rows, name)
 }
 
 /// The diagnosis as one line of JSON.
@@ -48,8 +69,9 @@ fn to_json(diagnosis: &Diagnosis) -> String {
     let also: Vec<_> = diagnosis.also().iter().map(|candidate| format!("\"{}\"", candidate.name)).collect();
     let best = diagnosis.best();
     format!(
-        "{{\"best\": \"{}\", \"also\": [{}], \"residual\": {:?}, \"candidates\": [{}]}}\n",
+        "{{\"best\": \"{}\", \"explained\": {}, \"also\": [{}], \"residual\": {:?}, \"candidates\": [{}]}}\n",
         best.name,
+        diagnosis.is_explained(),
         also.join(", "),
         best.residual,
         candidates.join(", ")
@@ -57,27 +79,46 @@ fn to_json(diagnosis: &Diagnosis) -> String {
 }
 
 /// The diagnosis as text: explanation, advice and runners-up.
-fn sentences(diagnosis: &Diagnosis) -> String {
+fn sentences(diagnosis: &Diagnosis, sequence: &Sequence, samples: &Samples) -> String {
     let best = diagnosis.best();
     let rows = counted(diagnosis.rows, "row");
-    let mut text = if diagnosis.is_explained() {
-        format!("{} explains the samples, with a residual of {:.2e} over {rows}.\n", best.name, best.residual)
-    } else {
-        format!(
-            "No known mistake explains the samples; {} is nearest, with a residual of {:.2e} over {rows}.\n",
-            best.name, best.residual
-        )
-    };
+    let mut text = String::new();
     if diagnosis.is_explained() {
-        let advice = best.advice();
-        let _ = writeln!(text, "{}", advice.what);
-        if !advice.change.is_empty() {
-            let _ = writeln!(text, "What to change: {}", advice.change);
+        let explains = if best.mistakes.len() == 1 { "explains" } else { "explain" };
+        let _ = writeln!(
+            text,
+            "{} {explains} the samples, with a residual of {:.2e} over {rows}.",
+            best.name, best.residual
+        );
+        for mistake in &best.mistakes {
+            let _ = writeln!(text, "{}", mistake.what);
+            if !mistake.change.is_empty() {
+                let _ = writeln!(text, "What to change: {}", mistake.change);
+            }
         }
+        if let Some(degrees) = best.frozen_below_degrees {
+            let _ = writeln!(text, "Here turns of less than about {degrees:.2} degrees are left out.");
+        }
+    } else {
+        let _ = writeln!(
+            text,
+            "None of the known mistakes explains the samples. {} is nearest, with a residual of {:.2e} over {rows}.",
+            best.name, best.residual
+        );
     }
-    let names = |candidates: &[Candidate]| candidates.iter().map(|c| c.name).collect::<Vec<_>>().join(", ");
-    if !diagnosis.also().is_empty() {
-        let _ = writeln!(text, "These keyframes cannot tell it from: {}.", names(diagnosis.also()));
+    if let Some(early) = diagnosis.ends_before {
+        let end = sequence.last_key_time();
+        let _ = writeln!(text, "The samples end {} before the end, at key time {}.", short(early), short(end - early));
+    }
+    let names = |candidates: &[&Candidate]| candidates.iter().map(|c| c.name.as_str()).collect::<Vec<_>>().join(", ");
+    if diagnosis.is_explained() {
+        let [too_few, same] = diagnosis.also_by_cause(sequence, samples);
+        if !too_few.is_empty() {
+            let _ = writeln!(text, "The samples are too few to tell it from: {}.", names(&too_few));
+        }
+        if !same.is_empty() {
+            let _ = writeln!(text, "These keyframes cannot tell it from: {}.", names(&same));
+        }
     }
     let runners_up: Vec<String> = diagnosis
         .runners_up()
@@ -89,4 +130,10 @@ fn sentences(diagnosis: &Diagnosis) -> String {
         let _ = writeln!(text, "Runners-up: {}.", runners_up.join(", "));
     }
     text
+}
+
+/// A key time with at most six decimals.
+fn short(key_time: f64) -> String {
+    let text = format!("{key_time:.6}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }

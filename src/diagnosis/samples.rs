@@ -1,10 +1,16 @@
 //! Samples of a student program's playback, as CSV.
 
+mod decimals;
+
 use glam::DVec3;
 use thiserror::Error;
 
-use super::model::INTEGER_TICK_PACE;
-use super::play::WHOLE;
+pub use decimals::Tolerances;
+
+use decimals::Decimals;
+
+use super::rules::INTEGER_TICK_PACE;
+use super::sequence::WHOLE;
 use crate::pose::RbtIndex;
 use crate::text::str_without_byte_order_mark;
 
@@ -19,6 +25,8 @@ const MS: &str = "ms";
 pub struct Row {
     /// The key time at which it should have been shown, at least 0.
     pub key_time: f64,
+    /// How far the key time may be off, for it was printed with so many decimals: half a unit of the last.
+    pub key_time_error: f64,
     /// The node's index in poses.
     pub node: RbtIndex,
     /// Its translation in its parent's space, in scene units; may be NaN.
@@ -32,10 +40,8 @@ pub struct Row {
 pub struct Samples {
     /// The rows in file order.
     pub rows: Vec<Row>,
-    /// Whether they carry milliseconds.
-    pub has_ms: bool,
-    /// Whether any number in them is not finite.
-    pub has_no_number: bool,
+    /// How far their numbers may be off.
+    pub tolerances: Tolerances,
 }
 
 impl Samples {
@@ -94,7 +100,7 @@ pub enum SamplesError {
         expected: usize,
     },
     /// A field is not a number.
-    #[error("line {line}, column {column}: {found:?} is not a number")]
+    #[error("line {line}, column {column}: {found:?} is not a number{}", hint(found))]
     Number {
         /// The line, from 1.
         line: usize,
@@ -125,6 +131,11 @@ pub enum SamplesError {
     },
 }
 
+/// What may help with a field that is not a number.
+fn hint(found: &str) -> &'static str {
+    if found.contains(',') { ": write decimals with a point, not with a comma" } else { "" }
+}
+
 /// Reads samples of keyframes that are `ms_between_keyframes` milliseconds apart: [`SampleRows::from_csv`] and [`SampleRows::samples`].
 ///
 /// # Errors
@@ -139,11 +150,11 @@ pub struct SampleRows {
     rows: Vec<Row>,
     /// The column `ms`; empty without it.
     times_ms: Vec<f64>,
-    has_ms: bool,
+    tolerances: Tolerances,
 }
 
 impl SampleRows {
-    /// Reads samples for a scene of `nodes` RBT nodes. Columns may come in any order; `nan`, `-nan(ind)`, `1.#QNAN` and their like are read
+    /// Reads samples for a scene of `nodes` RBT nodes. Fields are parted by commas, semicolons or tabs, whichever the header has. Columns may come in any order; `nan`, `-nan(ind)`, `1.#QNAN` and their like are read
     /// as NaN. A byte order mark, either line ending and blank lines are skipped.
     ///
     /// # Errors
@@ -157,15 +168,17 @@ impl SampleRows {
         let header = Header::read(line, header)?;
         let mut rows = Vec::new();
         let mut times_ms = Vec::new();
+        let mut shown = Decimals::default();
         for (line, text) in lines {
-            let (row, ms) = header.row(line, text, nodes)?;
+            let (row, ms) = header.row(line, text, nodes, &mut shown)?;
             rows.push(row);
             times_ms.extend(ms);
         }
         if rows.is_empty() {
             return Err(SamplesError::NoRows);
         }
-        Ok(Self { rows, times_ms, has_ms: header.ms.is_some() })
+        shown.mark_key_times(&mut rows);
+        Ok(Self { rows, times_ms, tolerances: shown.tolerances() })
     }
 
     /// The samples of keyframes that are `ms_between_keyframes` milliseconds apart. It shows whether key times were counted by a clock of
@@ -174,9 +187,7 @@ impl SampleRows {
     pub fn samples(&self, ms_between_keyframes: u32) -> Samples {
         let mut rows = self.rows.clone();
         correct_key_times(&mut rows, &self.times_ms, f64::from(ms_between_keyframes));
-        let is_number =
-            |row: &Row| row.translation.is_finite() && row.rotation_wxyz.iter().all(|number| number.is_finite());
-        Samples { has_ms: self.has_ms, has_no_number: !rows.iter().all(is_number), rows }
+        Samples { rows, tolerances: self.tolerances }
     }
 }
 
@@ -197,15 +208,17 @@ struct Header {
     columns: [usize; COLUMNS.len()],
     ms: Option<usize>,
     fields: usize,
+    separator: char,
 }
 
-fn fields(line: &str) -> impl Iterator<Item = &str> {
-    line.strip_suffix(',').unwrap_or(line).split(',').map(|field| field.trim().trim_matches('"'))
+fn fields(line: &str, separator: char) -> impl Iterator<Item = &str> {
+    line.strip_suffix(separator).unwrap_or(line).split(separator).map(|field| field.trim().trim_matches('"'))
 }
 
 impl Header {
     fn read(line: usize, text: &str) -> Result<Self, SamplesError> {
-        let names: Vec<String> = fields(text).map(str::to_ascii_lowercase).collect();
+        let separator = [';', '\t'].into_iter().find(|separator| text.contains(*separator)).unwrap_or(',');
+        let names: Vec<String> = fields(text, separator).map(str::to_ascii_lowercase).collect();
         let find = |column: &str| names.iter().position(|name| name == column);
         let mut columns = [0; COLUMNS.len()];
         for (index, column) in columns.iter_mut().zip(COLUMNS) {
@@ -216,11 +229,17 @@ impl Header {
         if let Some(index) = extra {
             return Err(SamplesError::ExtraColumn { line, column: names[index].clone() });
         }
-        Ok(Self { columns, ms, fields: names.len() })
+        Ok(Self { columns, ms, fields: names.len(), separator })
     }
 
-    fn row(&self, line: usize, text: &str, nodes: usize) -> Result<(Row, Option<f64>), SamplesError> {
-        let found: Vec<&str> = fields(text).collect();
+    fn row(
+        &self,
+        line: usize,
+        text: &str,
+        nodes: usize,
+        shown: &mut Decimals,
+    ) -> Result<(Row, Option<f64>), SamplesError> {
+        let found: Vec<&str> = fields(text, self.separator).collect();
         if found.len() != self.fields {
             return Err(SamplesError::Fields { line, found: found.len(), expected: self.fields });
         }
@@ -245,7 +264,10 @@ impl Header {
         })?;
         let ms = self.ms.map(|index| time(index, MS)).transpose()?;
         let key_time = time(self.columns[0], COLUMNS[0])?;
-        Ok((Row { key_time, node: RbtIndex::new(node), translation: DVec3::new(x, y, z), rotation_wxyz }, ms))
+        let numbers = std::array::from_fn(|at| found[self.columns[at + 2]]);
+        shown.see((found[self.columns[0]], key_time), numbers);
+        let (node, translation) = (RbtIndex::new(node), DVec3::new(x, y, z));
+        Ok((Row { key_time, key_time_error: 0.0, node, translation, rotation_wxyz }, ms))
     }
 }
 
@@ -302,7 +324,7 @@ mod tests {
     fn a_mark_either_line_ending_and_any_order_are_read() {
         let text = "\u{feff}MS,key_time,rbt_ind,tx,ty,tz,rw,rx,ry,rz\r\n\r\n500,0.25,3,1,2,3,nan,0,0,0\r\n";
         let samples = samples_from_csv(text.as_bytes(), 22, 2000).expect("it is good");
-        assert!(samples.has_ms && samples.has_no_number);
+        assert!(samples.rows[0].rotation_wxyz[0].is_nan());
         assert_eq!((samples.rows[0].key_time, samples.rows[0].node.get()), (0.25, 3));
         assert_eq!(samples.rows[0].translation, DVec3::new(1.0, 2.0, 3.0));
     }

@@ -7,21 +7,16 @@ use super::marks::Marks;
 use super::rubric::Rubric;
 use super::shown::{FRAMES, ShownPose, ShownPoses, farthest};
 use crate::animation_diff::{Played, compare, frame_times_ms};
-use crate::camera::Camera;
 use crate::export::{ExportError, Painter, Size};
 use crate::interpolation::Interpolation;
 use crate::keyframe::{KeyframeList, PlayRange, whole};
-use crate::pose::Pose;
 use crate::render::Image;
 use crate::scene::SceneGraph;
-use crate::view::frame_of_scene;
 
 /// Width and height of the pictures in pixels.
 pub const SIZE: Size = Size { width: 200, height: 150 };
 /// How long the animated picture takes, in milliseconds.
 const LENGTH_MS: usize = 2400;
-/// Shapes that are farther from the world's centre are not drawn, in scene units.
-const FARTHEST: f32 = 1e5;
 /// The most frames among which the moments are looked for.
 const MOST_FRAMES: usize = 2_000;
 
@@ -90,15 +85,15 @@ fn of_playback(
     };
     let mut frames = Vec::with_capacity(FRAMES);
     for shown in &poses.frames {
-        frames.push(draw(&shown.pose, &shown.right, scene, painter)?);
+        frames.push(painter.loose_pose(scene, &shown.pose, &shown.right)?);
     }
     if frames.is_empty() {
         return Ok(Vec::new());
     }
     let mut pictures = vec![picture(animated(&frames)?, caption, true)];
     for shown in &poses.moments {
-        let own = draw(&shown.pose, &shown.right, scene, painter)?;
-        let right = draw(&shown.right, &shown.right, scene, painter)?;
+        let own = painter.loose_pose(scene, &shown.pose, &shown.right)?;
+        let right = painter.loose_pose(scene, &shown.right, &shown.right)?;
         let apart = apart(&own, &right);
         pictures.push(picture(own.to_png()?, format!("{label}, key time {:.2}: submitted", shown.key_time), true));
         pictures.push(picture(right.to_png()?, "reference".to_owned(), false));
@@ -124,23 +119,6 @@ fn played(list: &KeyframeList, interpolation: Interpolation, rubric: &Rubric) ->
         Some(farthest(&difference.off_by_frame).into_iter().filter_map(|index| shown(&times[index])).collect())
     });
     Some(ShownPoses { frames, moments: moments.unwrap_or_default() })
-}
-
-/// Draws a pose. Shapes whose transforms are not finite, or that are farther away than [`FARTHEST`], are left out; a camera with such a
-/// transform is put where it is in `right`.
-fn draw(pose: &Pose, right: &Pose, scene: &SceneGraph, painter: &mut Painter) -> Result<Image, ExportError> {
-    let eye = scene.eyes()[0];
-    let own = scene.world_from_rbt(pose, 0.0, eye);
-    let is_sound = own.translation.abs().max_element() < FARTHEST && (own.rotation.length() - 1.0).abs() < 0.5;
-    let mut world_from_eye = if is_sound { own } else { scene.world_from_rbt(right, 0.0, eye) };
-    world_from_eye.rotation = world_from_eye.rotation.normalize();
-    let camera = Camera { world_from_eye, vertical_fov: scene.vertical_fov(), size_px: painter.size_px() };
-    let mut frame = frame_of_scene(scene, pose, 0.0, &camera, None);
-    frame.items.retain(|item| {
-        let matrix = item.world_from_shape;
-        matrix.is_finite() && matrix.to_cols_array().iter().all(|number| number.abs() < FARTHEST)
-    });
-    Ok(painter.image(&frame)?)
 }
 
 /// The absolute difference of two pictures of equal size, on black.

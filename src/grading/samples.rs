@@ -3,7 +3,7 @@
 use super::parsed::{MOST_SAMPLES, Parsed, ParsedFile};
 use super::rubric::Rubric;
 use super::shown::{ShownPoses, thinned};
-use crate::diagnosis::{Diagnosis, EQUAL_RESIDUALS, SampleRows, Sequence, diagnose};
+use crate::diagnosis::{Diagnosis, EQUAL_RESIDUALS, Listing, SampleRows, Sequence, diagnose};
 use crate::interpolation::Interpolation;
 
 /// The diagnosis of one file of samples.
@@ -57,9 +57,16 @@ fn playback_named(name: &str) -> Option<Interpolation> {
 
 /// The diagnosis against the sequence of keyframes that explains the samples best; the first of those that do equally well.
 fn nearest(rows: &SampleRows, sequences: &[(Sequence, u32)]) -> Result<Diagnosis, String> {
-    let diagnoses = sequences.iter().map(|(sequence, ms)| diagnose(sequence, &rows.samples(*ms)));
+    let diagnoses =
+        sequences.iter().map(|(sequence, ms)| diagnose(sequence, &rows.samples(*ms), Listing::Explanations));
     let nearer = |one: Diagnosis, other: Diagnosis| {
-        if other.best().residual < one.best().residual - EQUAL_RESIDUALS { other } else { one }
+        let (is_explained, is_other_explained) = (one.is_explained(), other.is_explained());
+        let is_nearer = other.best().residual < one.best().residual - EQUAL_RESIDUALS;
+        if (is_other_explained && !is_explained) || (is_other_explained == is_explained && is_nearer) {
+            other
+        } else {
+            one
+        }
     };
     diagnoses.reduce(nearer).ok_or_else(|| "there are no keyframes to compare with".to_owned())
 }

@@ -43,7 +43,7 @@ pub fn csv(marks: &[Marks]) -> String {
 /// What each file of samples shows: the name of what explains it, `not explained` or `unreadable`.
 pub fn diagnoses(marks: &Marks) -> Vec<String> {
     let show = |diagnosis: &Result<crate::diagnosis::Diagnosis, String>| match diagnosis {
-        Ok(diagnosis) if diagnosis.is_explained() => diagnosis.best().name.to_owned(),
+        Ok(diagnosis) if diagnosis.is_explained() => diagnosis.best().name.clone(),
         Ok(_) => "not explained".to_owned(),
         Err(_) => "unreadable".to_owned(),
     };
@@ -87,7 +87,7 @@ pub fn json(marks: &[Marks], passed_over: &[PassedOver], rubric: &Rubric) -> Str
                 Ok(diagnosis) => json!({
                     "file": samples.file, "playback": samples.interpolation.name(), "explained": diagnosis.is_explained(),
                     "best": diagnosis.best().name, "residual": diagnosis.best().residual,
-                    "also": diagnosis.also().iter().map(|candidate| candidate.name).collect::<Vec<_>>(), "problem": null,
+                    "also": diagnosis.also().iter().map(|candidate| candidate.name.as_str()).collect::<Vec<_>>(), "problem": null,
                 }),
                 Err(problem) => json!({
                     "file": samples.file, "playback": samples.interpolation.name(), "explained": false,

@@ -7,7 +7,7 @@ use super::rubric::Rubric;
 use super::samples::SampleDiagnosis;
 use super::trace;
 use crate::animation_diff::{Played, compare, distances, frame_times_ms};
-use crate::diagnosis::{CORRECT, CORRECT_CATMULL_ROM, Candidate, Diagnosis};
+use crate::diagnosis::{CORRECT, CORRECT_CATMULL_ROM, Mistake};
 use crate::interpolation::Interpolation;
 use crate::keyframe::{KeyframeList, PlayRange};
 use crate::pose::Pose;
@@ -129,15 +129,14 @@ impl Marker<'_> {
     }
 
     fn range_and_end(&self) -> Verdict {
-        let explained = |show: &SampleDiagnosis| {
-            show.diagnosis.as_ref().ok().filter(|diagnosis| diagnosis.is_explained()).map(Diagnosis::best)
-        };
-        let wrong = self
-            .samples
-            .iter()
-            .find_map(|show| explained(show).filter(Candidate::is_about_range).map(|best| (best, &show.file)));
+        let wrong = self.samples.iter().find_map(|show| {
+            let best = show.diagnosis.as_ref().ok().filter(|diagnosis| diagnosis.is_explained())?.best();
+            best.is_about_range().then_some((best, &show.file))
+        });
         if let Some((best, file)) = wrong {
-            return Verdict::unmet(format!("{file}: {}. {}", best.name, best.advice().what));
+            let what: Vec<&str> =
+                best.mistakes.iter().filter(|mistake| mistake.is_about_range()).map(|m| m.what).collect();
+            return Verdict::unmet(format!("{file}: {}. {}", best.name, what.join(" ")));
         }
         let Some(list) = self.list() else { return Verdict::unmet(UNREADABLE) };
         let (keyframes, expected) = (list.as_slice(), self.rubric.reference.as_slice());
@@ -201,15 +200,17 @@ fn playback_shown(show: &SampleDiagnosis, interpolation: Interpolation) -> Verdi
     if diagnosis.is_explained() && is_among(right) {
         return Verdict::met(found);
     }
-    let advice = best.advice();
-    Verdict::unmet(if !diagnosis.is_explained() {
+    let advice = |mistake: &&Mistake| match mistake.change {
+        "" => format!("{} Expected {right}.", mistake.what),
+        change => format!("{} {change}", mistake.what),
+    };
+    Verdict::unmet(if diagnosis.is_explained() {
+        let advice: Vec<String> = best.mistakes.iter().map(advice).collect();
+        format!("{found} {}", advice.join(" "))
+    } else {
         format!(
-            "{}: no known mistake explains the samples; {} is nearest, residual {:.2e}.",
+            "{}: none of the known mistakes explains the samples; {} is nearest, residual {:.2e}.",
             show.file, best.name, best.residual
         )
-    } else if advice.change.is_empty() {
-        format!("{found} {} Expected {right}.", advice.what)
-    } else {
-        format!("{found} {} {}", advice.what, advice.change)
     })
 }

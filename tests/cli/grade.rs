@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 use zip::write::SimpleFileOptions;
 
 use crate::sandbox::Sandbox;
-use crate::student::{LINEAR, Placed, SPLINE, Student, file, keyframes};
+use crate::student::{LINEAR, Placed, SPLINE, Student, file, varied_keyframes};
 
 const RUBRIC: &str = r#"{"format": "inbetween.rubric", "version": 1, "title": "<b>Six</b>", "reference": "reference.json",
     "script": "hotkeys.txt", "tolerances": {"translation": 0.001, "rotation_degrees": 0.1},
@@ -24,7 +24,7 @@ pub fn text_of(keyframes: &[Vec<Placed>], interpolation: &str) -> String {
 /// A rubric, its reference, and an empty folder `all`.
 fn course() -> (Sandbox, Vec<Vec<Placed>>) {
     let sandbox = Sandbox::new();
-    let made = keyframes(11, 8, 22);
+    let made = varied_keyframes(11, 8, 22);
     sandbox.write("rubric.json", RUBRIC);
     sandbox.write("reference.json", text_of(&made, "linear"));
     sandbox.write("hotkeys.txt", "key i\nkey >\nkey n\nkey y\nwait 300ms\nkey t\nwait 60s\n");

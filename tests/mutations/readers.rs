@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use inbetween::diagnosis::{Sequence, diagnose, samples_from_csv};
+use inbetween::diagnosis::{Listing, Sequence, diagnose, samples_from_csv};
 use inbetween::grading::{Marks, Parsed, Rubric, Submission};
 use inbetween::journal;
 use inbetween::keyframe::{Keyframe, KeyframeFile, keyframes_from_json};
@@ -192,7 +192,7 @@ fn check_samples(bytes: &[u8], scene: &SceneGraph) {
             };
             assert!(samples.rows.iter().all(is_good));
             let keyframes = vec![Keyframe::new(scene.rest_pose().clone()); 5];
-            let diagnosis = diagnose(&Sequence::new(&keyframes).expect("they are enough"), &samples);
+            let diagnosis = diagnose(&Sequence::new(&keyframes).expect("they are enough"), &samples, Listing::All);
             assert!(
                 diagnosis.candidates.iter().all(|candidate| candidate.residual >= 0.0),
                 "{:?}",

@@ -1,4 +1,4 @@
-//! A student's program, with one mistake or none: it makes keyframes and prints what it shows. Written from the formulas and from
+//! A student's program, with a mistake, with two or with none: it makes keyframes and prints what it shows. Written from the formulas and from
 //! the mistakes' descriptions alone; it shares no code with the diagnosis.
 #![allow(dead_code, missing_docs, reason = "each test uses a part")]
 
@@ -9,7 +9,7 @@ pub type Quaternion = [f64; 4];
 pub type Placed = ([f64; 3], Quaternion);
 
 /// Mistakes that can be made in linear playback.
-pub const LINEAR: [&str; 12] = [
+pub const LINEAR: [&str; 18] = [
     "correct",
     "no-conditional-negation",
     "lerp-for-slerp",
@@ -22,11 +22,18 @@ pub const LINEAR: [&str; 12] = [
     "last-sample-missing",
     "quaternion-order-swapped",
     "integer-tick",
+    "small-turns-frozen",
+    "powers-for-slerp",
+    "only-w-negated",
+    "nan-where-the-axis-has-no-x",
+    "translation-weights-swapped",
+    "slerp-angle-from-cross-product",
 ];
 
 /// Mistakes that can be made in Catmull-Rom playback.
-pub const SPLINE: [&str; 15] = [
+pub const SPLINE: [&str; 26] = [
     "correct-catmull-rom",
+    "no-conditional-negation",
     "lerp-for-slerp",
     "nlerp-for-slerp",
     "nan-when-equal",
@@ -41,6 +48,56 @@ pub const SPLINE: [&str; 15] = [
     "last-sample-missing",
     "quaternion-order-swapped",
     "integer-tick",
+    "sixth-in-integers-in-rotations",
+    "sixth-in-integers-in-translations",
+    "small-turns-frozen",
+    "powers-for-slerp",
+    "only-w-negated",
+    "nan-where-the-axis-has-no-x",
+    "second-control-point-on-wrong-keyframe-in-translations",
+    "translation-weights-swapped",
+    "tangent-from-wrong-neighbour",
+    "cubic-by-components",
+];
+
+/// Pairs of mistakes that can be made at once, in linear playback.
+pub const LINEAR_PAIRS: [&str; 14] = [
+    "no-conditional-negation + last-sample-missing",
+    "lerp-for-slerp + all-keyframes-played",
+    "lerp-for-slerp + integer-tick",
+    "nlerp-for-slerp + translation-weights-swapped",
+    "nan-when-equal + nan-where-the-axis-has-no-x",
+    "nan-when-equal + one-keyframe-early",
+    "no-conditional-negation + nan-when-equal",
+    "angle-not-halved + translation-weights-swapped",
+    "identity-when-equal + last-sample-missing",
+    "no-conditional-negation + quaternion-order-swapped",
+    "small-turns-frozen + nan-where-the-axis-has-no-x",
+    "only-w-negated + translation-weights-swapped",
+    "powers-for-slerp + last-sample-missing",
+    "slerp-angle-from-cross-product + last-sample-missing",
+];
+
+/// Pairs of mistakes that can be made at once, in Catmull-Rom playback.
+pub const SPLINE_PAIRS: [&str; 18] = [
+    "sixth-in-integers + last-sample-missing",
+    "sixth-in-integers-in-rotations + last-sample-missing",
+    "no-conditional-negation-in-control-points + sixth-in-integers-in-translations",
+    "no-conditional-negation-in-control-points + last-sample-missing",
+    "no-conditional-negation + no-conditional-negation-in-control-points",
+    "nlerp-for-slerp + no-division-by-six",
+    "lerp-for-slerp + second-control-point-on-wrong-keyframe",
+    "second-control-point-on-wrong-keyframe + no-division-by-six",
+    "second-control-point-on-wrong-keyframe + all-keyframes-played",
+    "sixth-in-integers-in-rotations + second-control-point-on-wrong-keyframe-in-translations",
+    "nan-when-equal + integer-tick",
+    "identity-when-equal + all-keyframes-played",
+    "quaternion-order-swapped + cubic-by-components",
+    "one-keyframe-early + powers-for-slerp",
+    "angle-not-halved + sixth-in-integers-in-translations",
+    "all-keyframes-played + tangent-from-wrong-neighbour",
+    "sixth-in-integers-in-rotations + translation-weights-swapped",
+    "small-turns-frozen + second-control-point-on-wrong-keyframe-in-translations",
 ];
 
 pub struct Random(u64);
@@ -108,6 +165,21 @@ pub fn keyframes(seed: u64, count: usize, nodes: usize) -> Vec<Vec<Placed>> {
     made
 }
 
+/// The same, but node 3 turns by 2 degrees a keyframe, and node 4 about z alone.
+pub fn varied_keyframes(seed: u64, count: usize, nodes: usize) -> Vec<Vec<Placed>> {
+    let mut made = keyframes(seed, count, nodes);
+    let about_z = |degrees: f64| {
+        let (sine, cosine) = (degrees / 2.0).to_radians().sin_cos();
+        [cosine, 0.0, 0.0, sine]
+    };
+    for keyframe in 0..count {
+        let before = made[keyframe.saturating_sub(1)][3].1;
+        made[keyframe][3].1 = times(about_z(2.0), before);
+        made[keyframe][4].1 = about_z(40.0 * keyframe as f64);
+    }
+    made
+}
+
 /// A keyframe file.
 pub fn file(keyframes: &[Vec<Placed>], paths: &[String], scene: &str, interpolation: &str, ms: u32) -> String {
     let poses: Vec<_> = keyframes
@@ -125,8 +197,12 @@ pub fn file(keyframes: &[Vec<Placed>], paths: &[String], scene: &str, interpolat
     .to_string()
 }
 
+/// Joined to a mistake's name by ` + `: the program computes in single precision.
+pub const SINGLE: &str = "single precision";
+
 /// The program.
 pub struct Student<'a> {
+    /// A name, or two joined by ` + `; perhaps also [`SINGLE`].
     pub mistake: &'a str,
     pub plays_splines: bool,
     pub keyframes: &'a [Vec<Placed>],
@@ -134,24 +210,45 @@ pub struct Student<'a> {
 
 impl Student<'_> {
     fn makes(&self, mistake: &str) -> bool {
-        self.mistake == mistake
+        self.mistake.split(" + ").any(|made| made == mistake)
+    }
+
+    /// What its numbers can hold.
+    fn fit<const N: usize>(&self, numbers: [f64; N]) -> [f64; N] {
+        let is_single = self.makes(SINGLE);
+        numbers.map(|number| if is_single { f64::from(number as f32) } else { number })
+    }
+
+    fn times(&self, a: Quaternion, b: Quaternion) -> Quaternion {
+        self.fit(times(a, b))
+    }
+
+    fn over(&self, a: Quaternion, b: Quaternion) -> Quaternion {
+        self.fit(over(a, b))
     }
 
     fn power(&self, q: Quaternion, exponent: f64) -> Quaternion {
         let sine = (q[1] * q[1] + q[2] * q[2] + q[3] * q[3]).sqrt();
         // What the product of a quaternion and its inverse leaves of a rotation is rounding.
-        let sine = if sine < 1e-12 { 0.0 } else { sine };
+        let sine = if sine < 1e-12 || (self.makes(SINGLE) && q[0].abs() >= 1.0) { 0.0 } else { sine };
+        if self.makes("nan-where-the-axis-has-no-x") && sine != 0.0 && q[1].abs() < 1e-12 {
+            return [f64::NAN; 4];
+        }
         let half_angle = f64::atan2(sine, q[0]);
         let turned = exponent * half_angle * if self.makes("angle-not-halved") { 2.0 } else { 1.0 };
         if sine == 0.0 && !self.makes("nan-when-equal") {
             return [1.0, 0.0, 0.0, 0.0];
         }
         let along = turned.sin() / sine;
-        [turned.cos() + 0.0 * along, q[1] * along, q[2] * along, q[3] * along]
+        self.fit([turned.cos() + 0.0 * along, q[1] * along, q[2] * along, q[3] * along])
     }
 
-    fn turn(q: Quaternion, short: bool) -> Quaternion {
-        if short && q[0] < 0.0 { negative(q) } else { q }
+    fn turn(&self, q: Quaternion, short: bool) -> Quaternion {
+        match q {
+            [w, x, y, z] if w < 0.0 && self.makes("only-w-negated") => [-w, x, y, z],
+            _ if short && q[0] < 0.0 => negative(q),
+            _ => q,
+        }
     }
 
     fn slerp(&self, from: Quaternion, to: Quaternion, alpha: f64) -> Quaternion {
@@ -161,14 +258,32 @@ impl Student<'_> {
         }
         if self.makes("nlerp-for-slerp") {
             let q = blended(if dot(from, to) < 0.0 { negative(to) } else { to });
-            return q.map(|component| component / dot(q, q).sqrt());
+            return self.fit(q.map(|component| component / dot(q, q).sqrt()));
         }
-        let turn = Self::turn(over(to, from), !self.makes("no-conditional-negation"));
-        let is_still = turn[1].abs().max(turn[2].abs()).max(turn[3].abs()) < 1e-12;
+        if self.makes("powers-for-slerp") {
+            return self.times(self.power(from, 1.0 - alpha), self.power(to, alpha));
+        }
+        if self.makes("slerp-angle-from-cross-product") {
+            let [_, a, b, c] = from;
+            let [_, d, e, f] = to;
+            let cross = [b * f - c * e, c * d - a * f, a * e - b * d];
+            let omega = cross.iter().map(|part| part * part).sum::<f64>().sqrt().atan2(dot(from, to));
+            if omega.sin().abs() < 1e-6 {
+                return from;
+            }
+            let weights = [((1.0 - alpha) * omega).sin() / omega.sin(), (alpha * omega).sin() / omega.sin()];
+            return self.fit([0, 1, 2, 3].map(|c| weights[0] * from[c] + weights[1] * to[c]));
+        }
+        let turn = self.turn(self.over(to, from), !self.makes("no-conditional-negation"));
+        let is_still =
+            turn[1].abs().max(turn[2].abs()).max(turn[3].abs()) < 1e-12 || (self.makes(SINGLE) && turn[0] >= 1.0);
+        if self.makes("small-turns-frozen") && turn[0] > 0.9995 {
+            return from;
+        }
         if is_still && self.makes("identity-when-equal") {
             return [1.0, 0.0, 0.0, 0.0];
         }
-        times(self.power(turn, alpha), from)
+        self.times(self.power(turn, alpha), from)
     }
 
     /// What is shown of a node between keyframe `start` of the list and the next.
@@ -176,37 +291,59 @@ impl Student<'_> {
         let last = self.keyframes.len() - 1;
         let c = |place: usize| self.keyframes[place.min(last)][node];
         let (from, to) = (c(start), c(start + 1));
-        let mix = |a: [f64; 3], b: [f64; 3]| [0, 1, 2].map(|axis| a[axis] * (1.0 - alpha) + b[axis] * alpha);
+        let weight = if self.makes("translation-weights-swapped") { 1.0 - alpha } else { alpha };
+        let mix =
+            |a: [f64; 3], b: [f64; 3]| self.fit([0, 1, 2].map(|axis| a[axis] * (1.0 - weight) + b[axis] * weight));
         if !self.plays_splines {
             return (mix(from.0, to.0), self.slerp(from.1, to.1, alpha));
         }
         let (before, after) = (c(start.saturating_sub(1)), c(start + 2));
-        let share = match self.mistake {
-            "no-division-by-six" => 1.0,
-            "sixth-in-integers" => f64::from(1 / 6),
-            _ => 1.0 / 6.0,
+        let share = |part: &str| match () {
+            () if self.makes("no-division-by-six") => 1.0,
+            () if self.makes("sixth-in-integers") || self.makes(&format!("sixth-in-integers-in-{part}")) => {
+                f64::from(1 / 6)
+            }
+            () => 1.0 / 6.0,
         };
-        let base = if self.makes("second-control-point-on-wrong-keyframe") { from } else { to };
+        let (of_moves, of_turns) = (share("translations"), share("rotations"));
+        let wrong = "second-control-point-on-wrong-keyframe";
+        let base = if self.makes(wrong) { from } else { to };
+        let base_of_moves = if self.makes(&format!("{wrong}-in-translations")) { from } else { base };
         let short = !self.makes("no-conditional-negation-in-control-points");
+        let ahead = if self.makes("tangent-from-wrong-neighbour") { from } else { to };
+        let tangent =
+            |to: Quaternion, from: Quaternion, share| self.power(self.turn(self.over(to, from), short), share);
         let d = (
-            [0, 1, 2].map(|axis| from.0[axis] + share * (to.0[axis] - before.0[axis])),
-            times(self.power(Self::turn(over(to.1, before.1), short), share), from.1),
+            [0, 1, 2].map(|axis| from.0[axis] + of_moves * (ahead.0[axis] - before.0[axis])),
+            self.times(tangent(ahead.1, before.1, of_turns), from.1),
         );
         let e = (
-            [0, 1, 2].map(|axis| base.0[axis] - share * (after.0[axis] - from.0[axis])),
-            times(self.power(Self::turn(over(after.1, from.1), short), -share), base.1),
+            [0, 1, 2].map(|axis| base_of_moves.0[axis] - of_moves * (after.0[axis] - from.0[axis])),
+            self.times(tangent(after.1, from.1, -of_turns), base.1),
         );
         let step = |a: Placed, b: Placed| (mix(a.0, b.0), self.slerp(a.1, b.1, alpha));
         let (f, g, h) = (step(from, d), step(d, e), step(e, to));
-        step(step(f, g), step(g, h))
+        let (translation, rotation) = step(step(f, g), step(g, h));
+        if self.makes("cubic-by-components") {
+            // Catmull and Rom's own cubic.
+            let cubic = |[a, b, c, d]: [f64; 4]| {
+                let [linear, square, cube] = [c - a, 2.0 * a - 5.0 * b + 4.0 * c - d, 3.0 * b - a - 3.0 * c + d];
+                b + alpha / 2.0 * (linear + alpha * (square + alpha * cube))
+            };
+            return (
+                translation,
+                [0, 1, 2, 3].map(|part| cubic([before, from, to, after].map(|corner| corner.1[part]))),
+            );
+        }
+        (translation, rotation)
     }
 
     /// What is shown of a node at a key time.
     pub fn shows(&self, key_time: f64, node: usize) -> Placed {
-        let (first, end) = match self.mistake {
-            "all-keyframes-played" => (0, self.keyframes.len() - 1),
-            "one-keyframe-early" => (2, self.keyframes.len() - 1),
-            _ => (1, self.keyframes.len() - 2),
+        let (first, end) = match () {
+            () if self.makes("all-keyframes-played") => (0, self.keyframes.len() - 1),
+            () if self.makes("one-keyframe-early") => (2, self.keyframes.len() - 1),
+            () => (1, self.keyframes.len() - 2),
         };
         let key_time = if self.makes("integer-tick") { key_time * 0.96 } else { key_time };
         let start = first + key_time.floor() as usize;
