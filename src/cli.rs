@@ -2,7 +2,8 @@
 //!
 //! Commands read arguments, print, show progress and turn errors into exit statuses. The rooms below do the work.
 //!
-//! Exit statuses: 0 done, 1 bad input, 2 wrong usage, 3 no display or no GPU adapter. With status 1, standard error has the problems,
+//! Exit statuses: 0 done, 1 bad input, 2 wrong usage, 3 no display or no GPU adapter, 101 a fault of the program, 128 and its number a
+//! signal. With status 1, standard error has the problems,
 //! a sentence a line, and standard output is empty. Commands that compare end with 0 within the tolerance, 1 beyond,
 //! 2 if they cannot compare.
 
@@ -17,7 +18,6 @@ mod drivers;
 mod error;
 mod grade;
 mod help;
-mod interrupt;
 mod mistyped;
 mod nodes;
 mod output;
@@ -39,6 +39,8 @@ use clap::{CommandFactory as _, Parser as _};
 use crate::files::scene;
 use crate::text::visible;
 use crate::window::ForTests;
+use crate::words::{Message, texts};
+use crate::signals;
 
 pub use reference::command_reference;
 
@@ -87,6 +89,10 @@ fn dispatch(arguments: &[OsString]) -> Result<Ended, CliError> {
         };
     let scene = scene.as_deref();
     let load = || scene::load(scene);
+    if command.is_some() {
+        // The window listens in its own way.
+        signals::listen(|signal| Some(ended_by(signal)));
+    }
     match command {
         None => {
             if let Some(error) = file.as_ref().and_then(|_| mistyped()) {
@@ -113,6 +119,15 @@ fn dispatch(arguments: &[OsString]) -> Result<Ended, CliError> {
         Some(Subcommand::Recover(arguments)) => recover::run(&arguments)?,
     }
     Ok(Ended::Well)
+}
+
+/// What is said where a signal ends a command in the middle of anything, also of opening or reading a pipe.
+fn ended_by(signal: i32) -> String {
+    match signal {
+        signals::INTERRUPT => Message::from(texts::EXPORT_INTERRUPTED),
+        _ => texts::ended_by_signal(signal.to_string()),
+    }
+    .to_string()
 }
 
 /// Wrong usage that no single argument shows.

@@ -14,7 +14,7 @@ use thiserror::Error;
 
 use crate::words::{Message, display_by_message, texts};
 
-pub use destination::is_stream;
+pub use destination::{is_stream, standard_error};
 pub use draft::{Committed, Draft, Foreign};
 pub use log::{LeftLog, Log, begins_with, epoch_seconds, logs, state_folder};
 pub use stamp::{Stamp, Stamping};

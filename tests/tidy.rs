@@ -75,8 +75,8 @@ fn the_wall_clock_is_read_in_one_function_each() {
 /// Statics hold constants, and caches that are filled once with what never differs.
 #[test]
 fn no_mutable_global_state() {
-    // What it guards is the process's own: its standard error.
-    const GUARDS: [(&str, &str); 1] = [("render/quiet.rs", "REDIRECTING")];
+    // What they guard is the process's own: its standard error, and what a signal must clear away.
+    const GUARDS: [(&str, &str); 2] = [("render/quiet.rs", "REDIRECTING"), ("unfinished.rs", "ALL")];
     const INNER_MUTABILITY: [&str; 6] = ["Cell", "RefCell", "UnsafeCell", "Mutex", "RwLock", "Once"];
     for source in sources() {
         for shared in ["Rc", "RefCell"] {
