@@ -73,6 +73,10 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
             if let Some(source) = source {
                 log::debug!("the command failed: {source:?}");
             }
+            if status == error::NO_DRAWING {
+                // A driver that hangs may hold what the usual end of a process waits for.
+                signals::end(status.into(), &sentences.join("\n"));
+            }
             output::complain(&sentences.join("\n"));
             ExitCode::from(status)
         }
@@ -81,7 +85,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
 
 fn dispatch(arguments: &[OsString]) -> Result<Ended, CliError> {
     let mistyped = || mistyped::mistyped_command(arguments, &mut Arguments::command());
-    let Arguments { scene, file, print_lines, window_panic_at, drawing_panic_at, command } =
+    let Arguments { scene, file, print_lines, window_panic_at, drawing_panic_at, device_lost_at, command } =
         match Arguments::try_parse_from(arguments) {
             Ok(read) => read,
             Err(error) if error.use_stderr() => return Err(mistyped().unwrap_or(error).into()),
@@ -98,8 +102,13 @@ fn dispatch(arguments: &[OsString]) -> Result<Ended, CliError> {
             if let Some(error) = file.as_ref().and_then(|_| mistyped()) {
                 return Err(error.into());
             }
-            let (panics_at, panics_in_drawing_at) = (window_panic_at, drawing_panic_at);
-            window::run(scene, file, ForTests { prints: print_lines, panics_at, panics_in_drawing_at })?;
+            let tests = ForTests {
+                prints: print_lines,
+                panics_at: window_panic_at,
+                panics_in_drawing_at: drawing_panic_at,
+                loses_device_at: device_lost_at,
+            };
+            window::run(scene, file, tests)?;
         }
         Some(_) if file.is_some() => {
             return Err(misuse("a FILE to open in the window and a command cannot go together"));

@@ -71,16 +71,36 @@ fn end_saying(status: i32, sentence: &str, mut errors: Box<dyn Write + Send>) ->
     const PATIENCE: Duration = Duration::from_secs(1);
 
     unfinished::clear_all();
-    // A line of progress is erased.
-    let erase = if std::io::stderr().is_terminal() { "\r\u{1b}[K" } else { "" };
-    let text = format!("{erase}{}\n", visible(sentence));
+    let text = line(sentence);
+    let bytes = text.clone();
     let (is_said, said) = channel();
-    let _ = thread::Builder::new().name("last words".to_owned()).spawn(move || {
-        let _ = errors.write_all(text.as_bytes());
+    let thread = thread::Builder::new().name("last words".to_owned()).spawn(move || {
+        let _ = errors.write_all(bytes.as_bytes());
         let _ = is_said.send(());
     });
-    let _ = said.recv_timeout(PATIENCE);
-    // Without the clean-up of libraries, which may wait for a thread that hangs.
+    if thread.is_ok() {
+        let _ = said.recv_timeout(PATIENCE);
+    } else {
+        let _ = std::io::stderr().write_all(text.as_bytes());
+    }
+    leave(status)
+}
+
+/// As [`end`], in a destructor that runs while the process exits already: no thread can be started there.
+pub fn end_within_exit(status: i32, sentence: &str) -> ! {
+    unfinished::clear_all();
+    let _ = std::io::stderr().write_all(line(sentence).as_bytes());
+    leave(status)
+}
+
+fn line(sentence: &str) -> String {
+    // A line of progress is erased.
+    let erase = if std::io::stderr().is_terminal() { "\r\u{1b}[K" } else { "" };
+    format!("{erase}{}\n", visible(sentence))
+}
+
+/// Ends the process without the clean-up of libraries, which may wait for a thread that hangs.
+fn leave(status: i32) -> ! {
     #[cfg(unix)]
     signal_hook::low_level::exit(status);
     #[cfg(not(unix))]

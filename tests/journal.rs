@@ -281,6 +281,46 @@ fn marked_lines_are_passed_over() {
 }
 
 #[test]
+fn going_back_before_a_command_takes_nothing_from_undo() {
+    let mut editor = editor_with(3);
+    let choose = Command::View(ViewCommand::Choose(Some(RbtIndex::new(2))));
+    for command in [choose, Command::Edit(Edit::TranslateChosen(Vec3::X)), Command::Undo] {
+        editor.apply(command).unwrap();
+    }
+    for command in [
+        Command::Undo,
+        Command::Redo,
+        Command::Edit(Edit::CreateKeyframe),
+        Command::Edit(Edit::Wheel(Rbt::from_translation(Vec3::Y))),
+        Command::Gesture(GestureCommand::Begin),
+    ] {
+        let (before, whole) = (editor.before(), editor.clone());
+        editor.apply(command).unwrap();
+        editor.go_back(before);
+        assert_same(&editor, &whole);
+        let [mut ours, mut theirs] = [editor.clone(), whole];
+        for step in [Command::Redo, Command::Undo, Command::Undo, Command::Undo] {
+            assert_eq!(ours.apply(step.clone()).is_ok(), theirs.apply(step).is_ok());
+            assert_same(&ours, &theirs);
+        }
+    }
+}
+
+#[test]
+fn as_many_steps_can_be_undone_as_are_promised() {
+    use inbetween::editor::MOST_STEPS;
+    let mut editor = editor();
+    editor.apply(Command::View(ViewCommand::Choose(Some(RbtIndex::new(2))))).unwrap();
+    // So many that the older ones were forgotten in between.
+    for _ in 0..3 * MOST_STEPS {
+        editor.apply(Command::Edit(Edit::TranslateChosen(Vec3::X))).unwrap();
+    }
+    let undone = (0..).take_while(|_| editor.apply(Command::Undo).is_ok()).count();
+    let redone = (0..).take_while(|_| editor.apply(Command::Redo).is_ok()).count();
+    assert_eq!((undone, redone), (MOST_STEPS, MOST_STEPS));
+}
+
+#[test]
 fn a_last_line_that_ends_the_recovery_is_passed_over_the_next_time() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.journal");

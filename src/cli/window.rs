@@ -6,18 +6,19 @@ use super::arguments::DEFAULT_KEYFRAME_FILE;
 use super::{CliError, scene};
 use crate::editor::{Command, FileCommand};
 use crate::storage;
-use crate::window::ForTests;
+use crate::window::{ForTests, Signals};
 
 /// Opens the window on a scene, with a keyframe file, which is loaded if it is named and exists. The window reports errors of the file.
 ///
 /// # Errors
 /// [`CliError`]: a bad scene, no display, no GPU adapter.
 pub fn run(scene: Option<&Path>, file: Option<PathBuf>, tests: ForTests) -> Result<(), CliError> {
+    let signals = Signals::listen();
     let loaded = scene::load(scene)?;
     let at_start = match &file {
         Some(file) if storage::exists(file) => vec![Command::File(FileCommand::Import)],
         _ => Vec::new(),
     };
     let path = file.unwrap_or_else(|| PathBuf::from(DEFAULT_KEYFRAME_FILE));
-    Ok(crate::window::run(scene::editor_of(loaded, scene, path), at_start, tests)?)
+    Ok(crate::window::run(scene::editor_of(loaded, scene, path), at_start, &signals, tests)?)
 }

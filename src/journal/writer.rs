@@ -9,10 +9,10 @@ use crate::editor::{Command, Editor, FileAccess, FileCommand, GestureCommand};
 use crate::script::{Restore, imported_line, print_swiftly};
 use crate::storage::{self, Log, StorageError, epoch_seconds};
 
-/// A journal of the window that has grown by so many bytes since its start goes on in a new one, which begins with a snapshot.
+/// A journal that has grown by so many bytes since its start goes on in a new one, which begins with a snapshot.
 pub const LARGEST_JOURNAL_BYTES: u64 = 16 << 20;
-/// So many lines are read back within a second.
-const MOST_LINES: u64 = 200_000;
+/// The same of so many lines, which are read back within a second.
+pub const MOST_LINES: u64 = 200_000;
 /// Lines of a drag that changes other things than a node's place wait for its end, up to so many bytes.
 const MOST_PENDING_BYTES: usize = 1 << 16;
 
@@ -62,6 +62,21 @@ impl Writer {
         writer.hand_over();
         writer.bytes = 0;
         writer
+    }
+
+    /// Begins anew where it is, with what the editor is now, which is at rest. Where that fails the journal goes on as it was.
+    ///
+    /// # Errors
+    /// [`StorageError`]
+    pub fn begin_anew(&mut self, editor: &Editor) -> Result<(), StorageError> {
+        let Some(log) = Log::create_for(self.path())? else { return Ok(()) };
+        let mut new = Self::begin(log, editor);
+        if let Some(problem) = new.take_problem() {
+            return Err(problem);
+        }
+        new.log.take_place_of(self.path())?;
+        *self = new;
+        Ok(())
     }
 
     /// Begins a journal that goes on from another one, whose lines are copied as far as they are whole: the steps of undo stay.

@@ -23,7 +23,7 @@ pub(super) fn watched<T: Send + 'static>(
         // Whoever waited may be gone.
         let _ = done.send(work());
     });
-    let thread = thread.map_err(|error| GpuError::NoThreads { reason: error.to_string() })?;
+    let thread = thread.map_err(cannot_start)?;
     match is_done.recv_timeout(patience) {
         Ok(outcome) => outcome,
         Err(RecvTimeoutError::Timeout) => Err(GpuError::Hangs { adapter: None, seconds: patience.as_secs() }),
@@ -32,6 +32,15 @@ pub(super) fn watched<T: Send + 'static>(
             Ok(()) => Err(GpuError::NoAdapter),
         },
     }
+}
+
+/// The error that explains why a driver fails, where no thread can be started any more.
+pub(super) fn no_threads() -> Option<GpuError> {
+    thread::Builder::new().spawn(|| ()).err().map(cannot_start)
+}
+
+fn cannot_start(error: std::io::Error) -> GpuError {
+    GpuError::NoThreads { reason: error.to_string() }
 }
 
 #[cfg(test)]

@@ -51,7 +51,7 @@ pub fn is_stream(path: &Path) -> bool {
 
 /// Follows symbolic links, also to a target that does not exist. A descriptor's link under `/proc` is not followed: the open file may have
 /// no name.
-fn followed(path: &Path) -> io::Result<PathBuf> {
+pub(super) fn followed(path: &Path) -> io::Result<PathBuf> {
     let mut target = path.to_owned();
     for _ in 0..MOST_LINKS {
         if is_in_proc(&target) {

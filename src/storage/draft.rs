@@ -223,7 +223,7 @@ impl io::Write for Beside {
 }
 
 /// The folder of a file, as a path that can be opened.
-fn folder_of(target: &Path) -> &Path {
+pub(super) fn folder_of(target: &Path) -> &Path {
     match target.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
