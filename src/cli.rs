@@ -37,10 +37,10 @@ use clap::error::ErrorKind;
 use clap::{CommandFactory as _, Parser as _};
 
 use crate::files::scene;
+use crate::signals;
 use crate::text::visible;
 use crate::window::ForTests;
 use crate::words::{Message, texts};
-use crate::signals;
 
 pub use reference::command_reference;
 

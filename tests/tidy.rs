@@ -85,7 +85,11 @@ fn no_mutable_global_state() {
         // What the C library drops when Xlib ends the process is a value of a thread.
         let may_be_local = source.name == "window/ending.rs";
         for local in ["thread_local", "lazy_static"] {
-            assert!(may_be_local && local == "thread_local" || !source.macros.contains(local), "src/{} calls {local}!", source.name);
+            assert!(
+                may_be_local && local == "thread_local" || !source.macros.contains(local),
+                "src/{} calls {local}!",
+                source.name
+            );
         }
         for (name, is_mutable, types) in &source.statics {
             let is_inner = |part: &str| INNER_MUTABILITY.contains(&part) || part.starts_with("Atomic");

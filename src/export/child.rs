@@ -167,7 +167,8 @@ impl Shared {
 
     #[cfg(unix)]
     fn kill_group(&self, child: &Child) {
-        let _ = rustix::process::kill_process_group(rustix::process::Pid::from_child(child), rustix::process::Signal::KILL);
+        let _ =
+            rustix::process::kill_process_group(rustix::process::Pid::from_child(child), rustix::process::Signal::KILL);
     }
 
     #[cfg(not(unix))]

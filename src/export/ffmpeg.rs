@@ -196,7 +196,8 @@ mod tests {
 
     #[test]
     fn one_that_reads_slowly_or_says_how_far_it_is_does_not_hang() {
-        let mut ffmpeg = stand_in("for i in 1 2 3 4; do sleep 0.1; head -c 65536 > /dev/null; done; cat > /dev/null", SHORT);
+        let mut ffmpeg =
+            stand_in("for i in 1 2 3 4; do sleep 0.1; head -c 65536 > /dev/null; done; cat > /dev/null", SHORT);
         for _ in 0..6 {
             ffmpeg.write_all(&[0; 1 << 16]).unwrap();
         }

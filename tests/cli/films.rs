@@ -251,7 +251,10 @@ mod with_a_made_ffmpeg {
         assert!(outcome.stderr.contains("x.mp4: ffmpeg ended with exit status: 7"), "{}", outcome.stderr);
         assert_eq!(sandbox.names(), ["a.json", "bin"]);
         for (end, said) in [
-            ("echo first >&2; echo 'no such encoder' >&2; exit 1", "ended with exit status: 1; it said: no such encoder"),
+            (
+                "echo first >&2; echo 'no such encoder' >&2; exit 1",
+                "ended with exit status: 1; it said: no such encoder",
+            ),
             ("kill -9 $$", "ended with signal: 9 (SIGKILL)"),
             ("exit 0", "ended before it had read all pictures"),
         ] {

@@ -124,3 +124,33 @@ fn what_a_killed_script_wrote_down_is_recovered() {
     let count = sandbox.json("out.json")["keyframes"].as_array().unwrap().len();
     assert!((1..=2).contains(&count), "{count}");
 }
+
+#[test]
+fn at_its_bound_a_scripts_journal_begins_anew_with_a_snapshot() {
+    let sandbox = Sandbox::new();
+    // Four times 5 MiB.
+    let mut file = keyframe_file(5);
+    let pose = file["keyframes"][1].clone();
+    let count = (5 << 20) / pose.to_string().len();
+    file["keyframes"] = vec![pose; count].into();
+    sandbox.write("animation.json", file.to_string());
+    sandbox.write("a.txt", "key i\nkey i\nkey i\nkey i\nkey n\nkey n\n");
+    let outcome = sandbox.run(&["script", "a.txt", "--journal", "a.journal", "--state", "a.state"]);
+    assert_eq!((outcome.status, outcome.stderr.as_str()), (0, ""));
+    assert_eq!(sandbox.names(), ["a.journal", "a.state", "a.txt", "animation.json"]);
+    let text = sandbox.read("a.journal");
+    assert!((text.len() as u64) < inbetween::journal::LARGEST_JOURNAL_BYTES, "{}", text.len());
+    assert!(text.contains("\nsnapshot "));
+    let outcome = sandbox.run(&["script", "a.journal", "--state", "b.state"]);
+    assert_eq!((outcome.status, outcome.stderr.as_str()), (0, ""));
+    assert_eq!(sandbox.read("a.state"), sandbox.read("b.state"));
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_script_whose_journal_cannot_be_written_says_so() {
+    let sandbox = Sandbox::new();
+    sandbox.write("a.txt", "key n\n");
+    let outcome = sandbox.run(&["script", "a.txt", "--journal", "/dev/full"]);
+    assert_eq!((outcome.status, outcome.stderr.as_str()), (1, "/dev/full: No space left on device (os error 28)\n"));
+}

@@ -50,7 +50,8 @@ fn sandbox() -> Sandbox {
     }
     // Its child holds the pipe as well.
     let hangs = "#!/bin/sh\n[ \"$1\" = -version ] && exit 0\necho $$ > pid\n/bin/sleep 1000 &\nwait\n";
-    for (folder, script) in [("hangs", hangs), ("hangs-at-once", "#!/bin/sh\necho $$ > pid\n/bin/sleep 1000 &\nwait\n")] {
+    for (folder, script) in [("hangs", hangs), ("hangs-at-once", "#!/bin/sh\necho $$ > pid\n/bin/sleep 1000 &\nwait\n")]
+    {
         std::fs::create_dir(sandbox.path(folder)).unwrap();
         let path = format!("{folder}/ffmpeg");
         sandbox.write(&path, script);
