@@ -48,6 +48,7 @@ impl StorageError {
             Self::System(error) => match error.kind() {
                 io::ErrorKind::NotFound => texts::STORAGE_NOT_FOUND.into(),
                 io::ErrorKind::PermissionDenied => texts::STORAGE_PERMISSION_DENIED.into(),
+                io::ErrorKind::AlreadyExists => texts::STORAGE_IN_THE_WAY.into(),
                 io::ErrorKind::IsADirectory => texts::STORAGE_IS_FOLDER.into(),
                 _ => texts::foreign(error.to_string()),
             },

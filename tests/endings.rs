@@ -284,7 +284,7 @@ fn at_its_bound_a_journal_goes_on_in_a_new_one_with_a_snapshot() {
     }
     assert!(wait_for(|| !first.is_file()), "the first journal goes on");
     type_keys(&display, &["n", "n"]);
-    window.wait_for_lines(1);
+    window.wait_for("a new journal", |printed| matches!(printed, Printed::Done(0, _)));
     window.wait_for_lines(2);
     window.kill();
     let journals = logs(&window.folder.path().join("state/inbetween"), ".journal");

@@ -164,7 +164,7 @@ mod with_a_driver_that_does_not_open {
         std::fs::set_permissions(sandbox.path(""), std::fs::Permissions::from_mode(0o777)).unwrap();
         // The folder of the binary may be closed to others.
         std::fs::copy(env!("CARGO_BIN_EXE_inbetween"), sandbox.path("inbetween")).unwrap();
-        let mut command = std::process::Command::new("sh");
+        let mut command = std::process::Command::new("bash");
         command.current_dir(sandbox.path("")).args(["-c", "ulimit -u 1; exec ./inbetween render -o x.png"]);
         if rustix::process::getuid().is_root() {
             command.uid(NOBODY).gid(NOBODY);
