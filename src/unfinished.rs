@@ -50,6 +50,8 @@ impl Drop for Unfinished {
 /// Clears everything away. The program must end after it: whoever begins or finishes something waits forever.
 pub fn clear_all() {
     let mut all = hold();
-    std::mem::take(&mut all.0.clears).into_values().for_each(|clear| clear());
+    for clear in std::mem::take(&mut all.0.clears).into_values() {
+        clear();
+    }
     std::mem::forget(all);
 }

@@ -47,7 +47,7 @@ struct Shared {
 #[derive(Debug, Default)]
 struct Waiting {
     /// Whether somebody waits for the program.
-    is_waiting: bool,
+    is_wanted: bool,
     /// Counts what shows that the program does its work.
     progress: u64,
     is_over: bool,
@@ -148,9 +148,9 @@ impl Drop for Running {
 }
 
 impl Shared {
-    fn wait_for_it(&self, is_waiting: bool) {
+    fn wait_for_it(&self, is_wanted: bool) {
         let mut waiting = lock(&self.waiting);
-        waiting.is_waiting = is_waiting;
+        waiting.is_wanted = is_wanted;
         waiting.progress += 1;
         drop(waiting);
         self.changed.notify_all();
@@ -160,24 +160,15 @@ impl Shared {
     fn kill(&self) {
         let mut child = lock(&self.child);
         if matches!(child.try_wait(), Ok(None)) {
-            self.kill_group(&child);
+            kill_group(&child);
             let _ = child.kill();
         }
     }
 
-    #[cfg(unix)]
-    fn kill_group(&self, child: &Child) {
-        let _ =
-            rustix::process::kill_process_group(rustix::process::Pid::from_child(child), rustix::process::Signal::KILL);
-    }
-
-    #[cfg(not(unix))]
-    fn kill_group(&self, _: &Child) {}
-
     fn watch(&self, patience: Duration) {
         let mut waiting = lock(&self.waiting);
         loop {
-            let is_idle = |waiting: &mut Waiting| !waiting.is_waiting && !waiting.is_over;
+            let is_idle = |waiting: &mut Waiting| !waiting.is_wanted && !waiting.is_over;
             waiting = self.changed.wait_while(waiting, is_idle).unwrap_or_else(PoisonError::into_inner);
             let before = waiting.progress;
             let is_same = |waiting: &mut Waiting| waiting.progress == before && !waiting.is_over;
@@ -209,6 +200,15 @@ impl Shared {
         }
     }
 }
+
+#[cfg(unix)]
+fn kill_group(child: &Child) {
+    let group = rustix::process::Pid::from_child(child);
+    let _ = rustix::process::kill_process_group(group, rustix::process::Signal::KILL);
+}
+
+#[cfg(not(unix))]
+fn kill_group(_: &Child) {}
 
 /// The last line that is not empty, of a stream that is read to its end.
 fn last_line(stream: Option<impl Read>) -> String {

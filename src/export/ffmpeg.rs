@@ -13,7 +13,7 @@ use crate::film::written_endings;
 use crate::words::{Message, display_by_message, one_of, texts};
 
 /// How long ffmpeg may make no progress while it is waited for.
-const PATIENCE: Duration = Duration::from_secs(60);
+const PATIENCE: Duration = Duration::from_mins(1);
 
 /// Why ffmpeg made no film.
 #[derive(Debug, Error)]
@@ -156,7 +156,8 @@ impl Write for Ffmpeg {
     }
 }
 
-#[cfg(all(test, unix))]
+#[cfg(test)]
+#[cfg(unix)]
 mod tests {
     use super::*;
 
@@ -173,7 +174,7 @@ mod tests {
         let mut outcome = Ok(());
         // More than a pipe holds.
         while outcome.is_ok() {
-            outcome = ffmpeg.write_all(&[0; 1 << 16]);
+            outcome = ffmpeg.write_all(&vec![0; 1 << 16]);
         }
         assert_eq!(ffmpeg.stopped_reading(|| true).to_string(), expected);
     }
@@ -199,7 +200,7 @@ mod tests {
         let mut ffmpeg =
             stand_in("for i in 1 2 3 4; do sleep 0.1; head -c 65536 > /dev/null; done; cat > /dev/null", SHORT);
         for _ in 0..6 {
-            ffmpeg.write_all(&[0; 1 << 16]).unwrap();
+            ffmpeg.write_all(&vec![0; 1 << 16]).unwrap();
         }
         ffmpeg.finish(|| true).unwrap();
         let mut ffmpeg = stand_in("cat > /dev/null; for i in 1 2 3 4 5 6; do sleep 0.1; echo frame=$i; done", SHORT);

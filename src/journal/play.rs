@@ -125,6 +125,9 @@ fn written(line: &[u8]) -> Option<(FileAccess, PathBuf)> {
     Some((access, mark::unquoted(path)?))
 }
 
+/// What a recovery leaves that a signal ended: [`mark::RECOVERED`] as a line.
+const INTERRUPTED: &[u8] = b"# played to the end\n";
+
 /// Plays a journal that a program left: the editor that it leads to, and what the journal held. A line that ends this program as well
 /// is passed over the next time.
 ///
@@ -136,7 +139,10 @@ pub fn recover(log: &LeftLog) -> Result<(Editor, Played, Vec<u8>), StorageError>
     // What is cut off stays a line of its own. Where the disk takes no mark, recovery is as good but once.
     let is_marked = is_whole && log.append(format!("{}\n", mark::RECOVERING).as_bytes()).is_ok();
     let bytes = if is_marked { log.read(super::LARGEST_READ_BYTES)? } else { bytes };
+    // A signal is not the fault of the last line.
+    let interrupted = if is_marked { log.append_when_ended(INTERRUPTED) } else { None };
     let (editor, played) = play_alone(&bytes);
+    drop(interrupted);
     if is_marked {
         let _ = log.append(format!("{}\n", mark::RECOVERED).as_bytes());
     }

@@ -234,6 +234,16 @@ impl LeftLog {
         Ok(self.file.sync_data()?)
     }
 
+    /// Appends bytes if a signal ends the program before what this returns is dropped.
+    #[must_use]
+    pub fn append_when_ended(&self, bytes: &'static [u8]) -> Option<Unfinished> {
+        let file = self.file.try_clone().ok()?;
+        Some(unfinished::hold().begin(move || {
+            // What cannot be written is taken for an ending by the last line.
+            let _ = (&file).write_all(bytes);
+        }))
+    }
+
     /// Removes it.
     ///
     /// # Errors

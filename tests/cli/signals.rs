@@ -8,7 +8,7 @@ use rustix::process::{Pid, Signal, kill_process, test_kill_process};
 use crate::sandbox::{Sandbox, keyframe_file};
 
 /// How long a slow machine may take.
-const PATIENCE: Duration = Duration::from_secs(60);
+const PATIENCE: Duration = Duration::from_mins(1);
 
 #[track_caller]
 fn wait_for(what: &str, mut condition: impl FnMut() -> bool) {
@@ -171,4 +171,19 @@ fn a_script_in_the_middle_of_its_lines_ends_with_its_journal_whole() {
     let outcome = sandbox.run(&["recover", "long.journal", "-o", "got.json"]);
     assert_eq!((outcome.status, outcome.stderr.as_str()), (0, ""));
     assert!((1..=2).contains(&sandbox.json("got.json")["keyframes"].as_array().unwrap().len()));
+}
+
+#[test]
+fn ctrl_c_during_a_recovery_costs_no_line_at_the_next_one() {
+    let sandbox = sandbox();
+    sandbox.write("long.txt", format!("key n\n{}key n\n", "key n\nundo\n".repeat(60_000)));
+    assert_eq!(sandbox.run(&["script", "long.txt", "--journal", "long.journal"]).status, 0);
+    sandbox.write("long.journal", sandbox.read("long.journal").replace("# quit\n", ""));
+    let child = start(&sandbox, "recover long.journal -o got.json", &[]);
+    wait_for("the recovery", || sandbox.read("long.journal").ends_with("# recovering\n"));
+    kill_process(Pid::from_child(&child), Signal::INT).unwrap();
+    assert_eq!(child.wait_with_output().unwrap().status.code(), Some(130));
+    let outcome = sandbox.run(&["recover", "long.journal", "-o", "got.json"]);
+    assert_eq!((outcome.status, outcome.stderr.as_str()), (0, ""));
+    assert_eq!(sandbox.json("got.json")["keyframes"].as_array().unwrap().len(), 2);
 }
