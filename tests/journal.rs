@@ -209,15 +209,13 @@ fn random_commands_read_back_to_the_same_document() {
         let (again, played) = play_alone(&text);
         assert_eq!((played.damage, played.passed_over, played.is_cut), (None, 0, false));
         assert_same(&again, &kept.editor);
-        // From a snapshot everything but undo is the same.
+        // From a snapshot everything is the same, also where a step from before it is undone.
         if kept.editor.is_at_rest() {
             let other = folder.path().join("snapshot.journal");
             let mut continued = Kept::new(kept.editor, &other);
             for _ in 0..50 {
                 let step = strategy.new_tree(&mut runner).unwrap().current();
-                if !matches!(step, Step::Command(Command::Undo | Command::Redo)) {
-                    run(&mut continued, step);
-                }
+                run(&mut continued, step);
             }
             continued.journal.flush(&continued.editor);
             let (again, played) = play_alone(&std::fs::read(&other).unwrap());
@@ -318,6 +316,48 @@ fn as_many_steps_can_be_undone_as_are_promised() {
     let undone = (0..).take_while(|_| editor.apply(Command::Undo).is_ok()).count();
     let redone = (0..).take_while(|_| editor.apply(Command::Redo).is_ok()).count();
     assert_eq!((undone, redone), (MOST_STEPS, MOST_STEPS));
+}
+
+#[test]
+fn undo_of_what_came_before_a_snapshot_is_read_back() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.journal");
+    let mut kept = Kept::new(editor_with(4), &path);
+    let steps = |kept: &mut Kept, commands: &[Command]| {
+        for command in commands {
+            kept.apply(command.clone());
+            let text = std::fs::read(&path).unwrap();
+            let (again, played) = play_alone(&text);
+            assert_eq!((played.damage, played.passed_over), (None, 0));
+            assert!(again.document() == kept.editor.document(), "after {command:?}");
+            assert_eq!(again.session(), kept.editor.session());
+        }
+    };
+    let new = Command::Edit(Edit::CreateKeyframe);
+    steps(&mut kept, &[Command::Undo, Command::Undo, Command::Redo, Command::Redo, Command::Redo]);
+    steps(&mut kept, &[new.clone(), Command::Undo, Command::Undo, Command::Redo, Command::Redo, new.clone()]);
+    steps(&mut kept, &vec![Command::Undo; 7]);
+    steps(&mut kept, &vec![Command::Redo; 8]);
+    // What was done after it is undone step by step.
+    steps(&mut kept, &[new.clone(), new, Command::Undo]);
+    assert_eq!(play_alone(&std::fs::read(&path).unwrap()).0.undo_label(), kept.editor.undo_label());
+}
+
+#[test]
+fn the_ground_of_undo_is_the_same_when_a_journal_is_read_back() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.journal");
+    let mut kept = Kept::new(editor(), &path);
+    kept.import(text_of(&editor_with(3)).as_bytes());
+    kept.journal.restored(&script::Restore::Ground);
+    kept.editor.begin_history();
+    kept.apply(Command::Undo);
+    kept.apply(Command::Edit(Edit::CreateKeyframe));
+    assert_same(&play_alone(&std::fs::read(&path).unwrap()).0, &kept.editor);
+    kept.apply(Command::Undo);
+    kept.apply(Command::Undo);
+    assert_same(&play_alone(&std::fs::read(&path).unwrap()).0, &kept.editor);
+    assert_eq!(kept.editor.document().keyframes.len(), 3);
 }
 
 #[test]
@@ -452,6 +492,8 @@ fn restoring_lines_read_back() {
         script::Restore::Imported { path: "x y".into(), bytes: b"# \"quoted\"\r\n\x01".as_slice().into() },
         script::Restore::Imported { path: "x".into(), bytes: b"\xff\x00#".as_slice().into() },
         script::Restore::Snapshot(Box::new(editor.snapshot())),
+        script::Restore::Document(Box::new(editor.snapshot())),
+        script::Restore::Ground,
     ] {
         let line = restore.line().unwrap();
         let read = script::parse_line(1, format!("  {line}  # more\r").as_bytes(), &scene).unwrap().unwrap();

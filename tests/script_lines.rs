@@ -228,12 +228,14 @@ fn refusals_are_sentences() {
 }
 
 /// What is tested elsewhere: times that are waited, pictures, and undo itself.
-const ELSEWHERE: [&str; 23] = [
+const ELSEWHERE: [&str; 25] = [
     // `journal.rs` and `cli/journal.rs`.
     "scene",
     "keyframe-file",
     "imported",
     "snapshot",
+    "document",
+    "ground",
     "wait",
     "screenshot",
     "undo",

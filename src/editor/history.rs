@@ -17,6 +17,17 @@ pub enum Run {
     Wheel,
 }
 
+/// How far undo and redo lead. Positions count steps that were made and not undone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Reach {
+    /// The first position.
+    pub first: u64,
+    /// The present one.
+    pub position: u64,
+    /// The last position.
+    pub last: u64,
+}
+
 #[derive(Clone, Debug)]
 struct Step {
     document: Document,
@@ -85,6 +96,8 @@ pub struct History {
     undo: Stack,
     redo: Stack,
     run: Option<Run>,
+    /// How many steps were made and not undone, also those that are forgotten.
+    position: u64,
 }
 
 impl History {
@@ -96,6 +109,7 @@ impl History {
         if continues {
             if self.undo.top().is_some_and(|step| step.document.same_as(after)) {
                 self.undo.pop();
+                self.position -= 1;
                 self.run = None;
             }
             return;
@@ -106,6 +120,7 @@ impl History {
         }
         self.redo = Stack::default();
         self.undo.push(Step { document: before, label });
+        self.position += 1;
     }
 
     /// Ends a run: the next edit is a step of its own.
@@ -116,6 +131,7 @@ impl History {
     /// Steps back: puts the document before the last edit in place and says what was undone.
     pub fn undo(&mut self, document: &mut Document) -> Option<Phrase> {
         let step = self.undo.pop()?;
+        self.position -= 1;
         self.run = None;
         self.redo.push(Step { document: std::mem::replace(document, step.document), label: step.label });
         Some(step.label)
@@ -124,9 +140,21 @@ impl History {
     /// Steps forward again: puts back what the last undo took away and says what it was.
     pub fn redo(&mut self, document: &mut Document) -> Option<Phrase> {
         let step = self.redo.pop()?;
+        self.position += 1;
         self.run = None;
         self.undo.push(Step { document: std::mem::replace(document, step.document), label: step.label });
         Some(step.label)
+    }
+
+    /// Forgets all steps.
+    pub fn forget(&mut self) {
+        *self = Self { position: self.position, ..Self::default() };
+    }
+
+    /// The positions that undo and redo lead to, and the one between them.
+    pub fn reach(&self) -> Reach {
+        let (undo, redo) = (self.undo.len as u64, self.redo.len as u64);
+        Reach { first: self.position - undo, position: self.position, last: self.position + redo }
     }
 
     /// What the next undo would take back.

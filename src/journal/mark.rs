@@ -113,7 +113,8 @@ impl Survey {
 }
 
 /// Beginnings of lines that change what is seen, chosen or played, and not the document.
-const LOOKING: [&str; 9] = ["wait ", "select", "eye", "scrub", "step ", "ghosts", "seconds", "speed ", "range "];
+const LOOKING: [&str; 10] =
+    ["ground", "wait ", "select", "eye", "scrub", "step ", "ghosts", "seconds", "speed ", "range "];
 
 /// The lines that end with a line feed, without it.
 pub(super) fn whole_lines(bytes: &[u8]) -> impl Iterator<Item = &[u8]> {

@@ -32,10 +32,14 @@ pub enum Restore {
     },
     /// A document and what is kept beside it; there is nothing to undo.
     Snapshot(Box<Snapshot>),
+    /// The document that undo or redo led to, where the journal does not hold the steps that do.
+    Document(Box<Snapshot>),
+    /// What is now is the ground of undo.
+    Ground,
 }
 
 /// The first words of these lines.
-const NAMES: [&str; 4] = ["scene", "keyframe-file", "imported", "snapshot"];
+const NAMES: [&str; 6] = ["scene", "keyframe-file", "imported", "snapshot", "document", "ground"];
 
 /// Whether a line's first word is one of these.
 pub(super) fn is_restore(name: &str) -> bool {
@@ -59,6 +63,8 @@ pub(super) fn read(text: &str) -> Result<Option<Restore>, LineProblem> {
         ["imported", path, "hex", digits] => {
             bytes_of_hex(digits).map(|bytes| Restore::Imported { path: path.into(), bytes: bytes.into() })
         }
+        ["document", text] => read_snapshot(text)?.map(|snapshot| Restore::Document(Box::new(snapshot))),
+        ["ground"] => Some(Restore::Ground),
         ["snapshot", text] => read_snapshot(text)?.map(|snapshot| Restore::Snapshot(Box::new(snapshot))),
         _ => None,
     })
@@ -82,6 +88,8 @@ impl Restore {
             }
             Self::KeyframeFile(path) => format!("keyframe-file {}", quoted(path.to_str()?)),
             Self::Imported { path, bytes } => imported_line(path, bytes)?,
+            Self::Document(snapshot) => format!("document {}", quoted(&snapshot_text(snapshot)?)),
+            Self::Ground => "ground".to_owned(),
             Self::Snapshot(snapshot) => format!("snapshot {}", quoted(&snapshot_text(snapshot)?)),
         })
     }
@@ -101,6 +109,8 @@ impl Restore {
                 // What is wrong with it is the editor's message, as it was when the file was read.
                 let _ = editor.keyframes_read(path, Ok(bytes.to_vec()));
             }
+            Self::Document(snapshot) => editor.jump_to(snapshot),
+            Self::Ground => editor.begin_history(),
             Self::Snapshot(snapshot) => *editor = Editor::of_snapshot(snapshot),
         }
     }

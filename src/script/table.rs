@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use crate::editor::commands::{self, listed};
 
 /// Lines that are no commands of the editor: first word, usage and description.
-pub(super) const OWN_LINES: [(&str, &str, &str); 8] = [
+pub(super) const OWN_LINES: [(&str, &str, &str); 10] = [
     ("key", "key K", "a hotkey: the character itself, or a name such as `space`, `home`, `ctrl+d`"),
     (
         "do",
@@ -30,6 +30,12 @@ pub(super) const OWN_LINES: [(&str, &str, &str); 8] = [
         "in journals: imports this text as if it stood in the file; `hex` and digits in its place for what is not UTF-8",
     ),
     ("snapshot", "snapshot \"JSON\"", "in journals: a document and what is kept beside it, without steps of undo"),
+    (
+        "document",
+        "document \"JSON\"",
+        "in journals: the document that undo or redo led to, by a step from before the snapshot",
+    ),
+    ("ground", "ground", "in journals: what came before is not undone"),
 ];
 
 /// First word, usage and description of every line; those of commands come first.

@@ -7,6 +7,7 @@ use super::ForTests;
 use super::ending::Whereabouts;
 use crate::editor::{Command, Editor, FileAccess, Severity};
 use crate::journal::{self, ENDING, Ending, Left, Writer};
+use crate::script::Restore;
 use crate::storage::{self, Log};
 use crate::ui::RecoveryOffer;
 use crate::words::{Message, texts};
@@ -146,6 +147,13 @@ impl Keeper {
             writer.ticked(self.was_playing, editor, ticks);
         }
         self.was_playing = editor.is_playing();
+    }
+
+    /// The editor is about to become what a line of a journal says.
+    pub fn restored(&mut self, restore: &Restore) {
+        if let Some(writer) = &mut self.writer {
+            writer.restored(restore);
+        }
     }
 
     /// A file was read, and the editor is about to be told.

@@ -27,6 +27,7 @@ use crate::editor::{Command, Editor, FileCommand, Severity};
 use crate::journal::Ending;
 use crate::keyframe::KeyframeIndex;
 use crate::render::GpuError;
+use crate::script::Restore;
 use crate::ui::Panels;
 
 /// The longest time that one tick call may catch up. After a longer stall, playback continues from where it stopped.
@@ -151,7 +152,10 @@ impl Shell {
         for command in std::mem::take(&mut self.at_start) {
             self.apply(command);
         }
-        self.editor.begin_history();
+        if self.editor.undo_label().is_some() {
+            self.keeper.restored(&Restore::Ground);
+            self.editor.begin_history();
+        }
     }
 
     /// Recreates all GPU objects after a device loss, in the same window.
