@@ -32,8 +32,10 @@ fn session(editor: &Editor) -> Vec<Command> {
     let session = editor.session();
     let view = Command::View;
     let toggled = |is_other: bool, command: ViewCommand| is_other.then(|| view(command));
-    let mut commands = vec![view(ViewCommand::SetEye(session.eye))];
-    commands.extend(toggled(session.sky_mode != SkyMode::default(), ViewCommand::ToggleSkyMode));
+    // The sky's mode can only be changed where the sky is looked from, as at first.
+    let mut commands: Vec<Command> =
+        toggled(session.sky_mode != SkyMode::default(), ViewCommand::ToggleSkyMode).into_iter().collect();
+    commands.push(view(ViewCommand::SetEye(session.eye)));
     commands.push(view(ViewCommand::Choose(session.chosen)));
     commands.extend(toggled(session.is_picking, ViewCommand::StartPicking));
     commands.extend(toggled(!session.shows_arcball, ViewCommand::ToggleArcball));
