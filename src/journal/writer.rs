@@ -126,7 +126,7 @@ impl Writer {
 
     /// How many lines were handed over since the journal began.
     #[must_use]
-    pub const fn lines(&self) -> u64 {
+    pub const fn handed_lines(&self) -> u64 {
         self.handed_lines
     }
 

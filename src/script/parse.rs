@@ -168,7 +168,7 @@ impl Parser<'_> {
         match action {
             Action::Restore(Restore::Scene { scene, .. }) => self.scene = Cow::Owned(scene.as_ref().clone()),
             Action::Restore(Restore::Snapshot(snapshot) | Restore::Document(snapshot)) => {
-                self.scene = Cow::Owned(snapshot.scene.as_ref().clone())
+                self.scene = Cow::Owned(snapshot.scene.as_ref().clone());
             }
             _ => {}
         }

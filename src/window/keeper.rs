@@ -101,7 +101,7 @@ impl Keeper {
         self.was_playing = editor.is_playing();
         self.go_on_in_a_new_one(editor);
         if self.tests.prints && !editor.is_dragging() {
-            let lines = self.writer.as_ref().map_or(0, Writer::lines);
+            let lines = self.writer.as_ref().map_or(0, Writer::handed_lines);
             // A reader that has gone is no mishap.
             let _ = writeln!(std::io::stdout(), "{lines} {}", journal::fingerprint(editor));
         }
