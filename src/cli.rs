@@ -2,7 +2,8 @@
 //!
 //! Commands read arguments, print, show progress and turn errors into exit statuses. The rooms below do the work.
 //!
-//! Exit statuses: 0 done, 1 bad input, 2 wrong usage, 3 no display or no GPU adapter. With status 1, standard error has the problems,
+//! Exit statuses: 0 done, 1 bad input, 2 wrong usage, 3 no display or no GPU adapter, 101 a fault of the program, 128 and its number a
+//! signal. With status 1, standard error has the problems,
 //! a sentence a line, and standard output is empty. Commands that compare end with 0 within the tolerance, 1 beyond,
 //! 2 if they cannot compare.
 
@@ -17,7 +18,6 @@ mod drivers;
 mod error;
 mod grade;
 mod help;
-mod interrupt;
 mod mistyped;
 mod nodes;
 mod output;
@@ -38,8 +38,10 @@ use clap::error::ErrorKind;
 use clap::{CommandFactory as _, Parser as _};
 
 use crate::files::scene;
+use crate::signals;
 use crate::text::visible;
 use crate::window::ForTests;
+use crate::words::{Message, texts};
 
 pub use reference::command_reference;
 
@@ -72,6 +74,10 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
             if let Some(source) = source {
                 log::debug!("the command failed: {source:?}");
             }
+            if status == error::NO_DRAWING {
+                // A driver that hangs may hold what the usual end of a process waits for.
+                signals::end(status.into(), &sentences.join("\n"));
+            }
             output::complain(&sentences.join("\n"));
             ExitCode::from(status)
         }
@@ -80,20 +86,29 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
 
 fn dispatch(arguments: &[OsString]) -> Result<Ended, CliError> {
     let mistyped = || mistyped::mistyped_command(arguments, &mut Arguments::command());
-    let Arguments { scene, file, print_lines, window_panic_at, drawing_panic_at, command } =
+    let Arguments { scene, file, print_lines, window_panic_at, drawing_panic_at, device_lost_at, command } =
         match Arguments::try_parse_from(arguments) {
             Ok(read) => read,
             Err(error) if error.use_stderr() => return Err(mistyped().unwrap_or(error).into()),
             Err(help) => return Err(help.into()),
         };
     let scene = scene.as_deref();
+    if command.is_some() {
+        // The window listens in its own way.
+        signals::listen(|signal| Some(ended_by(signal)));
+    }
     match command {
         None => {
             if let Some(error) = file.as_ref().and_then(|_| mistyped()) {
                 return Err(error.into());
             }
-            let (panics_at, panics_in_drawing_at) = (window_panic_at, drawing_panic_at);
-            window::run(scene, file, ForTests { prints: print_lines, panics_at, panics_in_drawing_at })?;
+            let tests = ForTests {
+                prints: print_lines,
+                panics_at: window_panic_at,
+                panics_in_drawing_at: drawing_panic_at,
+                loses_device_at: device_lost_at,
+            };
+            window::run(scene, file, tests)?;
         }
         Some(_) if file.is_some() => {
             return Err(misuse("a FILE to open in the window and a command cannot go together"));
@@ -113,6 +128,15 @@ fn dispatch(arguments: &[OsString]) -> Result<Ended, CliError> {
         Some(Subcommand::Recover(arguments)) => recover::run(&arguments)?,
     }
     Ok(Ended::Well)
+}
+
+/// What is said where a signal ends a command in the middle of anything, also of opening or reading a pipe.
+fn ended_by(signal: i32) -> String {
+    match signal {
+        signals::INTERRUPT => Message::from(texts::EXPORT_INTERRUPTED),
+        _ => texts::ended_by_signal(signal.to_string()),
+    }
+    .to_string()
 }
 
 /// Wrong usage that no single argument shows.

@@ -34,7 +34,7 @@ pub use command::{
 };
 pub use document::Document;
 pub use error::CommandError;
-pub use history::MOST_STEPS;
+pub use history::{MOST_STEPS, Reach};
 pub use host::{FileAccess, FileOutcome, Host, PathQuestion, Writing, Written};
 pub use manipulate::{DragKind, Manipulation};
 pub use motion_path::PathDot;
@@ -314,7 +314,13 @@ impl Editor {
 
     /// Makes the document as it is now the ground of undo: what the program was started with is not undone.
     pub fn begin_history(&mut self) {
-        self.history = History::default();
+        self.history.forget();
+    }
+
+    /// How far undo and redo lead.
+    #[must_use]
+    pub fn undo_reach(&self) -> Reach {
+        self.history.reach()
     }
 
     /// What the next undo would take back, as in "new keyframe".

@@ -4,6 +4,7 @@
 //! It draws on its own adapter and never blocks on the caller: a callback receives each frame and may cancel. Unfinished files are then
 //! removed. [`RenderRequest`] is the entry point; [`Job`] is a request that owns its data, for a thread.
 
+mod child;
 mod error;
 mod ffmpeg;
 mod job;

@@ -18,5 +18,5 @@ mod writer;
 pub use folder::{ENDING, LARGEST_READ_BYTES, Left, left, tidy_up};
 pub use journaled::Journaled;
 pub use mark::{Survey, is_journal, survey};
-pub use play::{Played, play, play_alone, recover};
-pub use writer::{Ending, LARGEST_JOURNAL_BYTES, Writer};
+pub use play::{Played, fingerprint, play, play_alone, play_alone_observed, recover};
+pub use writer::{Ending, LARGEST_JOURNAL_BYTES, MOST_LINES, Writer};

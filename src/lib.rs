@@ -9,7 +9,7 @@
 //!
 //! | level | modules | may name |
 //! |---|---|---|
-//! | 0 | [`words`], [`text`], [`rbt`], [`interpolation`], [`rotation_rules`], [`json`], [`colour`], [`picture`], [`decode`], [`parallel`] | glam; `words` may name serde: settings store language codes; `decode` reads by serde |
+//! | 0 | [`words`], [`text`], [`rbt`], [`interpolation`], [`rotation_rules`], [`json`], [`colour`], [`picture`], [`decode`], [`parallel`], [`unfinished`] | glam; `words` may name serde: settings store language codes; `decode` reads by serde |
 //! | 0 | [`manual`] | pulldown-cmark |
 //! | 1 | [`timed`], [`pose`], [`blend`], [`scene`], [`camera`] | serde, in file formats |
 //! | 2 | [`keyframe`], [`clock`], [`settings`], [`text_layouts`], [`frame`], [`film`] | serde, in file formats; `Duration`, never `Instant` |
@@ -18,6 +18,7 @@
 //! | 5 | [`render`], [`ui`] | wgpu; egui |
 //! | 6 | [`flip`] | pictures in, numbers out |
 //! | 6 | [`storage`] | the file system |
+//! | 7 | [`signals`] | signal-hook |
 //! | 7 | [`export`] | of the outside world only `ffmpeg` |
 //! | 8 | [`files`], [`script`] | named files to values; text to commands, run without a window |
 //! | 9 | [`grading`], [`references`] | bytes or folders in, values out |
@@ -56,11 +57,13 @@ pub mod rotation_rules;
 pub mod scene;
 pub mod script;
 pub mod settings;
+pub mod signals;
 pub mod storage;
 pub mod text;
 pub mod text_layouts;
 pub mod timed;
 pub mod ui;
+pub mod unfinished;
 pub mod view;
 pub mod window;
 pub mod words;

@@ -8,6 +8,7 @@
 
 mod arrange;
 mod bounds;
+mod choice;
 mod detail;
 mod gpu;
 mod identity;
@@ -23,9 +24,11 @@ mod renderer;
 mod shaders;
 mod targets;
 mod uniforms;
+mod watch;
 
 pub use crate::picture::Image;
 pub use arrange::Arrangement;
+pub use choice::{DRIVER_VARIABLES, SELECTED_DRIVERS, SOFTWARE_DRIVER, software_alone};
 pub use gpu::{Gpu, GpuError};
 pub use identity::node_picture;
 pub use offscreen::Offscreen;

@@ -19,7 +19,7 @@ use thiserror::Error;
 use crate::text::system_words;
 use crate::words::{Message, display_by_message, texts};
 
-pub use destination::is_stream;
+pub use destination::{is_stream, standard_error};
 pub use draft::{Committed, Draft, Foreign};
 pub use known::{KnownFiles, OutsideChange};
 pub use log::{LeftLog, Log, begins_with, epoch_seconds, logs, state_folder};
@@ -66,6 +66,7 @@ impl StorageError {
             Self::System(error) => match error.kind() {
                 io::ErrorKind::NotFound => texts::STORAGE_NOT_FOUND.into(),
                 io::ErrorKind::PermissionDenied => texts::STORAGE_PERMISSION_DENIED.into(),
+                io::ErrorKind::AlreadyExists => texts::STORAGE_IN_THE_WAY.into(),
                 io::ErrorKind::IsADirectory => texts::STORAGE_IS_FOLDER.into(),
                 _ => texts::foreign(system_words(error)),
             },

@@ -37,6 +37,7 @@ use crate::editor::{Command, Editor};
 use crate::film::ExportEnd;
 use crate::render::GpuError;
 use dialog::Question;
+pub use ending::Signals;
 use shell::Shell;
 
 /// Why the window cannot open, and what to install.
@@ -62,6 +63,9 @@ pub enum WindowError {
         /// What it says.
         reason: String,
     },
+    /// The display has gone.
+    #[error("the display has gone")]
+    DisplayGone,
     /// A signal ended the program.
     #[error("ended by signal {signal}")]
     Signalled {
@@ -87,12 +91,15 @@ pub enum WindowError {
 /// What tests ask of a window.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ForTests {
-    /// Whether it prints the number of lines in the journal after each command, and `picture` for each picture that it draws.
+    /// Whether it prints the number of lines in the journal and [`fingerprint`](crate::journal::fingerprint) after each command, what
+    /// it says of the journal, and `picture` for each picture that it draws.
     pub prints: bool,
     /// The command of this number panics, counted from 1.
     pub panics_at: Option<u64>,
     /// Drawing panics after so many commands.
     pub panics_in_drawing_at: Option<u64>,
+    /// The device is lost after so many commands, and no other opens.
+    pub loses_device_at: Option<u64>,
 }
 
 /// Events that threads of this program send to the window's event loop.
@@ -136,10 +143,10 @@ impl From<accesskit_winit::Event> for UserEvent {
 ///
 /// # Errors
 /// [`WindowError`], all of them before the user can have changed anything but the last.
-pub fn run(editor: Editor, at_start: Vec<Command>, tests: ForTests) -> Result<(), WindowError> {
+pub fn run(editor: Editor, at_start: Vec<Command>, signals: &Signals, tests: ForTests) -> Result<(), WindowError> {
     let event_loop = event_loop()?;
     let shell = Shell::new(editor, at_start, event_loop.create_proxy(), tests);
-    ending::run_to_end(event_loop, shell)
+    ending::run_to_end(event_loop, shell, signals)
 }
 
 /// The event loop. Where a library of the window system is missing, its binding panics: that is no display either.

@@ -229,15 +229,13 @@ fn random_commands_read_back_to_the_same_document() {
         let (again, played) = play_alone(&text);
         assert_eq!((played.damage, played.passed_over, played.is_cut), (None, 0, false));
         assert_same(&again, &kept.editor);
-        // From a snapshot everything but undo is the same.
+        // From a snapshot everything is the same, also where a step from before it is undone.
         if kept.editor.is_at_rest() {
             let other = folder.path().join("snapshot.journal");
             let mut continued = Kept::new(kept.editor, &other);
             for _ in 0..50 {
                 let step = strategy.new_tree(&mut runner).unwrap().current();
-                if !matches!(step, Step::Command(Command::Undo | Command::Redo)) {
-                    run(&mut continued, step);
-                }
+                run(&mut continued, step);
             }
             continued.journal.flush(&continued.editor);
             let (again, played) = play_alone(&std::fs::read(&other).unwrap());
@@ -290,8 +288,8 @@ fn undo_ends_where_the_program_had_started() {
     let path = folder.path().join("a.journal");
     let mut kept = Kept::new(editor(), &path);
     kept.import(text_of(&editor_with(3)).as_bytes());
+    kept.journal.restored(&Restore::Ground);
     kept.editor.begin_history();
-    kept.journal.begins_history();
     kept.apply(Command::Edit(Edit::CreateKeyframe));
     let (mut again, _) = play_alone(&std::fs::read(&path).unwrap());
     assert_same(&again, &kept.editor);
@@ -314,6 +312,88 @@ fn marked_lines_are_passed_over() {
     let (again, played) = play_alone(&std::fs::read(&path).unwrap());
     assert_eq!(played.passed_over, 2);
     assert_same(&again, &kept.editor);
+}
+
+#[test]
+fn going_back_before_a_command_takes_nothing_from_undo() {
+    let mut editor = editor_with(3);
+    let choose = Command::View(ViewCommand::Choose(Some(RbtIndex::new(2))));
+    for command in [choose, Command::Edit(Edit::TranslateChosen(Vec3::X)), Command::Undo] {
+        editor.apply(command).unwrap();
+    }
+    for command in [
+        Command::Undo,
+        Command::Redo,
+        Command::Edit(Edit::CreateKeyframe),
+        Command::Edit(Edit::Wheel(Rbt::from_translation(Vec3::Y))),
+        Command::Gesture(GestureCommand::Begin),
+    ] {
+        let (before, whole) = (editor.before(), editor.clone());
+        editor.apply(command).unwrap();
+        editor.go_back(before);
+        assert_same(&editor, &whole);
+        let [mut ours, mut theirs] = [editor.clone(), whole];
+        for step in [Command::Redo, Command::Undo, Command::Undo, Command::Undo] {
+            assert_eq!(ours.apply(step.clone()).is_ok(), theirs.apply(step).is_ok());
+            assert_same(&ours, &theirs);
+        }
+    }
+}
+
+#[test]
+fn as_many_steps_can_be_undone_as_are_promised() {
+    use inbetween::editor::MOST_STEPS;
+    let mut editor = editor();
+    editor.apply(Command::View(ViewCommand::Choose(Some(RbtIndex::new(2))))).unwrap();
+    // So many that the older ones were forgotten in between.
+    for _ in 0..3 * MOST_STEPS {
+        editor.apply(Command::Edit(Edit::TranslateChosen(Vec3::X))).unwrap();
+    }
+    let undone = (0..).take_while(|_| editor.apply(Command::Undo).is_ok()).count();
+    let redone = (0..).take_while(|_| editor.apply(Command::Redo).is_ok()).count();
+    assert_eq!((undone, redone), (MOST_STEPS, MOST_STEPS));
+}
+
+#[test]
+fn undo_of_what_came_before_a_snapshot_is_read_back() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.journal");
+    let mut kept = Kept::new(editor_with(4), &path);
+    let steps = |kept: &mut Kept, commands: &[Command]| {
+        for command in commands {
+            kept.apply(command.clone());
+            let text = std::fs::read(&path).unwrap();
+            let (again, played) = play_alone(&text);
+            assert_eq!((played.damage, played.passed_over), (None, 0));
+            assert!(again.document() == kept.editor.document(), "after {command:?}");
+            assert_eq!(again.session(), kept.editor.session());
+        }
+    };
+    let new = Command::Edit(Edit::CreateKeyframe);
+    steps(&mut kept, &[Command::Undo, Command::Undo, Command::Redo, Command::Redo, Command::Redo]);
+    steps(&mut kept, &[new.clone(), Command::Undo, Command::Undo, Command::Redo, Command::Redo, new.clone()]);
+    steps(&mut kept, &vec![Command::Undo; 7]);
+    steps(&mut kept, &vec![Command::Redo; 8]);
+    // What was done after it is undone step by step.
+    steps(&mut kept, &[new.clone(), new, Command::Undo]);
+    assert_eq!(play_alone(&std::fs::read(&path).unwrap()).0.undo_label(), kept.editor.undo_label());
+}
+
+#[test]
+fn the_ground_of_undo_is_the_same_when_a_journal_is_read_back() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.journal");
+    let mut kept = Kept::new(editor(), &path);
+    kept.import(text_of(&editor_with(3)).as_bytes());
+    kept.journal.restored(&script::Restore::Ground);
+    kept.editor.begin_history();
+    kept.apply(Command::Undo);
+    kept.apply(Command::Edit(Edit::CreateKeyframe));
+    assert_same(&play_alone(&std::fs::read(&path).unwrap()).0, &kept.editor);
+    kept.apply(Command::Undo);
+    kept.apply(Command::Undo);
+    assert_same(&play_alone(&std::fs::read(&path).unwrap()).0, &kept.editor);
+    assert_eq!(kept.editor.document().keyframes.len(), 3);
 }
 
 #[test]
@@ -450,6 +530,8 @@ fn restoring_lines_read_back() {
         script::Restore::ImportedScene { path: "x y".into(), bytes: b"{\"#\": \"\n\"}".as_slice().into() },
         script::Restore::ImportedScene { path: "x".into(), bytes: b"\xff".as_slice().into() },
         script::Restore::Snapshot(Box::new(editor.snapshot())),
+        script::Restore::Document(Box::new(editor.snapshot())),
+        script::Restore::Ground,
     ] {
         let line = restore.line().unwrap();
         let read = script::parse_line(1, format!("  {line}  # more\r").as_bytes(), &scene).unwrap().unwrap();

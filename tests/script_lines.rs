@@ -228,13 +228,15 @@ fn refusals_are_sentences() {
 }
 
 /// What is tested elsewhere: times that are waited, pictures, and undo itself.
-const ELSEWHERE: [&str; 24] = [
+const ELSEWHERE: [&str; 26] = [
     // `journal.rs` and `cli/journal.rs`.
     "scene",
     "keyframe-file",
     "imported",
     "imported-scene",
     "snapshot",
+    "document",
+    "ground",
     "wait",
     "screenshot",
     "undo",

@@ -75,15 +75,21 @@ fn the_wall_clock_is_read_in_one_function_each() {
 /// Statics hold constants, and caches that are filled once with what never differs.
 #[test]
 fn no_mutable_global_state() {
-    // What it guards is the process's own: its standard error.
-    const GUARDS: [(&str, &str); 1] = [("render/quiet.rs", "REDIRECTING")];
+    // What they guard is the process's own: its standard error, and what a signal must clear away.
+    const GUARDS: [(&str, &str); 2] = [("render/quiet.rs", "REDIRECTING"), ("unfinished.rs", "ALL")];
     const INNER_MUTABILITY: [&str; 6] = ["Cell", "RefCell", "UnsafeCell", "Mutex", "RwLock", "Once"];
     for source in sources() {
         for shared in ["Rc", "RefCell"] {
             assert!(!source.names_part(shared), "src/{} names {shared}", source.name);
         }
+        // What the C library drops when Xlib ends the process is a value of a thread.
+        let may_be_local = source.name == "window/ending.rs";
         for local in ["thread_local", "lazy_static"] {
-            assert!(!source.macros.contains(local), "src/{} calls {local}!", source.name);
+            assert!(
+                may_be_local && local == "thread_local" || !source.macros.contains(local),
+                "src/{} calls {local}!",
+                source.name
+            );
         }
         for (name, is_mutable, types) in &source.statics {
             let is_inner = |part: &str| INNER_MUTABILITY.contains(&part) || part.starts_with("Atomic");

@@ -87,3 +87,21 @@ fn a_display_that_shares_no_memory_shows_the_same() {
     let places: Vec<_> = others.map(|(place, _)| (place % 1280, place / 1280)).collect();
     assert!(places.is_empty(), "{} pixels differ, the first at {:?}", places.len(), places[0]);
 }
+
+#[test]
+fn a_wayland_variable_of_another_session_does_not_keep_the_window_from_x11() {
+    let folder = tempfile::tempdir().unwrap();
+    let (_server, display) = display(&[]);
+    let mut command = inbetween(&display, folder.path());
+    command.env("WAYLAND_DISPLAY", "wayland-nobody").env("XDG_RUNTIME_DIR", folder.path());
+    let mut inbetween_there = start("inbetween", &mut command);
+    let is_open =
+        wait_for(|| xdotool(&display, &["search", "--name", "Inbetween"]).is_some_and(|window| !window.is_empty()));
+    assert!(is_open, "no window opens; the program: {:?}", inbetween_there.0.try_wait());
+    // Where neither answers, both are named.
+    let mut command = inbetween(":77777", folder.path());
+    let output = command.env("WAYLAND_DISPLAY", "wayland-nobody").output().unwrap();
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(3), "{said}");
+    assert!(said.contains("WAYLAND_DISPLAY is \"wayland-nobody\", DISPLAY is \":77777\""), "{said}");
+}

@@ -37,7 +37,8 @@ pub struct Arguments {
     pub scene: Option<PathBuf>,
     /// The keyframe file to open in the window, loaded if it exists [default: animation.json, not loaded].
     pub file: Option<PathBuf>,
-    /// For tests: the window prints how many lines its journal has, after each command, and `picture` for each picture.
+    /// For tests: after each command the window prints how many lines its journal has, and a hash of what it must bring back; and
+    /// `picture` for each picture.
     #[arg(long, hide = true)]
     pub print_lines: bool,
     /// For tests: the command of this number panics in the window, counted from 1.
@@ -46,6 +47,9 @@ pub struct Arguments {
     /// For tests: drawing panics after so many commands.
     #[arg(long, hide = true, value_name = "N")]
     pub drawing_panic_at: Option<u64>,
+    /// For tests: the device is lost for good after so many commands.
+    #[arg(long, hide = true, value_name = "N")]
+    pub device_lost_at: Option<u64>,
     /// The command to run instead of opening the window.
     #[command(subcommand)]
     pub command: Option<Subcommand>,

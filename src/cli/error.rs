@@ -13,6 +13,7 @@ use crate::script::DiskStop;
 use crate::storage::{self, StorageError};
 use crate::text::system_words;
 use crate::window::WindowError;
+use crate::words::texts;
 
 /// How a successful command ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,7 +26,8 @@ pub enum Ended {
 
 const BAD_INPUT: u8 = 1;
 const MISUSE: u8 = 2;
-const NO_DRAWING: u8 = 3;
+/// No display, or no GPU adapter that draws.
+pub const NO_DRAWING: u8 = 3;
 /// The exit status that Rust uses for a program that panicked.
 const PANICKED: u8 = 101;
 /// The exit status that shells use for a program that SIGINT ended.
@@ -99,8 +101,18 @@ impl From<FileError> for CliError {
 
 impl From<GpuError> for CliError {
     fn from(error: GpuError) -> Self {
-        Self::of(gpu_status(&error), error)
+        Self::failed(gpu_status(&error), with_drivers(&error, &error), error)
     }
+}
+
+/// A sentence, with the drivers that are loaded where one of them hangs and has not said its name.
+fn with_drivers(sentence: impl Display, error: &GpuError) -> String {
+    #[cfg(target_os = "linux")]
+    if let (GpuError::Hangs { adapter: None, .. }, Some(drivers)) = (error, super::drivers::loaded()) {
+        return texts::gpu_loaded(sentence.to_string(), drivers).to_string();
+    }
+    let _ = error;
+    sentence.to_string()
 }
 
 fn gpu_status(error: &GpuError) -> u8 {
@@ -110,7 +122,7 @@ fn gpu_status(error: &GpuError) -> u8 {
 fn window_status(error: &WindowError) -> u8 {
     match error {
         WindowError::NoDisplay { .. } | WindowError::Gpu(_) => NO_DRAWING,
-        WindowError::Ended { .. } => BAD_INPUT,
+        WindowError::Ended { .. } | WindowError::DisplayGone => BAD_INPUT,
         // As shells have it.
         WindowError::Signalled { signal } => u8::try_from(128 + signal).unwrap_or(BAD_INPUT),
         WindowError::Panicked { .. } => PANICKED,
@@ -120,7 +132,11 @@ fn window_status(error: &WindowError) -> u8 {
 
 impl From<WindowError> for CliError {
     fn from(error: WindowError) -> Self {
-        Self::of(window_status(&error), error)
+        let sentence = match &error {
+            WindowError::Gpu(gpu) => with_drivers(&error, gpu),
+            _ => error.to_string(),
+        };
+        Self::failed(window_status(&error), sentence, error)
     }
 }
 

@@ -8,7 +8,6 @@ use std::mem;
 use std::path::Path;
 
 use super::arguments::RenderArguments;
-use super::interrupt::Interrupt;
 use super::places::Places;
 use super::progress::Progress;
 use super::{CliError, scene};
@@ -117,12 +116,11 @@ fn places(arguments: &RenderArguments, scene: Option<&Path>, output: Output) -> 
     places.writes("--manifest", manifest)
 }
 
-/// Shows a line of progress and checks for Ctrl+C.
+/// Shows a line of progress.
 fn watched(planned: &PlannedRender<'_>) -> impl FnMut(usize, usize) -> bool + use<> {
     let mut progress = Progress::new("frame", planned.frame_count());
-    let interrupt = Interrupt::listen();
     move |done, _| {
         progress.reach(done);
-        !interrupt.is_asked()
+        true
     }
 }

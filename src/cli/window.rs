@@ -6,7 +6,7 @@ use super::arguments::DEFAULT_KEYFRAME_FILE;
 use super::{CliError, misuse, scene};
 use crate::editor::{Command, FileCommand};
 use crate::storage;
-use crate::window::ForTests;
+use crate::window::{ForTests, Signals};
 use crate::words::texts;
 
 /// Opens the window on a scene, with a keyframe file, which is loaded if it is named and exists. The window reports errors of the file.
@@ -17,11 +17,12 @@ pub fn run(scene: Option<&Path>, file: Option<PathBuf>, tests: ForTests) -> Resu
     if file.as_deref().is_some_and(storage::is_standard) {
         return Err(misuse(&texts::places_needs_a_file("FILE").to_string()));
     }
+    let signals = Signals::listen();
     let loaded = scene::load(scene)?;
     let at_start = match &file {
         Some(file) if storage::exists(file) => vec![Command::File(FileCommand::Import)],
         _ => Vec::new(),
     };
     let path = file.unwrap_or_else(|| PathBuf::from(DEFAULT_KEYFRAME_FILE));
-    Ok(crate::window::run(scene::editor_of(loaded, scene, path), at_start, tests)?)
+    Ok(crate::window::run(scene::editor_of(loaded, scene, path), at_start, &signals, tests)?)
 }

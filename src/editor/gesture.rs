@@ -1,7 +1,7 @@
 //! Drags, each one undo step, and the undo and redo commands.
 
 use super::apply::CommandResult;
-use super::{CommandError, Document, Editor, GestureCommand};
+use super::{CommandError, Document, Editor, GestureCommand, Snapshot};
 use crate::keyframe::{Keyframe, KeyframeList};
 use crate::rbt::Rbt;
 use crate::words::{Message, Phrase, texts};
@@ -108,6 +108,14 @@ impl Editor {
         let label = self.history.redo(&mut self.document).ok_or(CommandError::NothingToRedo)?;
         self.drop_stale_selection(&before);
         Ok(Some(texts::redone(label)))
+    }
+
+    /// Puts a document in place as undo does, where the steps that lead to it are not known.
+    pub fn jump_to(&mut self, document: &Snapshot) {
+        self.end_scrub();
+        let before = std::mem::replace(&mut self.document, Self::of_snapshot(document).document).keyframes;
+        self.history.forget();
+        self.drop_stale_selection(&before);
     }
 
     /// Clears the selection if the list changed, because its indices may now be other keyframes.

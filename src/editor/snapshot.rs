@@ -7,6 +7,7 @@ use glam::{Quat, Vec3};
 
 use super::apply::placeable;
 use super::gesture::Gesture;
+use super::history::History;
 use super::playback::Playback;
 use super::timed_key_clock::TimedKeyClock;
 use super::timeline::Clipboard;
@@ -29,7 +30,8 @@ pub struct Before {
     path: PathBuf,
     scene_path: Option<PathBuf>,
     is_file_known: bool,
-    steps: usize,
+    history: History,
+    saved_scene: Arc<SceneGraph>,
 }
 
 /// A document and what is kept beside it, without what can be undone. Session and mode are set by commands.
@@ -116,11 +118,12 @@ impl Editor {
             path: self.keyframe_file.clone(),
             scene_path: self.scene_path.clone(),
             is_file_known: self.is_file_known,
-            steps: self.history.steps(),
+            history: self.history.clone(),
+            saved_scene: Arc::clone(&self.saved_scene),
         }
     }
 
-    /// Goes back to what was before a command that panicked. What it undid or redid cannot be undone or redone again.
+    /// Goes back to what was before a command that panicked.
     pub fn go_back(&mut self, before: Before) {
         self.document = before.document;
         self.saved = before.saved;
@@ -132,7 +135,8 @@ impl Editor {
         self.keyframe_file = before.path;
         self.scene_path = before.scene_path;
         self.is_file_known = before.is_file_known;
-        self.history.forget_after(before.steps);
+        self.history = before.history;
+        self.saved_scene = before.saved_scene;
     }
 
     /// Whether it is as a new editor of its scene: with no keyframes, nothing done, and nothing set.

@@ -1,14 +1,20 @@
 //! MP4 through the user's ffmpeg.
 
+use std::ffi::OsStr;
 use std::io::{self, Write};
 use std::path::Path;
-use std::process::{Child, ChildStdin, Command, ExitStatus, Stdio};
+use std::process::{Command, ExitStatus};
+use std::time::Duration;
 
 use thiserror::Error;
 
+use super::child::{Running, Unended};
 use crate::film::written_endings;
 use crate::text::system_words;
 use crate::words::{Message, display_by_message, one_of, texts};
+
+/// How long ffmpeg may make no progress while it is waited for.
+const PATIENCE: Duration = Duration::from_mins(1);
 
 /// Why ffmpeg made no film.
 #[derive(Debug, Error)]
@@ -17,10 +23,29 @@ pub enum FfmpegError {
     Missing,
     /// It does not start.
     Start(#[source] io::Error),
-    /// It exited with an error, which it printed on standard error.
-    Ended(ExitStatus),
+    /// It exited with an error.
+    Ended {
+        /// How.
+        status: ExitStatus,
+        /// The last line of its standard error.
+        said: Option<String>,
+    },
+    /// It exited without an error before it had read all pictures.
+    Early {
+        /// The last line of its standard error.
+        said: Option<String>,
+    },
+    /// It made no progress, and was ended.
+    Hung {
+        /// For so long.
+        patience: Duration,
+        /// The last line of its standard error.
+        said: Option<String>,
+    },
     /// Waiting for it failed.
     Wait(#[source] io::Error),
+    /// Nobody wants the film any more.
+    Cancelled,
 }
 
 display_by_message!(FfmpegError);
@@ -29,15 +54,22 @@ impl FfmpegError {
     /// The error as a message.
     #[must_use]
     pub fn message(&self) -> Message {
-        match self {
+        let (problem, said) = match self {
             Self::Missing => {
                 let [_, films, _] = written_endings();
                 let films: Vec<String> = films.iter().map(|ending| format!(".{ending}")).collect();
-                texts::export_no_ffmpeg(one_of(&films))
+                (texts::export_no_ffmpeg(one_of(&films)), &None)
             }
-            Self::Start(error) => texts::export_ffmpeg_not_started(system_words(error)),
-            Self::Ended(status) => texts::export_ffmpeg_ended(status.to_string()),
-            Self::Wait(error) => texts::export_ffmpeg_lost(system_words(error)),
+            Self::Start(error) => (texts::export_ffmpeg_not_started(system_words(error)), &None),
+            Self::Ended { status, said } => (texts::export_ffmpeg_ended(status.to_string()), said),
+            Self::Early { said } => (texts::EXPORT_FFMPEG_EARLY.into(), said),
+            Self::Hung { patience, said } => (texts::export_ffmpeg_hung(patience.as_secs().to_string()), said),
+            Self::Wait(error) => (texts::export_ffmpeg_lost(system_words(error)), &None),
+            Self::Cancelled => (texts::EXPORT_INTERRUPTED.into(), &None),
+        };
+        match said {
+            Some(said) => texts::export_ffmpeg_said(problem, said),
+            None => problem,
         }
     }
 }
@@ -45,22 +77,20 @@ impl FfmpegError {
 /// Checks that ffmpeg is installed.
 ///
 /// # Errors
-/// [`FfmpegError::Missing`] if it is not.
+/// [`FfmpegError::Missing`] if it is not; [`FfmpegError::Hung`]
 pub fn find_ffmpeg() -> Result<(), FfmpegError> {
-    let found = Command::new("ffmpeg")
-        .arg("-version")
-        .stdin(Stdio::null())
-        .stdout(Stdio::null())
-        .stderr(Stdio::null())
-        .status()
-        .is_ok_and(|status| status.success());
-    if found { Ok(()) } else { Err(FfmpegError::Missing) }
+    let mut ffmpeg = Ffmpeg::run(OsStr::new("ffmpeg"), [OsStr::new("-version")], PATIENCE);
+    match ffmpeg.as_mut().map(|ffmpeg| ffmpeg.finish(|| true)) {
+        Ok(Ok(())) => Ok(()),
+        Ok(Err(error @ FfmpegError::Hung { .. })) => Err(error),
+        _ => Err(FfmpegError::Missing),
+    }
 }
 
-/// The user's ffmpeg, which takes a Y4M on its standard input.
+/// The user's ffmpeg, which takes a Y4M on its standard input. When it is dropped it is ended.
 pub struct Ffmpeg {
-    child: Child,
-    input: Option<ChildStdin>,
+    process: Running,
+    patience: Duration,
 }
 
 impl Ffmpeg {
@@ -69,47 +99,123 @@ impl Ffmpeg {
     /// # Errors
     /// [`FfmpegError::Start`]
     pub fn start(output: &Path) -> Result<Self, FfmpegError> {
-        let mut child = Command::new("ffmpeg")
-            .args(["-v", "error", "-y", "-f", "yuv4mpegpipe", "-i", "-", "-an", "-c:v", "libx264", "-crf", "18"])
-            .args(["-pix_fmt", "yuv420p", "-colorspace", "smpte170m", "-color_primaries", "bt709"])
-            .args(["-color_trc", "iec61966-2-1", "-color_range", "tv", "-movflags", "+faststart", "-f", "mp4"])
-            .arg(output)
-            .stdin(Stdio::piped())
-            .stdout(Stdio::null())
-            .spawn()
-            .map_err(FfmpegError::Start)?;
-        let input = child.stdin.take();
-        Ok(Self { child, input })
+        const BEFORE: &str = "-v error -nostats -progress pipe:1 -y -f yuv4mpegpipe -i - -an -c:v libx264 -crf 18 -pix_fmt yuv420p \
+                              -colorspace smpte170m -color_primaries bt709 -color_trc iec61966-2-1 -color_range tv \
+                              -movflags +faststart -f mp4";
+        let arguments = BEFORE.split_whitespace().map(OsStr::new).chain([output.as_os_str()]);
+        Self::run(OsStr::new("ffmpeg"), arguments, PATIENCE).map_err(FfmpegError::Start)
     }
 
-    /// Kills ffmpeg.
-    pub fn stop(&mut self) {
-        self.input = None;
-        // It may have exited already.
-        let _ = self.child.kill();
-        let _ = self.child.wait();
+    fn run<'a>(
+        program: &OsStr,
+        arguments: impl IntoIterator<Item = &'a OsStr>,
+        patience: Duration,
+    ) -> io::Result<Self> {
+        let process = Running::start(Command::new(program).args(arguments), patience)?;
+        Ok(Self { process, patience })
     }
 
-    /// Waits for ffmpeg to exit. Its errors are on standard error.
+    /// What ends it at any moment.
+    pub fn killer(&self) -> impl Fn() + Send + Sync + use<> {
+        self.process.killer()
+    }
+
+    /// Ends its input and waits for it to exit, as long as `goes_on`.
     ///
     /// # Errors
-    /// [`FfmpegError::Ended`], [`FfmpegError::Wait`]
-    pub fn finish(&mut self) -> Result<(), FfmpegError> {
-        self.input = None;
-        match self.child.wait() {
+    /// [`FfmpegError`]
+    pub fn finish(&mut self, goes_on: impl FnMut() -> bool) -> Result<(), FfmpegError> {
+        self.process.close_input();
+        match self.process.wait(goes_on) {
             Ok(status) if status.success() => Ok(()),
-            Ok(status) => Err(FfmpegError::Ended(status)),
-            Err(error) => Err(FfmpegError::Wait(error)),
+            Ok(status) => Err(FfmpegError::Ended { status, said: self.process.last_words() }),
+            Err(Unended::Hung) => Err(FfmpegError::Hung { patience: self.patience, said: self.process.last_words() }),
+            Err(Unended::Cancelled) => Err(FfmpegError::Cancelled),
+            Err(Unended::System(error)) => Err(FfmpegError::Wait(error)),
+        }
+    }
+
+    /// The same after it has stopped reading.
+    ///
+    /// # Errors
+    /// [`FfmpegError`], always.
+    pub fn stopped_reading(&mut self, goes_on: impl FnMut() -> bool) -> FfmpegError {
+        match self.finish(goes_on) {
+            Ok(()) => FfmpegError::Early { said: self.process.last_words() },
+            Err(error) => error,
         }
     }
 }
 
 impl Write for Ffmpeg {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.input.as_mut().map_or(Ok(0), |input| input.write(bytes))
+        self.process.write(bytes)
     }
 
     fn flush(&mut self) -> io::Result<()> {
-        self.input.as_mut().map_or(Ok(()), Write::flush)
+        self.process.flush()
+    }
+}
+
+#[cfg(test)]
+#[cfg(unix)]
+mod tests {
+    use super::*;
+
+    /// A stand-in for ffmpeg that is a script of the shell.
+    fn stand_in(script: &str, patience: Duration) -> Ffmpeg {
+        Ffmpeg::run(OsStr::new("sh"), ["-c", script].map(OsStr::new), patience).unwrap()
+    }
+
+    const SHORT: Duration = Duration::from_millis(300);
+
+    #[track_caller]
+    fn fails(script: &str, expected: &str) {
+        let mut ffmpeg = stand_in(script, SHORT);
+        let mut outcome = Ok(());
+        // More than a pipe holds.
+        while outcome.is_ok() {
+            outcome = ffmpeg.write_all(&vec![0; 1 << 16]);
+        }
+        assert_eq!(ffmpeg.stopped_reading(|| true).to_string(), expected);
+    }
+
+    #[test]
+    fn one_that_does_not_read_is_ended_and_named() {
+        fails("sleep 1000", "ffmpeg made no progress for 0 s, and was ended");
+        fails(
+            "echo old >&2; echo 'no more disk' >&2; sleep 1000 & sleep 1000",
+            "ffmpeg made no progress for 0 s, and was ended; it said: no more disk",
+        );
+    }
+
+    #[test]
+    fn one_that_ends_early_is_named_with_its_last_words() {
+        fails("echo bad codec >&2; exit 7", "ffmpeg ended with exit status: 7; it said: bad codec");
+        fails("kill -9 $$", "ffmpeg ended with signal: 9 (SIGKILL)");
+        fails("exit 0", "ffmpeg ended before it had read all pictures");
+    }
+
+    #[test]
+    fn one_that_reads_slowly_or_says_how_far_it_is_does_not_hang() {
+        let mut ffmpeg =
+            stand_in("for i in 1 2 3 4; do sleep 0.1; head -c 65536 > /dev/null; done; cat > /dev/null", SHORT);
+        for _ in 0..6 {
+            ffmpeg.write_all(&vec![0; 1 << 16]).unwrap();
+        }
+        ffmpeg.finish(|| true).unwrap();
+        let mut ffmpeg = stand_in("cat > /dev/null; for i in 1 2 3 4 5 6; do sleep 0.1; echo frame=$i; done", SHORT);
+        ffmpeg.finish(|| true).unwrap();
+        let mut ffmpeg = stand_in("cat > /dev/null; while sleep 0.1; do echo frame=1; done", SHORT);
+        assert!(matches!(ffmpeg.finish(|| true), Err(FfmpegError::Hung { .. })));
+    }
+
+    #[test]
+    fn it_is_ended_when_nobody_wants_it() {
+        let mut ffmpeg = stand_in("sleep 1000", PATIENCE);
+        let killer = ffmpeg.killer();
+        assert!(matches!(ffmpeg.finish(|| false), Err(FfmpegError::Cancelled)));
+        killer();
+        assert!(matches!(ffmpeg.finish(|| true), Err(FfmpegError::Ended { .. })));
     }
 }

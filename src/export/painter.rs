@@ -44,12 +44,18 @@ impl Painter {
     /// A painter of pictures of a size on an adapter; `samples` per pixel, by default as many as suit it.
     ///
     /// # Errors
-    /// [`GpuError::Size`] if the adapter cannot draw pictures of this size.
+    /// [`GpuError::Size`] if the adapter cannot draw pictures of this size; what [`Gpu::check`] says.
     pub fn on(gpu: Gpu, size: Size, samples: Option<u32>) -> Result<Self, GpuError> {
         let offscreen = Offscreen::new(&gpu, size.width, size.height)?;
         let samples = samples.unwrap_or_else(|| default_samples(gpu.is_software));
         let renderer = Renderer::new(&gpu, Offscreen::FORMAT, samples);
-        Ok(Self { size, samples, gpu, renderer, offscreen })
+        let painter = Self { size, samples, gpu, renderer, offscreen };
+        if let Err(error) = painter.gpu.check() {
+            // The driver would wait for its work.
+            std::mem::forget(painter);
+            return Err(error);
+        }
+        Ok(painter)
     }
 
     /// The pictures' width and height in pixels.

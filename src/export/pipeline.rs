@@ -2,6 +2,7 @@
 
 use std::sync::mpsc;
 use std::thread;
+use std::time::Duration;
 
 use super::{ExportError, Moments, Painter, Size, Stage};
 use crate::render::Drawn;
@@ -54,14 +55,13 @@ impl Drawing<'_> {
             let drawn = moments.all.iter().enumerate().try_for_each(|(index, moment)| -> Result<(), Stop> {
                 goes_on(index)?;
                 match painter.next_drawn(Some(&stage.frame(moment)?))? {
-                    // If the other thread has ended, it has returned an error.
-                    Some(picture) => sender.send(picture).map_err(|_| Stop(None)),
+                    Some(picture) => send(&sender, picture, || goes_on(index)),
                     None => Ok(()),
                 }
             });
             // Frames that were submitted are read back, also after cancelling.
             let drawn = match painter.next_drawn(None) {
-                Ok(Some(picture)) => drawn.and(sender.send(picture).map_err(|_| Stop(None))),
+                Ok(Some(picture)) => drawn.and_then(|()| send(&sender, picture, || goes_on(count.saturating_sub(1)))),
                 Ok(None) => drawn,
                 Err(error) => drawn.and(Err(error.into())),
             };
@@ -74,6 +74,27 @@ impl Drawing<'_> {
         })?;
         // Waiting for the consumer took time; the watcher is asked again.
         goes_on(count)
+    }
+}
+
+/// How often the watcher is asked while the queue is full.
+const STEP: Duration = Duration::from_millis(5);
+
+/// Sends a picture. While the queue is full, because its consumer is slow or hangs, the watcher can cancel.
+fn send(
+    sender: &mpsc::SyncSender<Drawn>,
+    mut picture: Drawn,
+    mut goes_on: impl FnMut() -> Result<(), ExportError>,
+) -> Result<(), Stop> {
+    loop {
+        match sender.try_send(picture) {
+            Ok(()) => return Ok(()),
+            Err(mpsc::TrySendError::Full(unsent)) => picture = unsent,
+            // If the other thread has ended, it has returned an error.
+            Err(mpsc::TrySendError::Disconnected(_)) => return Err(Stop(None)),
+        }
+        goes_on()?;
+        thread::sleep(STEP);
     }
 }
 

@@ -4,7 +4,7 @@ use std::io::Write;
 use std::path::Path;
 
 use super::ExportError;
-use super::ffmpeg::Ffmpeg;
+use super::ffmpeg::{Ffmpeg, FfmpegError};
 use super::pipeline::Drawing;
 use crate::film::{Film, FilmError, FilmFormat, Plan, StartStill};
 use crate::render::Image;
@@ -93,17 +93,33 @@ pub fn write_through_ffmpeg(
     plan: Plan,
     drawing: &mut Drawing<'_>,
 ) -> Result<(), ExportError> {
-    let failed = |cause| ExportError::Ffmpeg { path: path.to_owned(), cause };
+    let failed = |cause| match cause {
+        FfmpegError::Cancelled => ExportError::Cancelled,
+        cause => ExportError::Ffmpeg { path: path.to_owned(), cause },
+    };
     let foreign = Foreign::new(path).map_err(|cause| unwritten(path, cause))?;
     let mut ffmpeg = Ffmpeg::start(foreign.path()).map_err(failed)?;
-    let encoded = encode(path, format, plan, drawing, &mut ffmpeg);
-    // If ffmpeg exited early, its error is more useful than the broken pipe.
-    if let Err(error @ (ExportError::Cancelled | ExportError::Gpu(_))) = encoded {
-        ffmpeg.stop();
-        return Err(error);
+    let Drawing { stage, moments, painter, watch } = drawing;
+    let kill = ffmpeg.killer();
+    let count = moments.all.len();
+    // The thread that feeds ffmpeg may wait for it.
+    let mut watch = |done: usize, count: usize| {
+        let goes_on = watch(done, count);
+        if !goes_on {
+            kill();
+        }
+        goes_on
+    };
+    let mut drawing = Drawing { stage, moments, painter, watch: &mut watch };
+    let encoded = encode(path, format, plan, &mut drawing, &mut ffmpeg);
+    let goes_on = || watch(count, count);
+    match encoded {
+        Ok(()) => ffmpeg.finish(goes_on).map_err(failed)?,
+        // If ffmpeg exited, its error is more useful than the broken pipe.
+        Err(ExportError::Film { .. }) => return Err(failed(ffmpeg.stopped_reading(goes_on))),
+        Err(error) => return Err(error),
     }
-    ffmpeg.finish().map_err(failed)?;
-    encoded?;
+    drop(ffmpeg);
     foreign.commit().map_err(|cause| unwritten(path, cause))
 }
 

@@ -19,19 +19,33 @@ pub struct Journaled<H> {
     was_playing: bool,
     /// How many commands were carried out.
     count: u64,
+    /// Whether the journal could not begin anew at its bound.
+    is_unbounded: bool,
     panic_at: Option<u64>,
 }
 
 impl<H: Windowless> Journaled<H> {
     /// A host with a journal, or without one.
     pub const fn new(host: H, journal: Option<Writer>) -> Self {
-        Self { host, journal, was_playing: false, count: 0, panic_at: None }
+        Self { host, journal, was_playing: false, count: 0, is_unbounded: false, panic_at: None }
     }
 
     /// For tests: the command of this number panics, counted from 1.
     #[must_use]
     pub fn panicking_at(self, panic_at: Option<u64>) -> Self {
         Self { panic_at, ..self }
+    }
+
+    fn bound_journal(&mut self) {
+        let editor = self.host.editor();
+        if let Some(journal) = &mut self.journal
+            && journal.is_full()
+            && editor.is_at_rest()
+            && !self.is_unbounded
+        {
+            // A longer journal is better than none.
+            self.is_unbounded = journal.begin_anew(editor).is_err() || journal.is_full();
+        }
     }
 
     /// The host, after the end of the journal.
@@ -135,6 +149,9 @@ impl<H: Windowless> Host for Journaled<H> {
             journal.panicked();
         }
         self.was_playing = self.host.editor().is_playing();
+        if done.is_ok() {
+            self.bound_journal();
+        }
         done.unwrap_or_else(|panic| resume_unwind(panic))
     }
 }

@@ -14,8 +14,6 @@ pub(super) const KEYFRAMES: &str = "# keyframes ";
 pub(super) const SCENE: &str = "# scene ";
 /// The end of the head and of the lines that restore what was at first.
 pub(super) const START: &str = "# commands";
-/// What was done before cannot be undone: the program had just started.
-pub(super) const GROUND: &str = "# undo ends here";
 /// After it: the keyframe file that was written, in double quotes.
 pub(super) const WROTE: &str = "# wrote ";
 /// After it: the scene file that was written, in double quotes.
@@ -115,7 +113,8 @@ impl Survey {
 }
 
 /// Beginnings of lines that change what is seen, chosen or played, and not the document.
-const LOOKING: [&str; 9] = ["wait ", "select", "eye", "scrub", "step ", "ghosts", "seconds", "speed ", "range "];
+const LOOKING: [&str; 10] =
+    ["ground", "wait ", "select", "eye", "scrub", "step ", "ghosts", "seconds", "speed ", "range "];
 
 /// The lines that end with a line feed, without it.
 pub(super) fn whole_lines(bytes: &[u8]) -> impl Iterator<Item = &[u8]> {

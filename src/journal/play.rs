@@ -7,8 +7,9 @@ use std::sync::Arc;
 
 use super::mark::{self, whole_lines};
 use super::nowhere::Nowhere;
-use crate::editor::{Editor, FileAccess, Written};
-use crate::scene::{DEFAULT_SCENE, built_in_scene};
+use crate::editor::{Editor, FileAccess, Host as _, Written};
+use crate::keyframe::keyframes_to_json;
+use crate::scene::{DEFAULT_SCENE, built_in_scene, scene_to_json};
 use crate::script::{Line, Runner, Windowless, parse_line};
 use crate::storage::{LeftLog, StorageError};
 
@@ -70,20 +71,29 @@ pub fn play<H: Windowless, E: From<H::Stop>>(
     runner: &mut Runner<H>,
     mut observe: impl FnMut(&Line, String, &mut Runner<H>) -> Result<(), E>,
 ) -> Result<Played, E> {
+    play_each(bytes, runner, |done, runner| match done {
+        Some((line, said)) => observe(line, said, runner),
+        None => Ok(()),
+    })
+}
+
+/// The same; `observe` also gets each comment that says what was written, as `None`.
+fn play_each<H: Windowless, E: From<H::Stop>>(
+    bytes: &[u8],
+    runner: &mut Runner<H>,
+    mut observe: impl FnMut(Option<(&Line, String)>, &mut Runner<H>) -> Result<(), E>,
+) -> Result<Played, E> {
     let (lines, passed_over) = kept(bytes);
     let is_cut = !bytes.ends_with(b"\n") && !bytes.is_empty();
     let mut played = Played { passed_over, is_cut, ..Played::default() };
     for (number, text) in lines {
-        if text == mark::GROUND.as_bytes() {
-            runner.host().editor().begin_history();
-            continue;
-        }
         if let Some((access, path)) = written(text) {
             let editor = runner.host().editor();
             let _ = match access {
                 FileAccess::SceneWritten => editor.scene_written(&path, Ok(Written::default())),
                 _ => editor.keyframes_written(&path, Ok(Written::default())),
             };
+            observe(None, runner)?;
             continue;
         }
         let scene = Arc::clone(runner.host().editor().scene());
@@ -98,7 +108,7 @@ pub fn play<H: Windowless, E: From<H::Stop>>(
         let before = runner.host().editor().before();
         if let Ok(step) = catch_unwind(AssertUnwindSafe(|| runner.step(&line))) {
             played.lines += 1;
-            observe(&line, step?.message, runner)?;
+            observe(Some((&line, step?.message)), runner)?;
         } else {
             runner.host().editor().go_back(before);
             played.passed_over += 1;
@@ -115,6 +125,9 @@ fn written(line: &[u8]) -> Option<(FileAccess, PathBuf)> {
     Some((access, mark::unquoted(path)?))
 }
 
+/// What a recovery leaves that a signal ended: [`mark::RECOVERED`] as a line.
+const INTERRUPTED: &[u8] = b"# played to the end\n";
+
 /// Plays a journal that a program left: the editor that it leads to, and what the journal held. A line that ends this program as well
 /// is passed over the next time.
 ///
@@ -126,7 +139,10 @@ pub fn recover(log: &LeftLog) -> Result<(Editor, Played, Vec<u8>), StorageError>
     // What is cut off stays a line of its own. Where the disk takes no mark, recovery is as good but once.
     let is_marked = is_whole && log.append(format!("{}\n", mark::RECOVERING).as_bytes()).is_ok();
     let bytes = if is_marked { log.read(super::LARGEST_READ_BYTES)? } else { bytes };
+    // A signal is not the fault of the last line.
+    let interrupted = if is_marked { log.append_when_ended(INTERRUPTED) } else { None };
     let (editor, played) = play_alone(&bytes);
+    drop(interrupted);
     if is_marked {
         let _ = log.append(format!("{}\n", mark::RECOVERED).as_bytes());
     }
@@ -136,8 +152,38 @@ pub fn recover(log: &LeftLog) -> Result<(Editor, Played, Vec<u8>), StorageError>
 /// Plays a journal with no files and no window.
 #[must_use]
 pub fn play_alone(bytes: &[u8]) -> (Editor, Played) {
+    play_alone_observed(bytes, |_| {})
+}
+
+/// The same; `observe` gets the editor after each line, and after each comment that says what was written.
+pub fn play_alone_observed(bytes: &[u8], mut observe: impl FnMut(&Editor)) -> (Editor, Played) {
     let scene = Arc::new(built_in_scene(DEFAULT_SCENE).expect("it is built in"));
     let mut runner = Runner::new(Nowhere::new(Editor::new(scene, PathBuf::new())));
-    let Ok(played) = play::<_, Infallible>(bytes, &mut runner, |_, _, _| Ok(()));
+    let Ok(played) = play_each::<_, Infallible>(bytes, &mut runner, |_, runner| {
+        observe(runner.host().editor());
+        Ok(())
+    });
     (runner.into_host().into_editor(), played)
+}
+
+/// A hash of what a journal must bring back: the document, what its files lack, what is chosen and seen, and what can be undone.
+#[must_use]
+pub fn fingerprint(editor: &Editor) -> String {
+    use sha2::Digest as _;
+    let document = editor.document();
+    let (interpolation, ms) = (document.interpolation, document.ms_between_keyframes);
+    let keyframes = keyframes_to_json(editor.scene(), &document.keyframes, interpolation, ms);
+    let rest = format!(
+        "{:?}",
+        (
+            &document.live_pose,
+            document.keyframes.current(),
+            editor.session(),
+            (editor.undo_label(), editor.redo_label()),
+            (editor.has_unsaved_keyframes(), editor.has_unsaved_scene()),
+            editor.keyframe_file(),
+        )
+    );
+    let hash = sha2::Sha256::digest([keyframes, scene_to_json(editor.scene()), rest].join("\n"));
+    hash.iter().take(8).fold(String::new(), |text, byte| text + &format!("{byte:02x}"))
 }

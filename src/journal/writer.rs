@@ -5,14 +5,14 @@ use std::path::Path;
 
 use super::{mark, start};
 use crate::editor::commands::row_of;
-use crate::editor::{Command, Editor, FileAccess, FileCommand, GestureCommand};
+use crate::editor::{Command, Editor, FileAccess, FileCommand, GestureCommand, Reach};
 use crate::script::{Restore, imported_line, print_swiftly};
 use crate::storage::{self, Log, StorageError, epoch_seconds};
 
-/// A journal of the window that has grown by so many bytes since its start goes on in a new one, which begins with a snapshot.
+/// A journal that has grown by so many bytes since its start goes on in a new one, which begins with a snapshot.
 pub const LARGEST_JOURNAL_BYTES: u64 = 16 << 20;
-/// So many lines are read back within a second.
-const MOST_LINES: u64 = 200_000;
+/// The same of so many lines, which are read back within a second.
+pub const MOST_LINES: u64 = 200_000;
 /// Lines of a drag that changes other things than a node's place wait for its end, up to so many bytes.
 const MOST_PENDING_BYTES: usize = 1 << 16;
 
@@ -44,7 +44,13 @@ pub struct Writer {
     /// Ticks that the editor took in since the last line.
     ticks: u64,
     lines: u64,
+    /// How many of them were handed over.
+    handed_lines: u64,
     bytes: u64,
+    /// How far undo and redo lead where the journal is read back; `None`: as far as in the editor now.
+    reach: Option<Reach>,
+    /// The same before the last command.
+    reach_before: Option<Reach>,
     /// Why nothing is written any more, until somebody takes it.
     problem: Option<StorageError>,
     is_broken: bool,
@@ -61,7 +67,24 @@ impl Writer {
         writer.push(mark::START);
         writer.hand_over();
         writer.bytes = 0;
+        let position = editor.undo_reach().position;
+        writer.reach = Some(Reach { first: position, position, last: position });
         writer
+    }
+
+    /// Begins anew where it is, with what the editor is now, which is at rest. Where that fails the journal goes on as it was.
+    ///
+    /// # Errors
+    /// [`StorageError`]
+    pub fn begin_anew(&mut self, editor: &Editor) -> Result<(), StorageError> {
+        let Some(log) = Log::create_for(self.path())? else { return Ok(()) };
+        let mut new = Self::begin(log, editor);
+        if let Some(problem) = new.take_problem() {
+            return Err(problem);
+        }
+        new.log.take_place_of(self.path())?;
+        *self = new;
+        Ok(())
     }
 
     /// Begins a journal that goes on from another one, whose lines are copied as far as they are whole: the steps of undo stay.
@@ -78,7 +101,10 @@ impl Writer {
 
     fn with_head(log: Log, editor: &Editor) -> Self {
         let (pending, drag, problem) = (format!("{}\n", mark::FORMAT), None, None);
-        let mut writer = Self { log, pending, drag, ticks: 0, lines: 0, bytes: 0, problem, is_broken: false };
+        let (ticks, lines, handed_lines, bytes, reach, is_broken) = (0, 0, 0, 0, None, false);
+        let reach_before = reach;
+        let mut writer =
+            Self { log, pending, drag, ticks, lines, handed_lines, bytes, reach, reach_before, problem, is_broken };
         let keyframes = mark::quoted(&storage::absolute(editor.keyframe_file()));
         let scene = serde_json::Value::from(editor.scene().name());
         for line in [
@@ -98,10 +124,10 @@ impl Writer {
         self.log.path()
     }
 
-    /// How many lines were handed over or wait for the end of a drag or of playing, since the journal began.
+    /// How many lines were handed over since the journal began.
     #[must_use]
-    pub const fn lines(&self) -> u64 {
-        self.lines
+    pub const fn handed_lines(&self) -> u64 {
+        self.handed_lines
     }
 
     /// Whether it has grown so much that a new journal should begin, with a snapshot of an editor at rest.
@@ -142,6 +168,12 @@ impl Writer {
 
     fn other(&mut self, editor: &Editor, command: &Command) {
         self.end_of_motions(editor);
+        self.reach_before = self.reach;
+        if let Some(line) = self.unreached(editor, command) {
+            self.line(&line);
+            self.hand_over();
+            return;
+        }
         let Some(line) = print_swiftly(command, editor.scene()) else {
             // The editor refuses what has no line, but an edit has ended the drag before that.
             if matches!(command, Command::Edit(_)) && editor.is_dragging() && !row_of(command).is_continuous {
@@ -160,6 +192,32 @@ impl Writer {
             self.drag = None;
         }
         self.hand_over();
+    }
+
+    /// The line for an undo or redo of a step that the journal does not hold: where it leads.
+    fn unreached(&mut self, editor: &Editor, command: &Command) -> Option<String> {
+        if !matches!(command, Command::Undo | Command::Redo) {
+            return None;
+        }
+        let Reach { position, .. } = editor.undo_reach();
+        let reach = self.reach.get_or_insert_with(|| editor.undo_reach());
+        let (is_known, is_possible) = match command {
+            Command::Undo => {
+                reach.last = reach.last.max(position);
+                (position > reach.first, editor.undo_label().is_some())
+            }
+            _ => (position < reach.last, editor.redo_label().is_some()),
+        };
+        if is_known || !is_possible {
+            return None;
+        }
+        // A copy shares what it can.
+        let mut after = editor.clone();
+        after.apply(command.clone()).ok()?;
+        let line = Restore::Document(Box::new(after.snapshot())).line()?;
+        let position = after.undo_reach().position;
+        self.reach = Some(Reach { first: position, position, last: position });
+        Some(line)
     }
 
     /// Writes where the motions of a drag have led so far.
@@ -195,18 +253,16 @@ impl Writer {
         self.hand_over();
     }
 
-    /// What was done until now cannot be undone.
-    pub fn begins_history(&mut self) {
-        self.push(mark::GROUND);
-        self.hand_over();
-    }
-
     /// A line of a journal is about to be restored.
     pub fn restored(&mut self, restore: &Restore) {
         if let Some(line) = restore.line() {
             self.line(&line);
             self.hand_over();
         }
+        // Some of them end what can be undone, in the editor as well.
+        self.reach = self.reach.filter(|_| {
+            matches!(restore, Restore::Imported { .. } | Restore::ImportedScene { .. } | Restore::KeyframeFile(_))
+        });
     }
 
     /// The editor took in ticks. They stand in the journal before the next line; at once where they ended what played.
@@ -227,6 +283,7 @@ impl Writer {
 
     /// The command of the last line panicked and was taken back.
     pub fn panicked(&mut self) {
+        self.reach = self.reach_before;
         self.push(mark::PANICKED);
         self.hand_over();
     }
@@ -286,6 +343,7 @@ impl Writer {
             self.problem = Some(error);
         }
         self.bytes += self.pending.len() as u64;
+        self.handed_lines = self.lines;
         self.pending.clear();
     }
 }

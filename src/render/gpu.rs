@@ -5,7 +5,9 @@ use std::thread;
 
 use thiserror::Error;
 
+use super::choice::chosen_drivers;
 use super::quiet::without_driver_chatter;
+use super::watch::{PATIENCE, no_threads, watched};
 use crate::render::{mesh, shaders};
 use crate::words::{Argument, Message, display_by_message, texts};
 
@@ -35,6 +37,18 @@ pub enum GpuError {
         /// The longest side that the adapter can draw, in pixels.
         limit: u32,
     },
+    /// The threads that drawing needs cannot be started.
+    NoThreads {
+        /// The system's message.
+        reason: String,
+    },
+    /// The driver does not answer.
+    Hangs {
+        /// The adapter's name and driver, where the driver said so much.
+        adapter: Option<String>,
+        /// For so long.
+        seconds: u64,
+    },
     /// Reading the picture back failed.
     ReadBack {
         /// The adapter's name.
@@ -51,12 +65,25 @@ impl GpuError {
     #[must_use]
     pub fn message(&self) -> Message {
         match self {
-            Self::NoAdapter => texts::GPU_NO_ADAPTER.into(),
-            Self::NoDevice { adapter, reason } => texts::gpu_no_device(adapter, reason),
+            Self::NoAdapter => with_choice(texts::GPU_NO_ADAPTER.into()),
+            Self::NoDevice { adapter, reason } => with_choice(texts::gpu_no_device(adapter, reason)),
+            Self::NoThreads { reason } => texts::gpu_no_threads(reason),
+            Self::Hangs { adapter: Some(adapter), seconds } => {
+                with_choice(texts::gpu_adapter_hangs(adapter, seconds.to_string()))
+            }
+            Self::Hangs { adapter: None, seconds } => with_choice(texts::gpu_driver_hangs(seconds.to_string())),
             Self::NoSurface { reason } => texts::gpu_no_surface(reason.clone()),
             Self::Size { width, height, limit } => texts::gpu_size(*width, *height, *limit),
             Self::ReadBack { adapter, reason } => texts::gpu_not_read_back(adapter, reason),
         }
+    }
+}
+
+/// The message, with the variables that have drivers chosen.
+fn with_choice(problem: Message) -> Message {
+    match chosen_drivers() {
+        Some(variables) => texts::gpu_chosen(problem, variables),
+        None => problem,
     }
 }
 
@@ -91,6 +118,8 @@ pub struct Gpu {
     pub info: wgpu::AdapterInfo,
     /// Whether the CPU draws. The work per pixel is then expensive.
     pub is_software: bool,
+    /// The driver's first work, which shows whether it works at all.
+    first_work: wgpu::SubmissionIndex,
 }
 
 impl Gpu {
@@ -99,9 +128,8 @@ impl Gpu {
     ///
     /// # Errors
     ///
-    /// [`GpuError::NoAdapter`] and [`GpuError::NoDevice`].
+    /// [`GpuError::NoAdapter`], [`GpuError::NoDevice`], [`GpuError::NoThreads`] and [`GpuError::Hangs`].
     pub fn headless() -> Result<Self, GpuError> {
-        prepare_ahead();
         let open = |backends| {
             let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
             descriptor.backends = backends;
@@ -109,7 +137,12 @@ impl Gpu {
             Self::open(wgpu::Instance::new(descriptor), None)
         };
         without_driver_chatter(|| {
-            open(wgpu::Backends::VULKAN).or_else(|_| open(wgpu::Backends::PRIMARY - wgpu::Backends::VULKAN))
+            watched(PATIENCE, move || {
+                prepare_ahead();
+                let opened =
+                    open(wgpu::Backends::VULKAN).or_else(|_| open(wgpu::Backends::PRIMARY - wgpu::Backends::VULKAN));
+                opened.map_err(|error| no_threads().unwrap_or(error))
+            })
         })
     }
 
@@ -118,25 +151,35 @@ impl Gpu {
     ///
     /// # Errors
     ///
-    /// [`GpuError::NoSurface`], [`GpuError::NoAdapter`] and [`GpuError::NoDevice`].
+    /// [`GpuError::NoSurface`], and those of [`Gpu::headless`].
     pub fn for_window<D, W>(display: &D, window: &W) -> Result<(Self, wgpu::Surface<'static>), GpuError>
     where
         D: wgpu::wgt::WgpuHasDisplayHandle + Clone,
         W: Into<wgpu::SurfaceTarget<'static>> + Clone,
     {
-        prepare_ahead();
         let open = |backends| {
             let mut descriptor = wgpu::InstanceDescriptor::new_with_display_handle(Box::new(display.clone()));
             descriptor.backends = backends;
             descriptor.flags = wgpu::InstanceFlags::empty();
-            let instance = wgpu::Instance::new(descriptor);
+            let instance = watched(PATIENCE, move || {
+                prepare_ahead();
+                Ok(wgpu::Instance::new(descriptor))
+            })?;
+            // Some systems want surfaces made on the thread of the window.
             let surface = instance
                 .create_surface(window.clone())
                 .map_err(|error| GpuError::NoSurface { reason: error.to_string().into() })?;
-            Ok((Self::open(instance, Some(&surface))?, surface))
+            watched(PATIENCE, move || {
+                let gpu = Self::open(instance, Some(&surface)).map_err(|error| no_threads().unwrap_or(error))?;
+                Ok((gpu, surface))
+            })
         };
         without_driver_chatter(|| {
-            open(wgpu::Backends::VULKAN).or_else(|_| open(wgpu::Backends::all() - wgpu::Backends::VULKAN))
+            open(wgpu::Backends::VULKAN).or_else(|error| match error {
+                // Another backend would have to wait for it as well.
+                GpuError::Hangs { .. } | GpuError::NoThreads { .. } => Err(error),
+                _ => open(wgpu::Backends::all() - wgpu::Backends::VULKAN),
+            })
         })
     }
 
@@ -158,7 +201,23 @@ impl Gpu {
         let (device, queue) = pollster::block_on(adapter.request_device(&descriptor))
             .map_err(|error| GpuError::NoDevice { adapter: info.name.clone(), reason: error.to_string() })?;
         let is_software = info.device_type == wgpu::DeviceType::Cpu;
-        Ok(Self { instance, adapter, device, queue, info, is_software })
+        let first_work = first_work(&device, &queue);
+        Ok(Self { instance, adapter, device, queue, info, is_software, first_work })
+    }
+
+    /// Waits until the driver has done its first work, which began when it was opened. A driver that lacks threads never ends it.
+    ///
+    /// # Errors
+    /// [`GpuError::Hangs`] and [`GpuError::NoThreads`]: dropping what belongs to the device would then hang as well.
+    pub fn check(&self) -> Result<(), GpuError> {
+        let first = wgpu::PollType::Wait { submission_index: Some(self.first_work.clone()), timeout: Some(PATIENCE) };
+        match self.device.poll(first) {
+            Err(wgpu::PollError::Timeout) => Err(no_threads().unwrap_or_else(|| GpuError::Hangs {
+                adapter: Some(format!("{} ({})", self.info.name, self.info.driver)),
+                seconds: PATIENCE.as_secs(),
+            })),
+            _ => Ok(()),
+        }
     }
 
     /// A texture for pictures of this size with one sample per pixel, as a render target and copy source, plus the usages `more`. Each side
@@ -189,4 +248,30 @@ impl Gpu {
     pub fn largest_side_px(&self) -> u32 {
         self.device.limits().max_texture_dimension_2d
     }
+}
+
+/// Has the driver fill a pixel.
+fn first_work(device: &wgpu::Device, queue: &wgpu::Queue) -> wgpu::SubmissionIndex {
+    let pixel = device.create_texture(&wgpu::TextureDescriptor {
+        label: Some("first work"),
+        size: wgpu::Extent3d::default(),
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format: wgpu::TextureFormat::Rgba8Unorm,
+        usage: wgpu::TextureUsages::RENDER_ATTACHMENT,
+        view_formats: &[],
+    });
+    let view = pixel.create_view(&wgpu::TextureViewDescriptor::default());
+    let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    drop(encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+        color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+            view: &view,
+            depth_slice: None,
+            resolve_target: None,
+            ops: wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::BLACK), store: wgpu::StoreOp::Store },
+        })],
+        ..Default::default()
+    }));
+    queue.submit([encoder.finish()])
 }

@@ -159,7 +159,7 @@ impl Parser<'_> {
         let (name, rest) = name_and_rest(text);
         let own = OWN_LINES.iter().find(|(own, ..)| *own == name);
         let (usage, action) = match (own, rest) {
-            (Some((_, usage, _)), "") => (*usage, None),
+            (Some((_, usage, _)), "") if *usage != name => (*usage, None),
             (Some((_, usage, _)), _) => (*usage, self.own_action(text, name, rest)?),
             (None, _) => return self.command(text, false).map(Action::Apply),
         };
@@ -191,7 +191,9 @@ impl Parser<'_> {
     fn track_scene_edit(&mut self, action: &Action) {
         match action {
             Action::Restore(Restore::Scene { scene, .. }) => self.scene = Cow::Owned(scene.as_ref().clone()),
-            Action::Restore(Restore::Snapshot(snapshot)) => self.scene = Cow::Owned(snapshot.scene.as_ref().clone()),
+            Action::Restore(Restore::Snapshot(snapshot) | Restore::Document(snapshot)) => {
+                self.scene = Cow::Owned(snapshot.scene.as_ref().clone());
+            }
             _ => {}
         }
         let Action::Apply(Command::Edit(Edit::Scene(edit))) = action else { return };

@@ -39,10 +39,14 @@ pub enum Restore {
     },
     /// A document and what is kept beside it; there is nothing to undo.
     Snapshot(Box<Snapshot>),
+    /// The document that undo or redo led to, where the journal does not hold the steps that do.
+    Document(Box<Snapshot>),
+    /// What is now is the ground of undo.
+    Ground,
 }
 
 /// The first words of these lines.
-const NAMES: [&str; 5] = ["scene", "keyframe-file", "imported", "imported-scene", "snapshot"];
+const NAMES: [&str; 7] = ["scene", "keyframe-file", "imported", "imported-scene", "snapshot", "document", "ground"];
 
 /// Whether a line's first word is one of these.
 pub(super) fn is_restore(name: &str) -> bool {
@@ -66,6 +70,8 @@ pub(super) fn read(text: &str) -> Result<Option<Restore>, LineProblem> {
         [name @ ("imported" | "imported-scene"), path, "hex", digits] => {
             bytes_of_hex(digits).map(|bytes| imported(name, path, bytes.into()))
         }
+        ["document", text] => read_snapshot(text)?.map(|snapshot| Restore::Document(Box::new(snapshot))),
+        ["ground"] => Some(Restore::Ground),
         ["snapshot", text] => read_snapshot(text)?.map(|snapshot| Restore::Snapshot(Box::new(snapshot))),
         _ => None,
     })
@@ -95,6 +101,8 @@ impl Restore {
             Self::KeyframeFile(path) => format!("keyframe-file {}", quoted(path.to_str()?)),
             Self::Imported { path, bytes } => imported_line(false, path, bytes)?,
             Self::ImportedScene { path, bytes } => imported_line(true, path, bytes)?,
+            Self::Document(snapshot) => format!("document {}", quoted(&snapshot_text(snapshot)?)),
+            Self::Ground => "ground".to_owned(),
             Self::Snapshot(snapshot) => format!("snapshot {}", quoted(&snapshot_text(snapshot)?)),
         })
     }
@@ -117,6 +125,8 @@ impl Restore {
             Self::ImportedScene { path, bytes } => {
                 let _ = editor.scene_read(path, Ok(bytes.to_vec()));
             }
+            Self::Document(snapshot) => editor.jump_to(snapshot),
+            Self::Ground => editor.begin_history(),
             Self::Snapshot(snapshot) => *editor = Editor::of_snapshot(snapshot),
         }
     }

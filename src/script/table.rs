@@ -6,7 +6,7 @@ use crate::editor::commands;
 use crate::text::listed;
 
 /// Lines that are no commands of the editor: first word, usage and description.
-pub(super) const OWN_LINES: [(&str, &str, &str); 9] = [
+pub(super) const OWN_LINES: [(&str, &str, &str); 11] = [
     ("key", "key K", "a hotkey: the character itself, or a name such as `space`, `home`, `ctrl+d`"),
     (
         "do",
@@ -36,6 +36,12 @@ pub(super) const OWN_LINES: [(&str, &str, &str); 9] = [
         "in journals: reads the scene again from this text; `hex` and digits as for `imported`",
     ),
     ("snapshot", "snapshot \"JSON\"", "in journals: a document and what is kept beside it, without steps of undo"),
+    (
+        "document",
+        "document \"JSON\"",
+        "in journals: the document that undo or redo led to, by a step from before the snapshot",
+    ),
+    ("ground", "ground", "in journals: what came before is not undone"),
 ];
 
 /// First word, usage and description of every line; those of commands come first.

@@ -111,6 +111,19 @@ fn standard_output() -> io::Result<File> {
     Ok(io::stdout().as_handle().try_clone_to_owned()?.into())
 }
 
+/// Where standard error leads now, also once it is redirected.
+#[must_use]
+pub fn standard_error() -> Box<dyn io::Write + Send> {
+    #[cfg(unix)]
+    {
+        use std::os::fd::AsFd as _;
+        if let Ok(copy) = io::stderr().as_fd().try_clone_to_owned() {
+            return Box::new(File::from(copy));
+        }
+    }
+    Box::new(io::stderr())
+}
+
 #[cfg(not(unix))]
 fn own_output(_: &Path) -> io::Result<Option<File>> {
     Ok(None)

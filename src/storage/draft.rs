@@ -8,6 +8,7 @@ use tempfile::NamedTempFile;
 
 use super::StorageError;
 use super::destination::{Destination, destination_of};
+use crate::unfinished::{self, Unfinished};
 
 /// The prefix of every draft's name.
 pub(super) const DRAFT_PREFIX: &str = ".inbetween-";
@@ -36,6 +37,8 @@ enum Output {
 pub(super) struct Beside {
     draft: NamedTempFile,
     target: PathBuf,
+    /// Last, so that it is finished when the draft is removed.
+    unfinished: Unfinished,
 }
 
 /// The effect of a write on the replaced file.
@@ -173,18 +176,23 @@ impl Beside {
         let prefix = draft_prefix(target);
         remove_leftovers(folder, &prefix);
         loop {
+            let hold = unfinished::hold();
             let draft = builder(&prefix).tempfile_in(folder)?;
+            let path = draft.path().to_owned();
+            let unfinished = hold.begin(move || {
+                let _ = fs::remove_file(path);
+            });
             // Without locks in the file system a draft is not protected while it is written.
             let _ = draft.as_file().try_lock();
             // Another program may have removed the draft as a leftover before it was locked.
             if draft.path().exists() {
-                return Ok(Self { draft, target: target.to_owned() });
+                return Ok(Self { draft, target: target.to_owned(), unfinished });
             }
         }
     }
 
     fn commit(self, is_synced: bool) -> io::Result<Committed> {
-        let Self { draft, target } = self;
+        let Self { draft, target, unfinished } = self;
         let old = fs::metadata(&target).ok();
         if let Some(old) = &old {
             take_over(draft.as_file(), old)?;
@@ -192,7 +200,11 @@ impl Beside {
         if is_synced {
             draft.as_file().sync_all()?;
         }
-        draft.persist(&target).map_err(|error| error.error)?;
+        let hold = unfinished::hold();
+        let persisted = draft.persist(&target);
+        drop(hold);
+        drop(unfinished);
+        persisted.map_err(|error| error.error)?;
         if is_synced {
             sync_folder(folder_of(&target));
         }
@@ -211,7 +223,7 @@ impl io::Write for Beside {
 }
 
 /// The folder of a file, as a path that can be opened.
-fn folder_of(target: &Path) -> &Path {
+pub(super) fn folder_of(target: &Path) -> &Path {
     match target.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),

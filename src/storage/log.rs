@@ -8,6 +8,7 @@ use std::thread::JoinHandle;
 use std::time::{Duration, SystemTime};
 
 use super::StorageError;
+use crate::unfinished::{self, Unfinished};
 
 /// What is appended reaches the disk within a second: this long after the first of it, and however long the disk takes.
 const SYNC_DELAY: Duration = Duration::from_millis(500);
@@ -19,6 +20,8 @@ pub struct Log {
     path: PathBuf,
     syncing: Arc<Syncing>,
     thread: Option<JoinHandle<()>>,
+    /// Until it has its own name.
+    unfinished: Option<Unfinished>,
 }
 
 #[derive(Debug, Default)]
@@ -73,13 +76,51 @@ impl Log {
         Ok(Self::of(file, path.to_owned()))
     }
 
+    /// A new file that is to take the place of `path`, beside it; `None` where that is a device or a pipe.
+    ///
+    /// # Errors
+    /// [`StorageError::System`]
+    pub fn create_for(path: &Path) -> Result<Option<Self>, StorageError> {
+        let target = super::destination::followed(path)?;
+        if super::is_stream(&target) {
+            return Ok(None);
+        }
+        let hold = unfinished::hold();
+        let mut builder = tempfile::Builder::new();
+        builder.prefix(super::draft::DRAFT_PREFIX).rand_bytes(12).append(true);
+        let file = builder.tempfile_in(super::draft::folder_of(&target))?;
+        let (file, path) = file.keep().map_err(|error| error.error)?;
+        let _ = file.lock();
+        let left = path.clone();
+        let unfinished = hold.begin(move || {
+            let _ = fs::remove_file(left);
+        });
+        let mut log = Self::of(file, path);
+        log.unfinished = Some(unfinished);
+        Ok(Some(log))
+    }
+
+    /// Takes the place of a file, once the disk has all that was appended.
+    ///
+    /// # Errors
+    /// [`StorageError::System`]; the other file is then unchanged, and this one goes.
+    pub fn take_place_of(&mut self, path: &Path) -> Result<(), StorageError> {
+        let moved = self.sync().and_then(|()| Ok(fs::rename(&self.path, super::destination::followed(path)?)?));
+        self.unfinished = None;
+        match moved {
+            Ok(()) => path.clone_into(&mut self.path),
+            Err(_) => super::remove(&self.path)?,
+        }
+        moved
+    }
+
     fn of(file: File, path: PathBuf) -> Self {
         let file = Arc::new(file);
         let syncing = Arc::new(Syncing::default());
         let (synced, by) = (Arc::clone(&file), Arc::clone(&syncing));
         // Without the thread the system writes in its own time.
         let thread = std::thread::Builder::new().name("journal".to_owned()).spawn(move || by.run(&synced)).ok();
-        Self { file, path, syncing, thread }
+        Self { file, path, syncing, thread, unfinished: None }
     }
 
     /// Where it is.
@@ -191,6 +232,16 @@ impl LeftLog {
     pub fn append(&self, bytes: &[u8]) -> Result<(), StorageError> {
         (&self.file).write_all(bytes)?;
         Ok(self.file.sync_data()?)
+    }
+
+    /// Appends bytes if a signal ends the program before what this returns is dropped.
+    #[must_use]
+    pub fn append_when_ended(&self, bytes: &'static [u8]) -> Option<Unfinished> {
+        let file = self.file.try_clone().ok()?;
+        Some(unfinished::hold().begin(move || {
+            // What cannot be written is taken for an ending by the last line.
+            let _ = (&file).write_all(bytes);
+        }))
     }
 
     /// Removes it.

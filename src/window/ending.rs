@@ -3,32 +3,89 @@
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread;
+use std::time::Duration;
 
-use winit::event_loop::{EventLoop, EventLoopProxy};
+use winit::event_loop::{ActiveEventLoop, EventLoop, EventLoopProxy};
 
 use super::shell::Shell;
 use super::{UserEvent, WindowError};
 use crate::journal::Ending;
+use crate::signals;
 
 /// So long a window may take to end after a signal. What was done is in the journal already.
-#[cfg(unix)]
-const PATIENCE: std::time::Duration = std::time::Duration::from_secs(5);
+const PATIENCE: Duration = Duration::from_secs(5);
+/// The exit status where the display has gone.
+const DISPLAY_GONE: i32 = 1;
+
+/// Where the window keeps its journal now, for threads that end the program; `None` where it keeps none.
+#[derive(Clone, Debug, Default)]
+pub struct Whereabouts(Arc<Mutex<Option<PathBuf>>>);
+
+impl Whereabouts {
+    /// The journal is there from now on.
+    pub fn set(&self, journal: Option<PathBuf>) {
+        *self.0.lock().unwrap_or_else(PoisonError::into_inner) = journal;
+    }
+
+    /// The sentence on why the program ends, and how work comes back.
+    fn sentence(&self, error: WindowError) -> String {
+        with_journal(error, self.0.lock().unwrap_or_else(PoisonError::into_inner).clone()).to_string()
+    }
+}
+
+/// Signals, which end the program at once until there is a window.
+#[derive(Clone, Default)]
+pub struct Signals {
+    window: Arc<Mutex<Option<EventLoopProxy<UserEvent>>>>,
+    journal: Whereabouts,
+}
+
+impl Signals {
+    /// Listens from now on.
+    #[must_use]
+    pub fn listen() -> Self {
+        let this = Self::default();
+        let Self { window, journal } = this.clone();
+        let mut is_first = true;
+        signals::listen(move |signal| {
+            let window = window.lock().unwrap_or_else(PoisonError::into_inner).take();
+            let asked = window.is_some_and(|window| window.send_event(UserEvent::Signal(signal)).is_ok());
+            let sentence = journal.sentence(WindowError::Signalled { signal });
+            if !(asked && std::mem::take(&mut is_first)) {
+                return Some(sentence);
+            }
+            // A window that hangs is not waited for. Without the thread, the next signal ends it.
+            let _ = thread::Builder::new().name("patience".to_owned()).spawn(move || {
+                thread::sleep(PATIENCE);
+                signals::end(128 + signal, &sentence);
+            });
+            None
+        });
+        this
+    }
+}
 
 /// Runs the window to its end, and ends its journal.
 ///
 /// # Errors
 /// [`WindowError`]
-pub fn run_to_end(event_loop: EventLoop<UserEvent>, mut shell: Shell) -> Result<(), WindowError> {
-    listen(event_loop.create_proxy());
+pub fn run_to_end(event_loop: EventLoop<UserEvent>, mut shell: Shell, signals: &Signals) -> Result<(), WindowError> {
+    shell.keep_whereabouts(signals.journal.clone());
+    *signals.window.lock().unwrap_or_else(PoisonError::into_inner) = Some(event_loop.create_proxy());
     let ended = catch_unwind(AssertUnwindSafe(|| event_loop.run_app(&mut shell)));
     let (error, ending) = match (ended, shell.take_error()) {
+        // What panics where the display has gone is not the fault of the last command.
+        (Err(_) | Ok(Err(_)), _) if display::has_gone() => (Some(WindowError::DisplayGone), Ending::Unwanted),
         (Err(panic), _) => (Some(WindowError::Panicked { reason: reason(panic.as_ref()) }), Ending::Fault),
         (Ok(_), Some(error)) => (Some(error), Ending::Unwanted),
         (Ok(Err(error)), None) => (Some(WindowError::Ended { reason: error.to_string() }), Ending::Unwanted),
         (Ok(Ok(())), None) => (None, Ending::Quit),
     };
+    display::forget();
     let journal = shell.end_journal(ending);
-    if ending == Ending::Fault {
+    if !matches!(ending, Ending::Quit) {
         // What it holds may be in any state: the system takes it.
         std::mem::forget(shell);
     }
@@ -51,47 +108,85 @@ pub fn reason(panic: &(dyn Any + Send)) -> String {
     text.or_else(|| panic.downcast_ref::<&str>().map(|text| (*text).to_owned())).unwrap_or_default()
 }
 
-/// Tells the window of signals that ask for the end.
-#[cfg(unix)]
-fn listen(proxy: EventLoopProxy<UserEvent>) {
-    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
-    // Where they cannot be heard, they end the program as ever; all that was done is in the journal.
-    let Ok(mut signals) = signal_hook::iterator::Signals::new([SIGTERM, SIGHUP, SIGINT]) else { return };
-    let _ = std::thread::Builder::new().name("signals".to_owned()).spawn(move || {
-        let Some(signal) = signals.forever().next() else { return };
-        let _ = proxy.send_event(UserEvent::Signal(signal));
-        std::thread::sleep(PATIENCE);
-        std::process::exit(128 + signal);
-    });
+/// Has the program say how work comes back when the X server goes away.
+pub fn watch_display(event_loop: &ActiveEventLoop, journal: Whereabouts) {
+    display::watch(event_loop, journal);
 }
 
-/// Says how work comes back when the X server goes away. Xlib ends the program at that moment and returns to nobody, so that this has a
-/// connection and a thread of its own, which sleeps as long as the server is there.
+/// Xlib ends the program by `exit` at the moment when it finds that the X server has gone, and returns to nobody. Two watch for that,
+/// and the first of them ends the program: a thread with a connection of its own, which sleeps as long as the server is there; and a
+/// value of the main thread, which the C library drops within `exit` (glibc does; elsewhere the thread must be the faster one).
 #[cfg(target_os = "linux")]
-pub fn watch_display(event_loop: &winit::event_loop::ActiveEventLoop) {
-    use std::io::Write as _;
+mod display {
+    use std::cell::Cell;
+    use std::thread;
+
+    use winit::event_loop::ActiveEventLoop;
     use winit::platform::x11::ActiveEventLoopExtX11 as _;
     use x11rb::connection::Connection as _;
 
-    if !event_loop.is_x11() {
-        return;
+    use super::{DISPLAY_GONE, Whereabouts};
+    use crate::signals;
+    use crate::window::WindowError;
+
+    thread_local! {
+        static AT_EXIT: AtExit = const { AtExit(Cell::new(None)) };
     }
-    let Ok((connection, _)) = x11rb::connect(None) else { return };
-    let _ = std::thread::Builder::new().name("display".to_owned()).spawn(move || {
-        while connection.wait_for_event().is_ok() {}
-        let sentence = "the display has gone; what was not saved is in the journal: `inbetween recover` gets it back\n";
-        let _ = std::io::stderr().write_all(sentence.as_bytes());
-        std::process::exit(1);
-    });
+
+    struct AtExit(Cell<Option<Whereabouts>>);
+
+    impl Drop for AtExit {
+        fn drop(&mut self) {
+            let Some(journal) = self.0.take() else { return };
+            let error = if is_there() {
+                WindowError::Ended { reason: "a library gave up".to_owned() }
+            } else {
+                WindowError::DisplayGone
+            };
+            signals::end_within_exit(DISPLAY_GONE, &journal.sentence(error));
+        }
+    }
+
+    pub(super) fn watch(event_loop: &ActiveEventLoop, journal: Whereabouts) {
+        if !event_loop.is_x11() {
+            return;
+        }
+        AT_EXIT.with(|at_exit| at_exit.0.set(Some(journal.clone())));
+        let Ok((connection, _)) = x11rb::connect(None) else { return };
+        let _ = thread::Builder::new().name("display".to_owned()).spawn(move || {
+            while connection.wait_for_event().is_ok() {}
+            signals::end(DISPLAY_GONE, &journal.sentence(WindowError::DisplayGone));
+        });
+    }
+
+    /// Whether there was an X server, and it has gone.
+    pub(super) fn has_gone() -> bool {
+        AT_EXIT.with(|at_exit| {
+            let journal = at_exit.0.take();
+            let is_watched = journal.is_some();
+            at_exit.0.set(journal);
+            is_watched && !is_there()
+        })
+    }
+
+    /// The window has ended.
+    pub(super) fn forget() {
+        AT_EXIT.with(|at_exit| at_exit.0.set(None));
+    }
+
+    fn is_there() -> bool {
+        x11rb::connect(None).is_ok()
+    }
 }
 
 /// Elsewhere the event loop returns with an error.
 #[cfg(not(target_os = "linux"))]
-pub fn watch_display(_: &winit::event_loop::ActiveEventLoop) {}
+mod display {
+    pub(super) fn watch(_: &super::ActiveEventLoop, _: super::Whereabouts) {}
 
-/// Tells the window of what asks for the end.
-#[cfg(not(unix))]
-fn listen(proxy: EventLoopProxy<UserEvent>) {
-    const SIGINT: i32 = 2;
-    let _ = ctrlc::set_handler(move || drop(proxy.send_event(UserEvent::Signal(SIGINT))));
+    pub(super) fn has_gone() -> bool {
+        false
+    }
+
+    pub(super) fn forget() {}
 }

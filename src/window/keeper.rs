@@ -4,8 +4,10 @@ use std::io::Write as _;
 use std::path::PathBuf;
 
 use super::ForTests;
+use super::ending::Whereabouts;
 use crate::editor::{Command, Editor, FileAccess, Severity};
 use crate::journal::{self, ENDING, Ending, Left, Writer};
+use crate::script::Restore;
 use crate::storage::{self, Log};
 use crate::ui::RecoveryOffer;
 use crate::words::{Message, texts};
@@ -19,6 +21,7 @@ pub struct Keeper {
     problem: Option<Message>,
     was_playing: bool,
     count: u64,
+    whereabouts: Whereabouts,
     tests: ForTests,
 }
 
@@ -31,9 +34,25 @@ impl Keeper {
             journal::tidy_up(folder);
         }
         let (writer, problem) = (None, None);
-        let mut keeper = Self { writer, folder, left, problem, was_playing: false, count: 0, tests };
+        let whereabouts = Whereabouts::default();
+        let mut keeper = Self { writer, folder, left, problem, was_playing: false, count: 0, whereabouts, tests };
         keeper.want(is_wanted, editor);
         keeper
+    }
+
+    /// Says there from now on where the journal is.
+    pub fn keep_whereabouts(&mut self, whereabouts: Whereabouts) {
+        self.whereabouts = whereabouts;
+        self.say_where();
+    }
+
+    /// Where it says where the journal is.
+    pub const fn whereabouts(&self) -> &Whereabouts {
+        &self.whereabouts
+    }
+
+    fn say_where(&self) {
+        self.whereabouts.set(self.writer.as_ref().map(|writer| writer.path().to_owned()));
     }
 
     /// Begins a journal, or ends it.
@@ -43,6 +62,7 @@ impl Keeper {
         } else if !is_wanted && let Some(writer) = self.writer.take() {
             writer.end(editor, Ending::Quit);
         }
+        self.say_where();
     }
 
     fn log(&mut self) -> Option<Log> {
@@ -57,8 +77,13 @@ impl Keeper {
     pub fn take_problem(&mut self) -> Option<Message> {
         if let Some(error) = self.writer.as_mut().and_then(Writer::take_problem) {
             self.problem = Some(texts::journal_not_kept(error.message()));
+            self.whereabouts.set(None);
         }
-        Some(self.problem.take()?.with_severity(Severity::Error))
+        let problem = self.problem.take()?;
+        if self.tests.prints {
+            let _ = writeln!(std::io::stdout(), "{problem}");
+        }
+        Some(problem.with_severity(Severity::Error))
     }
 
     /// A command is about to be done.
@@ -75,9 +100,10 @@ impl Keeper {
     pub fn done(&mut self, editor: &Editor) {
         self.was_playing = editor.is_playing();
         self.go_on_in_a_new_one(editor);
-        if let Some(writer) = self.writer.as_ref().filter(|_| self.tests.prints && !editor.is_dragging()) {
+        if self.tests.prints && !editor.is_dragging() {
+            let lines = self.writer.as_ref().map_or(0, Writer::handed_lines);
             // A reader that has gone is no mishap.
-            let _ = writeln!(std::io::stdout(), "{}", writer.lines());
+            let _ = writeln!(std::io::stdout(), "{lines} {}", journal::fingerprint(editor));
         }
     }
 
@@ -86,6 +112,11 @@ impl Keeper {
         if self.tests.prints {
             let _ = writeln!(std::io::stdout(), "picture");
         }
+    }
+
+    /// Whether a test wants the device to be lost for good now.
+    pub fn loses_device(&self) -> bool {
+        self.tests.loses_device_at.is_some_and(|count| self.count >= count)
     }
 
     /// Whether a test wants drawing to panic now.
@@ -107,6 +138,7 @@ impl Keeper {
             // What cannot be removed is ended at least.
             let _ = storage::remove(&path);
         }
+        self.say_where();
     }
 
     /// The last command panicked and was taken back.
@@ -116,19 +148,19 @@ impl Keeper {
         }
     }
 
-    /// What was done until now cannot be undone.
-    pub fn begins_history(&mut self) {
-        if let Some(writer) = &mut self.writer {
-            writer.begins_history();
-        }
-    }
-
     /// The editor took in ticks.
     pub fn ticked(&mut self, editor: &Editor, ticks: u64) {
         if let Some(writer) = &mut self.writer {
             writer.ticked(self.was_playing, editor, ticks);
         }
         self.was_playing = editor.is_playing();
+    }
+
+    /// The editor is about to become what a line of a journal says.
+    pub fn restored(&mut self, restore: &Restore) {
+        if let Some(writer) = &mut self.writer {
+            writer.restored(restore);
+        }
     }
 
     /// A file was read, and the editor is about to be told.
@@ -189,6 +221,7 @@ impl Keeper {
             if is_safe {
                 let _ = left.log.remove();
             }
+            self.say_where();
         }
         let file = restored.keyframe_file().display().to_string();
         let commands = texts::journal_count(played.lines);

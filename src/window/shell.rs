@@ -28,6 +28,8 @@ use crate::editor::{Command, Editor, FileCommand, Severity};
 use crate::files;
 use crate::journal::Ending;
 use crate::keyframe::KeyframeIndex;
+use crate::render::GpuError;
+use crate::script::Restore;
 use crate::ui::Panels;
 
 /// The longest time that one tick call may catch up. After a longer stall, playback continues from where it stopped.
@@ -120,6 +122,11 @@ impl Shell {
         self.error.take()
     }
 
+    /// Says from now on where the journal is.
+    pub fn keep_whereabouts(&mut self, whereabouts: ending::Whereabouts) {
+        self.keeper.keep_whereabouts(whereabouts);
+    }
+
     /// Ends the journal; where something is not saved and nobody wanted to lose it, it is there.
     pub fn end_journal(&mut self, ending: Ending) -> Option<PathBuf> {
         self.keeper.end(&self.editor, ending)
@@ -145,13 +152,15 @@ impl Shell {
                 return;
             }
         }
-        ending::watch_display(event_loop);
+        ending::watch_display(event_loop, self.keeper.whereabouts().clone());
         desktop::ask_theme(self.proxy.clone());
         for command in std::mem::take(&mut self.at_start) {
             self.apply(command);
         }
-        self.editor.begin_history();
-        self.keeper.begins_history();
+        if self.editor.undo_label().is_some() {
+            self.keeper.restored(&Restore::Ground);
+            self.editor.begin_history();
+        }
     }
 
     /// Recreates all GPU objects after a device loss, in the same window.
@@ -160,7 +169,12 @@ impl Shell {
         let reader = lost.input.accesskit.take();
         let window = Arc::clone(&lost.window);
         drop(lost);
-        match WindowSurface::new(event_loop, window, &self.proxy, reader) {
+        let new = if self.keeper.loses_device() {
+            Err(GpuError::NoAdapter.into())
+        } else {
+            WindowSurface::new(event_loop, window, &self.proxy, reader)
+        };
+        match new {
             Ok(stage) => {
                 stage.window.request_redraw();
                 self.stage = Some(stage);
@@ -200,6 +214,9 @@ impl Shell {
         }
         if let Some(answer) = overwrite {
             self.overwrite_answered(answer);
+        }
+        if self.keeper.loses_device() {
+            let _ = self.proxy.send_event(UserEvent::DeviceLost);
         }
         assert!(!self.keeper.panics_in_drawing(), "a test asked for this panic in drawing");
         let dot = self.hovered_dot.and_then(|keyframe| self.editor.path_dot(keyframe));

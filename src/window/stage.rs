@@ -108,6 +108,11 @@ impl WindowSurface {
         let screen = Screen::new(&gpu, Arc::clone(&window), surface)?;
         let renderer = Renderer::new(&gpu, screen.scene_format(), default_samples(gpu.is_software));
         let panel_painter = PanelPainter::new(&gpu, screen.format());
+        if let Err(error) = gpu.check() {
+            // The driver would wait for its work.
+            std::mem::forget((gpu, screen, renderer, panel_painter));
+            return Err(error.into());
+        }
         let context = egui::Context::default();
         theme::install(&context);
         #[expect(clippy::cast_possible_truncation, reason = "scale factors are small")]

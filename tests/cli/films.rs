@@ -250,6 +250,19 @@ mod with_a_made_ffmpeg {
         assert_eq!(outcome.status, 1);
         assert!(outcome.stderr.contains("x.mp4: ffmpeg ended with exit status: 7"), "{}", outcome.stderr);
         assert_eq!(sandbox.names(), ["a.json", "bin"]);
+        for (end, said) in [
+            (
+                "echo first >&2; echo 'no such encoder' >&2; exit 1",
+                "ended with exit status: 1; it said: no such encoder",
+            ),
+            ("kill -9 $$", "ended with signal: 9 (SIGKILL)"),
+            ("exit 0", "ended before it had read all pictures"),
+        ] {
+            let script = format!("#!/bin/sh\n[ \"$1\" = -version ] && exit 0\n{end}\n");
+            let outcome = render_with(&sandbox, Some(&script));
+            assert_eq!((outcome.status, outcome.stderr), (1, format!("x.mp4: ffmpeg {said}\n")));
+            assert_eq!(sandbox.names(), ["a.json", "bin"]);
+        }
     }
 }
 

@@ -37,7 +37,7 @@ fn a_journal_is_not_written_over_what_is_none() {
     sandbox.write("precious.json", "{}");
     sandbox.write("a.txt", "key n\n");
     let outcome = sandbox.run(&["script", "a.txt", "--journal", "precious.json"]);
-    assert_eq!(outcome.status, 1);
+    outcome.refuses("precious.json: something else stands there, and is not written over");
     assert_eq!(sandbox.read("precious.json"), "{}");
 }
 
@@ -123,4 +123,45 @@ fn what_a_killed_script_wrote_down_is_recovered() {
     assert_eq!(outcome.status, 0, "{}", outcome.stderr);
     let count = sandbox.json("out.json")["keyframes"].as_array().unwrap().len();
     assert!((1..=2).contains(&count), "{count}");
+}
+
+#[test]
+fn at_its_bound_a_scripts_journal_begins_anew_with_a_snapshot() {
+    let sandbox = Sandbox::new();
+    // Four times 5 MiB.
+    let mut file = keyframe_file(5);
+    let pose = file["keyframes"][1].clone();
+    let count = (5 << 20) / pose.to_string().len();
+    file["keyframes"] = vec![pose; count].into();
+    sandbox.write("animation.json", file.to_string());
+    sandbox.write("a.txt", "key i\nkey i\nkey i\nkey i\nkey n\nkey n\n");
+    let outcome = sandbox.run(&["script", "a.txt", "--journal", "a.journal", "--state", "a.state"]);
+    assert_eq!((outcome.status, outcome.stderr.as_str()), (0, ""));
+    assert_eq!(sandbox.names(), ["a.journal", "a.state", "a.txt", "animation.json"]);
+    let text = sandbox.read("a.journal");
+    assert!((text.len() as u64) < inbetween::journal::LARGEST_JOURNAL_BYTES, "{}", text.len());
+    assert!(text.contains("\nsnapshot "));
+    let outcome = sandbox.run(&["script", "a.journal", "--state", "b.state"]);
+    assert_eq!((outcome.status, outcome.stderr.as_str()), (0, ""));
+    assert_eq!(sandbox.read("a.state"), sandbox.read("b.state"));
+}
+
+#[cfg(unix)]
+#[test]
+fn a_script_whose_journal_cannot_be_written_says_so_at_its_end() {
+    let sandbox = Sandbox::new();
+    sandbox.write("a.txt", format!("{}key w\n", "key n\nundo\n".repeat(2000)));
+    // No file may grow beyond 8 KiB, as on a full disk.
+    let outcome = std::process::Command::new("sh")
+        .current_dir(sandbox.path(""))
+        .args(["-c", "trap '' XFSZ; ulimit -f 16; exec \"$0\" script a.txt --journal a.journal"])
+        .arg(env!("CARGO_BIN_EXE_inbetween"))
+        .output()
+        .unwrap();
+    assert_eq!(outcome.status.code(), Some(1));
+    assert_eq!(String::from_utf8_lossy(&outcome.stderr), "a.journal: File too large (os error 27)\n");
+    // The script went on, and its journal is read as far as it is whole.
+    assert!(sandbox.path("animation.json").is_file());
+    assert_eq!(sandbox.read("a.journal").len(), 8 << 10);
+    assert_eq!(sandbox.run(&["recover", "a.journal", "-o", "out.json"]).status, 0);
 }

@@ -18,6 +18,8 @@ mod render;
 mod sample;
 mod sandbox;
 mod script;
+#[cfg(target_os = "linux")]
+mod signals;
 #[path = "../student/mod.rs"]
 mod student;
 mod usage;

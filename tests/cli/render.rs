@@ -121,3 +121,58 @@ fn a_screenshot_that_cannot_be_written_ends_the_script() {
     assert!(outcome.stderr.contains("no/such/x.png: there is no such file or folder"), "{}", outcome.stderr);
     assert_eq!(sandbox.names(), ["a.txt"]);
 }
+
+#[test]
+fn without_a_driver_the_variables_that_choose_it_are_named() {
+    let sandbox = Sandbox::new();
+    let mut command = sandbox.command(&["render", "-o", "x.png"]);
+    command.env("VK_DRIVER_FILES", "/nonexistent.json").env("VK_ICD_FILENAMES", "old.json");
+    let outcome = Sandbox::outcome(command);
+    assert_eq!(outcome.status, 3);
+    let variables = "these environment variables choose the driver: VK_DRIVER_FILES is \"/nonexistent.json\", \
+                     VK_ICD_FILENAMES is \"old.json\"\n";
+    assert!(outcome.stderr.starts_with("no GPU adapter was found"), "{}", outcome.stderr);
+    assert!(outcome.stderr.ends_with(variables), "{}", outcome.stderr);
+}
+
+#[cfg(unix)]
+mod with_a_driver_that_does_not_open {
+    use std::os::unix::fs::PermissionsExt as _;
+    use std::os::unix::process::CommandExt as _;
+
+    use super::*;
+
+    #[test]
+    fn a_driver_that_hangs_is_given_up() {
+        let sandbox = Sandbox::new();
+        // Nobody writes to the pipe, and the loader waits for what describes the driver.
+        assert!(std::process::Command::new("mkfifo").arg(sandbox.path("driver.json")).status().unwrap().success());
+        let mut command = sandbox.command(&["render", "-o", "x.png"]);
+        command.env("VK_DRIVER_FILES", "driver.json");
+        let outcome = Sandbox::outcome(command);
+        assert_eq!(outcome.status, 3);
+        assert!(outcome.stderr.starts_with("the graphics driver does not answer"), "{}", outcome.stderr);
+        assert!(outcome.stderr.ends_with("VK_DRIVER_FILES is \"driver.json\"\n"), "{}", outcome.stderr);
+        assert_eq!(sandbox.names(), ["driver.json"]);
+    }
+
+    #[test]
+    fn a_limit_of_threads_is_named() {
+        /// Nobody who has other processes. The superuser has no such limit.
+        const NOBODY: u32 = 4_123_456;
+        let sandbox = Sandbox::new();
+        std::fs::set_permissions(sandbox.path(""), std::fs::Permissions::from_mode(0o777)).unwrap();
+        // The folder of the binary may be closed to others.
+        std::fs::copy(env!("CARGO_BIN_EXE_inbetween"), sandbox.path("inbetween")).unwrap();
+        let mut command = std::process::Command::new("bash");
+        command.current_dir(sandbox.path("")).args(["-c", "ulimit -u 1; exec ./inbetween render -o x.png"]);
+        if rustix::process::getuid().is_root() {
+            command.uid(NOBODY).gid(NOBODY);
+        }
+        let output = command.output().unwrap();
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(3), "{said}");
+        assert!(said.starts_with("no thread can be started that drawing needs"), "{said}");
+        assert_eq!(sandbox.names(), ["inbetween"]);
+    }
+}

@@ -183,7 +183,7 @@ fn bad_lines_are_named_and_nothing_is_run() {
          rotate-by, translate, set-translation, set-rotation, drag, drag-by, drag-to, wheel, wheel-by, put-control, remove-control, \
          rename-control, add-key, add-keys, set-key, move-key, move-keys, delete-key, delete-keys, select-keys, seconds, \
          interpolation, ms, speed, scrub, step, mode, range, auto-key, ghosts, eye, select, open, save-as, save-scene, screenshot, \
-         undo, redo, key, do, clamped, wait, scene, keyframe-file, imported, imported-scene and snapshot\n\
+         undo, redo, key, do, clamped, wait, scene, keyframe-file, imported, imported-scene, snapshot, document and ground\n\
          s.txt: line 6: \"q\" is not a hotkey",
     );
     sandbox.run(&["script", "none.txt"]).refuses("none.txt: there is no such file or folder");
