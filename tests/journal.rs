@@ -288,7 +288,7 @@ fn undo_ends_where_the_program_had_started() {
     let path = folder.path().join("a.journal");
     let mut kept = Kept::new(editor(), &path);
     kept.import(text_of(&editor_with(3)).as_bytes());
-    kept.journal.restored(&Restore::Ground);
+    kept.journal.restored(&script::Restore::Ground);
     kept.editor.begin_history();
     kept.apply(Command::Edit(Edit::CreateKeyframe));
     let (mut again, _) = play_alone(&std::fs::read(&path).unwrap());
