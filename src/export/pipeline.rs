@@ -61,7 +61,10 @@ impl Drawing<'_> {
             });
             // Frames that were submitted are read back, also after cancelling.
             let drawn = match painter.next_drawn(None) {
-                Ok(Some(picture)) => drawn.and_then(|()| send(&sender, picture, || goes_on(count.saturating_sub(1)))),
+                Ok(Some(picture)) => {
+                    let sent = send(&sender, picture, || goes_on(count.saturating_sub(1)));
+                    drawn.and(sent)
+                }
                 Ok(None) => drawn,
                 Err(error) => drawn.and(Err(error.into())),
             };
