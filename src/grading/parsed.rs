@@ -1,15 +1,18 @@
 //! Classifies and parses the files of a submission, each once.
 
+use std::borrow::Cow;
+
 use serde_json::Value;
 
 use super::content::{Content, Unreadable, content_of};
 use super::folder;
 use super::names::{PreferredNames, ending, has_keyframe_ending, speaks_of_keyframes};
+use super::rubric::Rubric;
 use super::submission::{Contents, Member, Skipped, Why, shortly, skipped_sentences};
 use super::trace;
 use crate::diagnosis::SampleRows;
 use crate::interpolation::Interpolation;
-use crate::keyframe::{KeyframeFile, KeyframeList};
+use crate::keyframe::{KeyframeFile, KeyframeList, keyframes_to_json};
 use crate::scene::SceneGraph;
 use crate::script::Line;
 use crate::text::counted;
@@ -46,6 +49,23 @@ pub struct ParsedKeyframes {
     pub interpolation: Interpolation,
     /// Milliseconds between keyframes.
     pub ms_between_keyframes: u32,
+    /// The interpolation and the milliseconds, each where the file holds it. No text does.
+    pub held: (Option<Interpolation>, Option<u32>),
+}
+
+impl ParsedKeyframes {
+    /// A keyframe file of these keyframes. What the file does not hold is as in the reference: nobody can hand it in by such a file.
+    #[must_use]
+    pub fn with_pace_of(&self, rubric: &Rubric, scene: &SceneGraph) -> Cow<'_, [u8]> {
+        match self.held {
+            (Some(_), Some(_)) => Cow::Borrowed(&self.bytes),
+            (interpolation, ms) => {
+                let interpolation = interpolation.unwrap_or(rubric.interpolation);
+                let ms_between_keyframes = ms.unwrap_or(rubric.ms_between_keyframes);
+                keyframes_to_json(scene, &self.list, interpolation, ms_between_keyframes).into_bytes().into()
+            }
+        }
+    }
 }
 
 /// A submission, parsed.
@@ -244,8 +264,9 @@ fn keyframes_are_of_a_file(
 fn graded(member: Member, file: KeyframeFile, inferred: Option<String>) -> ParsedKeyframes {
     let Member { name, bytes } = member;
     let inferred = inferred.map(|inferred| format!("{name}: {inferred}"));
+    let held = (file.interpolation, file.ms_between_keyframes);
     let (list, interpolation, ms_between_keyframes) = file.into_parts();
-    ParsedKeyframes { file: name, bytes, inferred, list, interpolation, ms_between_keyframes }
+    ParsedKeyframes { file: name, bytes, inferred, list, interpolation, ms_between_keyframes, held }
 }
 
 fn samples_of(bytes: &[u8], scene: &SceneGraph) -> Result<SampleRows, String> {

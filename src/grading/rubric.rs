@@ -89,6 +89,8 @@ pub struct Rubric {
     pub fps: u32,
     /// The right keyframes, enough to play.
     pub reference: KeyframeList,
+    /// The interpolation of the right keyframes.
+    pub interpolation: Interpolation,
     /// Milliseconds between the right keyframes.
     pub ms_between_keyframes: u32,
     /// How keyframe files are named, to choose among several.
@@ -198,7 +200,7 @@ impl Rubric {
             folder::read_script(&bytes, scene).map_err(|problem| FileError::new(path.display(), problem))
         });
         let lines = lines.transpose()?;
-        let Reference { bytes: reference_bytes, list: reference, ms_between_keyframes } =
+        let Reference { bytes: reference_bytes, list: reference, interpolation, ms_between_keyframes } =
             Reference::load(&beside(&text.reference), scene)?;
         let script = lines.map(|lines| RubricScript {
             expected: folder::run(&lines, scene, Some(&reference_bytes)).map(|ran| ran.trace),
@@ -211,6 +213,7 @@ impl Rubric {
             tolerances: Tolerances { translation, rotation_degrees },
             fps: text.fps,
             reference,
+            interpolation,
             ms_between_keyframes,
             keyframe_file,
             script,
@@ -223,6 +226,7 @@ impl Rubric {
 struct Reference {
     bytes: Vec<u8>,
     list: KeyframeList,
+    interpolation: Interpolation,
     ms_between_keyframes: u32,
 }
 
@@ -242,9 +246,9 @@ impl Reference {
                 (made, read.file)
             }
         };
-        let (list, _, ms_between_keyframes) = file.into_parts();
+        let (list, interpolation, ms_between_keyframes) = file.into_parts();
         PlayRange::new(&list).map_err(|error| bad(error.to_string()))?;
-        Ok(Self { bytes, list, ms_between_keyframes })
+        Ok(Self { bytes, list, interpolation, ms_between_keyframes })
     }
 }
 

@@ -12,6 +12,7 @@ use crate::interpolation::Interpolation;
 use crate::keyframe::{KeyframeList, PlayRange};
 use crate::pose::Pose;
 use crate::scene::SceneGraph;
+use crate::script::Line;
 
 /// The most frames at which playback is compared.
 const MOST_FRAMES: usize = 20_000;
@@ -167,13 +168,17 @@ impl Marker<'_> {
         let (what, problem_at, found) = if let Some(ParsedFile { name, content }) = &self.parsed.trace {
             (name.clone(), name, content.clone())
         } else if let Some(ParsedFile { name, content }) = &self.parsed.script {
-            let keyframes = self.parsed.first_keyframe_file.as_deref();
-            let ran =
-                content.as_ref().map_err(Clone::clone).and_then(|lines| folder::run(lines, self.scene, keyframes));
+            let read = self.parsed.keyframes.as_ref().ok();
+            let keyframes = self.parsed.first_keyframe_file.as_deref().map(|bytes| match read {
+                Some(read) => read.with_pace_of(self.rubric, self.scene),
+                None => bytes.into(),
+            });
+            let run = |lines: &Vec<Line>| folder::run(lines, self.scene, keyframes.as_deref());
+            let ran = content.as_ref().map_err(Clone::clone).and_then(run);
             (name.clone(), name, ran.map(|ran| trace::objects_of(&ran.trace)))
         } else {
             let Ok(read) = &self.parsed.keyframes else { return Verdict::unmet(UNREADABLE) };
-            let ran = folder::run(&script.lines, self.scene, Some(&read.bytes));
+            let ran = folder::run(&script.lines, self.scene, Some(&read.with_pace_of(self.rubric, self.scene)));
             (format!("the script with {}", read.file), &read.file, ran.map(|ran| trace::objects_of(&ran.trace)))
         };
         match found {

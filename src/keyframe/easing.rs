@@ -89,26 +89,43 @@ impl Easing {
             Self::Hold => 0.0,
             Self::Curve(curve, Ends::In) => curve.rise(fraction),
             Self::Curve(curve, Ends::Out) => 1.0 - curve.rise(1.0 - fraction),
-            Self::Curve(curve, Ends::InOut) if fraction < 0.5 => 0.5 * curve.rise(2.0 * fraction),
-            Self::Curve(curve, Ends::InOut) => 1.0 - 0.5 * curve.rise(2.0 - 2.0 * fraction),
+            Self::Curve(curve, Ends::InOut) if fraction < 0.5 => 0.5 * curve.rise_of_half(2.0 * fraction),
+            Self::Curve(curve, Ends::InOut) => 1.0 - 0.5 * curve.rise_of_half(2.0 - 2.0 * fraction),
         }
     }
 }
 
 impl Curve {
-    /// The curve that is slow at the beginning, for a fraction between 0 and 1.
+    /// The curve that is slow at the beginning, for a fraction between 0 and 1. The formulas are Robert Penner's, as at
+    /// <https://easings.net>.
     fn rise(self, x: f64) -> f64 {
-        /// Makes the overshoot 10 %.
-        const OVERSHOOT: f64 = 1.701_58;
         match self {
             Self::Sine => 1.0 - (x * FRAC_PI_2).cos(),
             Self::Quad => x * x,
             Self::Cubic => x * x * x,
-            Self::Back => x * x * ((OVERSHOOT + 1.0) * x - OVERSHOOT),
+            Self::Back => backed(x, OVERSHOOT),
             Self::Bounce => 1.0 - bounced(1.0 - x),
             Self::Elastic => -(2.0_f64.powf(10.0 * x - 10.0)) * ((10.0 * x - 10.75) * TAU / 3.0).sin(),
         }
     }
+
+    /// The first half of the curve that is slow at both ends, scaled to fractions and values from 0 to 1. Of `back` and `elastic` it is not
+    /// the curve that is slow at the beginning: Penner's overshoot there is larger, and his spring slower.
+    fn rise_of_half(self, x: f64) -> f64 {
+        match self {
+            Self::Back => backed(x, 1.525 * OVERSHOOT),
+            Self::Elastic => -(2.0_f64.powf(10.0 * x - 10.0)) * ((10.0 * x - 11.125) * TAU / 4.5).sin(),
+            Self::Sine | Self::Quad | Self::Cubic | Self::Bounce => self.rise(x),
+        }
+    }
+}
+
+/// Makes the overshoot of `back` 10 %.
+const OVERSHOOT: f64 = 1.701_58;
+
+/// A cubic that first goes back, the farther the larger the overshoot.
+fn backed(x: f64, overshoot: f64) -> f64 {
+    x * x * ((overshoot + 1.0) * x - overshoot)
 }
 
 /// The distance that a dropped ball has fallen, with three bounces: 0 at 0, and 1 (the ground) at 1.
@@ -157,5 +174,16 @@ mod tests {
         assert_eq!(at("hold", 0.999), 0.0);
         assert!((at("sine-in-out", 0.5) - 0.5).abs() < 1e-12);
         assert!(at("back-in", 0.3) < 0.0 && at("back-out", 0.7) > 1.0);
+        // By the formulas at easings.net, in another language.
+        for (name, fraction, expected) in [
+            ("back-in-out", 0.25, -0.099_681_843_75),
+            ("back-in-out", 0.75, 1.099_681_843_75),
+            ("elastic-in-out", 0.25, 0.011_969_444_423_734_026),
+            ("elastic-in-out", 0.4, -0.117_461_578_485_772_4),
+            ("elastic-in-out", 0.6, 1.117_461_578_485_772_4),
+            ("elastic-in", 0.7, 0.125),
+        ] {
+            assert!((at(name, fraction) - expected).abs() < 1e-9, "{name} at {fraction}: {}", at(name, fraction));
+        }
     }
 }
