@@ -3,7 +3,7 @@
 //! Rounded numbers give quaternions that are not quite of unit length. A file that this program wrote must read back to the same bits, so
 //! the smallest errors are kept. Larger errors come from rounding in other programs and are normalised. Beyond that the file is wrong.
 
-use glam::Quat;
+use glam::{DQuat, Quat, Vec3};
 
 use crate::words::{Message, texts};
 
@@ -48,6 +48,21 @@ impl Mending {
 pub fn unit(rotation: Quat) -> Option<Quat> {
     let length = rotation.length();
     (length > SHORTEST && length.is_finite()).then(|| rotation / length)
+}
+
+/// The rotation about a unit axis by an angle in radians. Half a turn is computed in double precision: in single precision its w is a small
+/// negative number, and interpolation then goes the other way round than in programs that compute in double precision.
+#[must_use]
+pub fn rotation_about_axis(axis: Vec3, radians: f64) -> Quat {
+    DQuat::from_axis_angle(axis.as_dvec3(), radians).as_quat()
+}
+
+/// The rotation of Euler angles in degrees: `q = qz(yaw) · qy(pitch) · qx(roll)`, each about an axis of the parent. In double precision, as
+/// [`rotation_about_axis`].
+#[must_use]
+pub fn rotation_from_euler_degrees(degrees: [f32; 3]) -> Quat {
+    let [yaw, pitch, roll] = degrees.map(|degrees| f64::from(degrees).to_radians());
+    (DQuat::from_rotation_z(yaw) * DQuat::from_rotation_y(pitch) * DQuat::from_rotation_x(roll)).as_quat()
 }
 
 /// What to tell someone who typed an angle beyond half a turn: a rotation has no turns in it. `None` for an angle within ±180 degrees.
@@ -108,6 +123,27 @@ mod tests {
         assert_eq!(unit(Quat::from_xyzw(0.0, 0.0, 3.0, 4.0)), Some(Quat::from_xyzw(0.0, 0.0, 0.6, 0.8)));
         for none in [[0.0; 4], [f32::NAN, 0.0, 0.0, 1.0], [f32::INFINITY, 0.0, 0.0, 1.0], [3e38; 4]] {
             assert_eq!(unit(Quat::from_array(none)), None, "{none:?}");
+        }
+    }
+
+    #[test]
+    fn euler_angles_turn_about_x_first_and_z_last() {
+        let rotation = rotation_from_euler_degrees([90.0, 0.0, 90.0]);
+        assert!((rotation * Vec3::Y).distance(Vec3::Z) < 1e-6);
+        assert!((rotation * Vec3::X).distance(Vec3::Y) < 1e-6);
+        let rotation = rotation_from_euler_degrees([0.0, 90.0, 0.0]);
+        assert!((rotation * Vec3::X).distance(Vec3::NEG_Z) < 1e-6);
+    }
+
+    #[test]
+    fn half_a_turn_has_no_negative_w() {
+        for axis in [Vec3::X, Vec3::Y, Vec3::Z] {
+            let turned = rotation_about_axis(axis, std::f64::consts::PI);
+            assert!(turned.w >= 0.0 && turned.w < 1e-12 && turned.xyz() == axis, "{turned}");
+        }
+        for degrees in [[180.0, 0.0, 0.0], [0.0, 180.0, 0.0], [0.0, 0.0, 180.0], [-180.0, 0.0, 0.0]] {
+            let turned = rotation_from_euler_degrees(degrees);
+            assert!(turned.w >= 0.0 && turned.w < 1e-12, "{turned}");
         }
     }
 }

@@ -194,14 +194,6 @@ impl<V: PartialEq> PartialEq for Track<V> {
     }
 }
 
-/// The rotation of Euler angles in degrees: `q = qz(yaw) · qy(pitch) · qx(roll)`, each about an axis of the parent.
-#[must_use]
-pub fn rotation_from_euler_degrees([yaw, pitch, roll]: [f32; 3]) -> Quat {
-    Quat::from_rotation_z(yaw.to_radians())
-        * Quat::from_rotation_y(pitch.to_radians())
-        * Quat::from_rotation_x(roll.to_radians())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -257,15 +249,6 @@ mod tests {
     fn any_function_can_interpolate() {
         let hold = Track::with_interpolation([(0.0, 'a'), (1.0, 'b')], |from, _, _| from).unwrap();
         assert_eq!((hold.value_at(0.99), hold.value_at(1.0)), ('a', 'b'));
-    }
-
-    #[test]
-    fn euler_angles_turn_about_x_first_and_z_last() {
-        let rotation = rotation_from_euler_degrees([90.0, 0.0, 90.0]);
-        assert!((rotation * Vec3::Y).distance(Vec3::Z) < 1e-6);
-        assert!((rotation * Vec3::X).distance(Vec3::Y) < 1e-6);
-        let rotation = rotation_from_euler_degrees([0.0, 90.0, 0.0]);
-        assert!((rotation * Vec3::X).distance(Vec3::NEG_Z) < 1e-6);
     }
 
     proptest! {

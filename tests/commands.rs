@@ -148,7 +148,7 @@ fn any_edit() -> impl Strategy<Value = Command> {
         (100u32..10_000).prop_map(Edit::SetMsBetweenKeyframes),
         (any_node(), any_vector()).prop_map(|(rbt, to)| Edit::SetTranslation(rbt, to)),
         (any_node(), any_rotation()).prop_map(|(rbt, to)| Edit::SetRotation(rbt, to)),
-        (any_vector(), any_f32()).prop_map(|(axis_in_node, radians)| Edit::RotateChosen { axis_in_node, radians }),
+        (any_vector(), any_f64()).prop_map(|(axis_in_node, radians)| Edit::RotateChosen { axis_in_node, radians }),
         any_vector().prop_map(Edit::TranslateChosen),
         any_rbt().prop_map(Edit::Wheel),
     ]
@@ -319,7 +319,7 @@ fn lines_are_as_people_write_them_where_that_is_exact() {
         (edit(Edit::CreateKeyframe), "do keyframe-new"),
         (timeline(TimelineEdit::CutKeyframes), "cut"),
         (Command::Undo, "undo"),
-        (edit(Edit::RotateChosen { axis_in_node: Vec3::Z, radians: 45f32.to_radians() }), "rotate z 45"),
+        (edit(Edit::RotateChosen { axis_in_node: Vec3::Z, radians: 45f64.to_radians() }), "rotate z 45"),
         (edit(Edit::RotateChosen { axis_in_node: Vec3::ONE, radians: 0.5 }), "rotate-by 1 1 1 0.5"),
         (edit(Edit::TranslateChosen(Vec3::new(-0.0, 1e-45, 0.1))), "translate -0 1e-45 0.1"),
         (edit(Edit::SetMsBetweenKeyframes(700)), "ms 700"),

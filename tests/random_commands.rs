@@ -60,7 +60,7 @@ fn any_edit() -> impl Strategy<Value = Command> {
         prop::sample::select(&[2e6_f32, 3e38]).prop_map(|x| Edit::TranslateChosen(Vec3::Y * x)),
         Just(Edit::SetRotation(RbtIndex::new(2), Quat::from_xyzw(0.0, 0.0, 0.0, 0.0))),
         any_rbt().prop_map(|by| Edit::TranslateChosen(by.translation)),
-        (-9.0f32..9.0).prop_map(|radians| Edit::RotateChosen { axis_in_node: Vec3::Y, radians }),
+        (-9.0f64..9.0).prop_map(|radians| Edit::RotateChosen { axis_in_node: Vec3::Y, radians }),
         any_rbt().prop_map(Edit::Wheel),
     ]
     .prop_map(Command::Edit)

@@ -1,7 +1,5 @@
 //! Dispatch of commands, and the handlers of pose and keyframe edits.
 
-use glam::Quat;
-
 use super::commands::{Row, row_of};
 use super::history::Run;
 use super::keymap::Keymap;
@@ -12,7 +10,7 @@ use super::{
 use crate::keyframe::{Keyframe, KeyframeIndex, KeyframeList, MS_BETWEEN_KEYFRAMES_RANGE};
 use crate::pose::RbtIndex;
 use crate::rbt::Rbt;
-use crate::rotation_rules::{Mending, unit};
+use crate::rotation_rules::{Mending, rotation_about_axis, unit};
 use crate::words::{Argument, Phrase, texts};
 
 /// Change of the ms between keyframes by one `+` or `-`, in milliseconds.
@@ -170,7 +168,7 @@ impl Editor {
             }
             Edit::RotateChosen { axis_in_node, radians } => {
                 let chosen = self.session.chosen.ok_or_else(|| self.nothing_chosen())?;
-                let turn = unit(Quat::from_axis_angle(axis_in_node, radians))
+                let turn = unit(rotation_about_axis(axis_in_node, radians))
                     .ok_or(CommandError::NotAValue { what: texts::VALUE_ROTATION })?;
                 let turned = |from: Rbt| Rbt { rotation: from.rotation * turn, ..from }.renormalized();
                 self.change_node(chosen, turned, texts::ACT_TURN_A_NODE, None)

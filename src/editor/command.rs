@@ -129,7 +129,7 @@ pub enum Edit {
         /// A unit vector in the node's space.
         axis_in_node: Vec3,
         /// The angle in radians, right-handed.
-        radians: f32,
+        radians: f64,
     },
     /// Moves the chosen node, in its parent's space.
     TranslateChosen(Vec3),

@@ -12,7 +12,8 @@ use super::file::SceneError;
 use super::graph::NodeKind;
 use super::write::{number, numbers};
 use crate::colour::Colour;
-use crate::timed::{Interpolate, rotation_from_euler_degrees};
+use crate::rotation_rules::rotation_from_euler_degrees;
+use crate::timed::Interpolate;
 use crate::words::{Phrase, texts};
 
 /// A value of a node that timed keys can drive.

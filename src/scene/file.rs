@@ -18,8 +18,9 @@ use super::tracks::Tracks;
 use crate::colour::Colour;
 use crate::decode::{self, DecodeError};
 use crate::rbt::Rbt;
+use crate::rotation_rules::rotation_from_euler_degrees;
 use crate::text::str_without_byte_order_mark;
-use crate::timed::{KeyError, rotation_from_euler_degrees};
+use crate::timed::KeyError;
 use crate::words::{Argument, Message, Phrase, display_by_message, quoted, texts};
 
 pub(super) const FORMAT: &str = "inbetween.scene";

@@ -5,15 +5,7 @@ use glam::{EulerRot, Quat};
 
 use super::words::Words;
 use crate::pose::RbtIndex;
-use crate::rotation_rules::beyond_half_turn;
-
-/// The rotation of yaw, pitch and roll, in degrees.
-#[must_use]
-pub fn rotation_from_degrees([yaw, pitch, roll]: [f32; 3]) -> Quat {
-    Quat::from_rotation_z(yaw.to_radians())
-        * Quat::from_rotation_y(pitch.to_radians())
-        * Quat::from_rotation_x(roll.to_radians())
-}
+use crate::rotation_rules::{beyond_half_turn, rotation_from_euler_degrees};
 
 /// Yaw, pitch and roll of a rotation, in degrees: yaw and roll within ±180, pitch within ±90. -0 becomes 0.
 #[must_use]
@@ -43,7 +35,7 @@ impl ShownAngles {
     pub fn of(&mut self, rbt: RbtIndex, rotation: Quat) -> [f32; 3] {
         if let Some((shown_rbt, degrees)) = self.shown
             && shown_rbt == rbt
-            && rotation_from_degrees(degrees).dot(rotation).abs() > 1.0 - 1e-6
+            && rotation_from_euler_degrees(degrees).dot(rotation).abs() > 1.0 - 1e-6
         {
             return degrees;
         }
@@ -82,7 +74,7 @@ mod tests {
 
     #[track_caller]
     fn check(degrees: [f32; 3]) {
-        let back = degrees_from_rotation(rotation_from_degrees(degrees));
+        let back = degrees_from_rotation(rotation_from_euler_degrees(degrees));
         for (given, got) in degrees.into_iter().zip(back) {
             assert!((given - got).abs() < 1e-3, "{degrees:?} came back as {back:?}");
         }
@@ -99,7 +91,7 @@ mod tests {
 
     #[test]
     fn yaw_is_about_z() {
-        let turned = rotation_from_degrees([90.0, 0.0, 0.0]) * glam::Vec3::X;
+        let turned = rotation_from_euler_degrees([90.0, 0.0, 0.0]) * glam::Vec3::X;
         assert!(turned.distance(glam::Vec3::Y) < 1e-6);
     }
 
@@ -108,7 +100,7 @@ mod tests {
         let mut shown = ShownAngles::default();
         let rbt = RbtIndex::new(3);
         shown.set(rbt, [0.0, 135.0, 0.0]);
-        let rotation = rotation_from_degrees([0.0, 135.0, 0.0]);
+        let rotation = rotation_from_euler_degrees([0.0, 135.0, 0.0]);
         assert_eq!(shown.of(rbt, -rotation).map(f32::to_bits), [0.0, 135.0, 0.0].map(f32::to_bits));
         assert!(shown.of(RbtIndex::new(4), rotation)[1] < 91.0);
     }

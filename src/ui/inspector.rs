@@ -3,12 +3,13 @@
 use egui::{DragValue, Label, Response, RichText, Ui, vec2};
 use glam::Vec3;
 
-use super::angles::{ShownAngles, rotation_from_degrees, say_of_angles, with_component};
+use super::angles::{ShownAngles, say_of_angles, with_component};
 use super::key_of;
 use super::theme::{GRID, ROW, Tokens};
 use super::words::Words;
 use crate::editor::keymap::Keymap;
 use crate::editor::{Command, Edit, Editor, GestureCommand, PlaybackCommand};
+use crate::rotation_rules::rotation_from_euler_degrees;
 use crate::words::texts;
 
 /// Scene units for each point that a number is dragged.
@@ -52,7 +53,7 @@ pub fn show(ui: &mut Ui, editor: &Editor, angles: &mut ShownAngles, keymap: &Key
             numbers(ui, words.say(texts::ROTATION), &names, &mut degrees, DEGREES_PER_POINT, 1, commands)
         {
             angles.set(rbt, degrees);
-            let rotation = rotation_from_degrees(degrees);
+            let rotation = rotation_from_euler_degrees(degrees);
             finish(&changed, Command::Edit(Edit::SetRotation(rbt, rotation)), commands);
         }
         say_of_angles(ui, degrees);

@@ -1,9 +1,9 @@
 //! Python dictionaries of keys, to a scene with a control node.
 
 use glam::{Quat, Vec3};
+use inbetween::rotation_rules::rotation_from_euler_degrees;
 use inbetween::scene::{Channel, KeyValue, SceneGraph, scene_from_json};
 use inbetween::text_layouts::{Imported, Options, import};
-use inbetween::timed::rotation_from_euler_degrees;
 
 use super::refusal;
 use super::samples::{PYTHON, scene};

@@ -5,11 +5,12 @@ use glam::{Quat, Vec3};
 use super::line::{Arguments, Ending, Line};
 use super::row::{Changes, Row};
 use super::values::{
-    axis, number, number_text, numbers, one_of, radians, rbt, rbt_path_text, rbt_text, rotation_text, same_bits,
-    vector_text,
+    axis, double, number, number_text, numbers, one_of, radians, rbt, rbt_path_text, rbt_text, rotation_text,
+    same_bits, vector_text,
 };
 use crate::editor::{Command, Edit, GestureCommand};
 use crate::rbt::Rbt;
+use crate::rotation_rules::rotation_about_axis;
 use crate::words::{Phrase, texts};
 
 const fn edit_of(command: &Command) -> Option<&Edit> {
@@ -48,10 +49,12 @@ fn chosen() -> Vec<Row> {
                     let is_axis = |axis: Vec3| same_bits(&axis.to_array(), &axis_in_node.to_array());
                     let axes = [("x", Vec3::X), ("y", Vec3::Y), ("z", Vec3::Z)];
                     let (about, _) = axes.into_iter().find(|(_, axis)| is_axis(*axis))?;
-                    let degrees = number_text(by.to_degrees());
-                    // Some angles in radians have no exact value in degrees.
-                    let is_exact = radians(&degrees).is_ok_and(|read| read.to_bits() == by.to_bits());
-                    is_exact.then(|| format!("{about} {degrees}"))
+                    // Some angles in radians have no exact value in degrees; of others a rounded one reads back to the same bits.
+                    let degrees = by.to_degrees();
+                    let is_exact = |text: &String| radians(text).is_ok_and(|read| read.to_bits() == by.to_bits());
+                    let degrees =
+                        [(degrees * 1e6).round() / 1e6, degrees].map(number_text).into_iter().find(is_exact)?;
+                    Some(format!("{about} {degrees}"))
                 },
             )
             .angles(last_word),
@@ -62,7 +65,7 @@ fn chosen() -> Vec<Row> {
             |arguments| {
                 let Ok(&[x, y, z, by]) = <&[&str; 4]>::try_from(arguments.words) else { return Ok(None) };
                 let axis_in_node = Vec3::from(numbers(&[x, y, z])?);
-                Ok(Some(Command::Edit(Edit::RotateChosen { axis_in_node, radians: number(by)? })))
+                Ok(Some(Command::Edit(Edit::RotateChosen { axis_in_node, radians: double(by)? })))
             },
             |command, _| {
                 let Some(&Edit::RotateChosen { axis_in_node, radians }) = edit_of(command) else { return None };
@@ -141,7 +144,7 @@ fn drags() -> Vec<Row> {
                 ["cancel"] => GestureCommand::Abort,
                 ["move", x, y, z] => GestureCommand::Move(Rbt::from_translation(Vec3::from(numbers(&[x, y, z])?))),
                 ["turn", about, degrees] => {
-                    let rotation = Quat::from_axis_angle(axis(about)?, radians(degrees)?);
+                    let rotation = rotation_about_axis(axis(about)?, radians(degrees)?);
                     GestureCommand::Move(Rbt::from_rotation(rotation))
                 }
                 _ => return Ok(None),

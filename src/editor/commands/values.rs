@@ -141,10 +141,8 @@ pub(super) fn keyframes_text(indices: &[KeyframeIndex]) -> String {
 }
 
 /// An angle in degrees as radians; whole turns are left out before anything is rounded.
-pub(crate) fn radians(word: &str) -> Value<f32> {
-    #[expect(clippy::cast_possible_truncation, reason = "rotations are held in f32")]
-    let radians = (double(word)? % 360.0).to_radians() as f32;
-    Ok(radians)
+pub(crate) fn radians(word: &str) -> Value<f64> {
+    Ok((double(word)? % 360.0).to_radians())
 }
 
 /// A number in the fewest digits that read back to the same bits.

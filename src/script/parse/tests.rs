@@ -117,7 +117,7 @@ fn times() {
 #[test]
 fn whole_turns_are_nothing() {
     assert_eq!(radians("720"), Ok(0.0));
-    assert_eq!(radians("-90"), Ok(-std::f32::consts::FRAC_PI_2));
+    assert_eq!(radians("-90"), Ok(-std::f64::consts::FRAC_PI_2));
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use glam::{Quat, Vec3};
 
 use crate::rotation_rules::Mending;
-use crate::timed::rotation_from_euler_degrees;
+use crate::rotation_rules::{rotation_about_axis, rotation_from_euler_degrees};
 use crate::words::{Phrase, texts};
 
 /// The names of the functions.
@@ -105,11 +105,11 @@ fn from_euler(arguments: &Arguments<'_>) -> Option<Term> {
 fn from_axis_angle(arguments: &Arguments<'_>) -> Option<Term> {
     let Some(Term::Numbers([x, y, z, _], 3)) = arguments.get(0, "axis") else { return None };
     let radians = match arguments.get(usize::MAX, "radians") {
-        Some(Term::Number(radians)) => radians,
+        Some(Term::Number(radians)) => radians.into(),
         Some(_) => return None,
-        None => arguments.number(1, "degrees").unwrap_or(0.0).to_radians(),
+        None => f64::from(arguments.number(1, "degrees").unwrap_or(0.0)).to_radians(),
     };
     let axis = Vec3::new(x, y, z).as_dvec3().try_normalize()?.as_vec3();
-    let rotation = Quat::from_axis_angle(axis, radians);
+    let rotation = rotation_about_axis(axis, radians);
     rotation.is_finite().then(|| Term::Rotation(rotation.normalize()))
 }

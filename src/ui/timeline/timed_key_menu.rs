@@ -17,8 +17,9 @@ use crate::colour::Colour;
 use crate::editor::{
     Command, Edit, Editor, GestureCommand, KeyAt, SceneEdit, SelectionCommand, TimelineEdit, TrackPath,
 };
+use crate::rotation_rules::rotation_from_euler_degrees;
 use crate::scene::{Channel, KeyValue, NodeId, NodeKind};
-use crate::ui::angles::{degrees_from_rotation, rotation_from_degrees, say_of_angles};
+use crate::ui::angles::{degrees_from_rotation, say_of_angles};
 use crate::ui::icons::was_pressed;
 use crate::ui::theme::{GRID, ROW, Tokens};
 use crate::ui::words::Words;
@@ -199,7 +200,8 @@ fn value(ui: &mut Ui, menu: &mut Menu, editor: &Editor, id: NodeId, key: &KeyAt,
         KeyValue::Translation(value) => (value.to_array(), ["x", "y", "z"], 0.01, 3),
         KeyValue::Scale(value) => (value.to_array(), ["x", "y", "z"], 0.01, 3),
         KeyValue::Rotation(rotation) => {
-            let shown = menu.angles.filter(|&angles| rotation_from_degrees(angles).dot(rotation).abs() > 1.0 - 1e-6);
+            let shown =
+                menu.angles.filter(|&angles| rotation_from_euler_degrees(angles).dot(rotation).abs() > 1.0 - 1e-6);
             let angles = shown.unwrap_or_else(|| degrees_from_rotation(rotation));
             menu.angles = Some(angles);
             (angles, [words.say(texts::YAW), words.say(texts::PITCH), words.say(texts::ROLL)], 0.5, 1)
@@ -246,7 +248,7 @@ fn value_of(value: KeyValue, numbers: [f32; 3]) -> KeyValue {
     match value {
         KeyValue::Translation(_) => KeyValue::Translation(Vec3::from(numbers)),
         KeyValue::Scale(_) => KeyValue::Scale(Vec3::from(numbers)),
-        KeyValue::Rotation(_) => KeyValue::Rotation(rotation_from_degrees(numbers).normalize()),
+        KeyValue::Rotation(_) => KeyValue::Rotation(rotation_from_euler_degrees(numbers).normalize()),
         KeyValue::Colour(_) => KeyValue::Colour(Colour::nearest(Vec3::from(numbers) / 255.0)),
     }
 }
