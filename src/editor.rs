@@ -35,7 +35,7 @@ pub use command::{
 pub use document::Document;
 pub use error::CommandError;
 pub use history::{MOST_STEPS, Reach};
-pub use host::{FileAccess, FileOutcome, Host, PathQuestion, Writing, Written};
+pub use host::{FileAccess, FileOutcome, Host, PathQuestion, WindowHost, Writing, Written};
 pub use manipulate::{DragKind, Manipulation};
 pub use motion_path::PathDot;
 pub use playback::PlayMode;

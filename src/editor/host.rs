@@ -65,6 +65,24 @@ pub struct Written {
     pub other_links: u64,
 }
 
+/// Does what only a window can do, or says that there is none.
+pub trait WindowHost {
+    /// Asks the user for a path.
+    fn ask_for_path(&mut self, question: PathQuestion);
+
+    /// Begins an export of the document as it is now.
+    fn begin_export(&mut self, options: ExportOptions);
+
+    /// Ends the export that is under way.
+    fn cancel_export(&mut self);
+
+    /// Ends the program, asking first where something is unsaved.
+    fn quit(&mut self);
+
+    /// Changes the window or its settings.
+    fn change_window(&mut self, command: WindowCommand);
+}
+
 /// Performs effects. A host implements one method for each thing that is done outside of the editor; what becomes of it is told to the
 /// editor here, in one place.
 pub trait Host {
@@ -98,20 +116,8 @@ pub trait Host {
     /// Where the host does not go on after such an error.
     fn told(&mut self, access: FileAccess, path: &Path, told: Result<(), CommandError>) -> Result<(), Self::Stop>;
 
-    /// Asks the user for a path.
-    fn ask_for_path(&mut self, question: PathQuestion);
-
-    /// Begins an export of the document as it is now.
-    fn begin_export(&mut self, options: ExportOptions);
-
-    /// Ends the export that is under way.
-    fn cancel_export(&mut self);
-
-    /// Ends the program, asking first where something is unsaved.
-    fn quit(&mut self);
-
-    /// Changes the window or its settings.
-    fn change_window(&mut self, command: WindowCommand);
+    /// The window, or what answers in its place.
+    fn window(&mut self) -> &mut dyn WindowHost;
 
     /// Performs an effect, and tells the editor what became of it.
     ///
@@ -148,16 +154,16 @@ pub trait Host {
                 let told = self.editor().screenshot_taken(&path, outcome);
                 return self.told(FileAccess::ScreenshotTaken, &path, told);
             }
-            Effect::ChooseOpen => self.ask_for_path(PathQuestion::Open),
-            Effect::ChooseSaveAs => self.ask_for_path(PathQuestion::SaveAs),
-            Effect::ChooseSaveSceneAs => self.ask_for_path(PathQuestion::SaveSceneAs),
+            Effect::ChooseOpen => self.window().ask_for_path(PathQuestion::Open),
+            Effect::ChooseSaveAs => self.window().ask_for_path(PathQuestion::SaveAs),
+            Effect::ChooseSaveSceneAs => self.window().ask_for_path(PathQuestion::SaveSceneAs),
             Effect::ChooseExport { proposed, is_folder } => {
-                self.ask_for_path(PathQuestion::Export { proposed, is_folder });
+                self.window().ask_for_path(PathQuestion::Export { proposed, is_folder });
             }
-            Effect::Export(options) => self.begin_export(*options),
-            Effect::CancelExport => self.cancel_export(),
-            Effect::Quit => self.quit(),
-            Effect::Window(command) => self.change_window(command),
+            Effect::Export(options) => self.window().begin_export(*options),
+            Effect::CancelExport => self.window().cancel_export(),
+            Effect::Quit => self.window().quit(),
+            Effect::Window(command) => self.window().change_window(command),
         }
         Ok(())
     }

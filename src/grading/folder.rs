@@ -9,10 +9,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use crate::clock::TICKS_PER_SECOND;
-use crate::editor::{
-    CommandError, Editor, FileAccess, FileOutcome, Host, PathQuestion, WindowCommand, Writing, Written,
-};
-use crate::film::ExportOptions;
+use crate::editor::{CommandError, Editor, FileAccess, FileOutcome, Host, WindowHost, Writing, Written};
 use crate::keyframe::keyframes_to_json;
 use crate::scene::SceneGraph;
 use crate::script::{self, Action, Line, NoWindow, Runner, State, Windowless};
@@ -163,24 +160,8 @@ impl Host for Folder {
         Ok(())
     }
 
-    fn ask_for_path(&mut self, question: PathQuestion) {
-        self.no_window.ask_for_path(&question);
-    }
-
-    fn begin_export(&mut self, _options: ExportOptions) {
-        self.no_window.refuse_export();
-    }
-
-    fn cancel_export(&mut self) {
-        self.no_window.refuse_export();
-    }
-
-    fn quit(&mut self) {
-        self.no_window.quit();
-    }
-
-    fn change_window(&mut self, _command: WindowCommand) {
-        // There is no window to change.
+    fn window(&mut self) -> &mut dyn WindowHost {
+        &mut self.no_window
     }
 }
 

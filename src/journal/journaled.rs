@@ -4,10 +4,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::path::{Path, PathBuf};
 
 use super::{Ending, Writer};
-use crate::editor::{
-    Command, CommandError, Editor, FileAccess, FileOutcome, Host, PathQuestion, WindowCommand, Writing, Written,
-};
-use crate::film::ExportOptions;
+use crate::editor::{Command, CommandError, Editor, FileAccess, FileOutcome, Host, WindowHost, Writing, Written};
 use crate::script::{NoWindow, Restore, Windowless};
 use crate::storage::StorageError;
 
@@ -113,24 +110,8 @@ impl<H: Windowless> Host for Journaled<H> {
         self.host.told(access, path, told)
     }
 
-    fn ask_for_path(&mut self, question: PathQuestion) {
-        self.host.ask_for_path(question);
-    }
-
-    fn begin_export(&mut self, options: ExportOptions) {
-        self.host.begin_export(options);
-    }
-
-    fn cancel_export(&mut self) {
-        self.host.cancel_export();
-    }
-
-    fn quit(&mut self) {
-        self.host.quit();
-    }
-
-    fn change_window(&mut self, command: WindowCommand) {
-        self.host.change_window(command);
+    fn window(&mut self) -> &mut dyn WindowHost {
+        self.host.window()
     }
 
     fn carry_out(&mut self, command: Command) -> Result<(), H::Stop> {

@@ -3,10 +3,7 @@
 use std::convert::Infallible;
 use std::path::{Path, PathBuf};
 
-use crate::editor::{
-    CommandError, Editor, FileAccess, FileOutcome, Host, PathQuestion, WindowCommand, Writing, Written,
-};
-use crate::film::ExportOptions;
+use crate::editor::{CommandError, Editor, FileAccess, FileOutcome, Host, WindowHost, Writing, Written};
 use crate::script::{NoWindow, Windowless};
 use crate::words::texts;
 
@@ -56,21 +53,7 @@ impl Host for Nowhere {
         Ok(())
     }
 
-    fn ask_for_path(&mut self, question: PathQuestion) {
-        self.no_window.ask_for_path(&question);
+    fn window(&mut self) -> &mut dyn WindowHost {
+        &mut self.no_window
     }
-
-    fn begin_export(&mut self, _options: ExportOptions) {
-        self.no_window.refuse_export();
-    }
-
-    fn cancel_export(&mut self) {
-        self.no_window.refuse_export();
-    }
-
-    fn quit(&mut self) {
-        self.no_window.quit();
-    }
-
-    fn change_window(&mut self, _command: WindowCommand) {}
 }

@@ -5,12 +5,9 @@ use std::path::{Path, PathBuf};
 use thiserror::Error;
 
 use super::run::{NoWindow, Windowless};
-use crate::editor::{
-    CommandError, Editor, FileAccess, FileOutcome, Host, PathQuestion, WindowCommand, Writing, Written,
-};
+use crate::editor::{CommandError, Editor, FileAccess, FileOutcome, Host, WindowHost, Writing, Written};
 use crate::export::{ExportError, Painter};
 use crate::files;
-use crate::film::ExportOptions;
 use crate::storage::{self, KnownFiles, OutsideChange};
 use crate::view::frame_of_editor;
 use crate::words::{Message, texts};
@@ -112,24 +109,8 @@ impl Host for Disk {
         }
     }
 
-    fn ask_for_path(&mut self, question: PathQuestion) {
-        self.no_window.ask_for_path(&question);
-    }
-
-    fn begin_export(&mut self, _options: ExportOptions) {
-        self.no_window.refuse_export();
-    }
-
-    fn cancel_export(&mut self) {
-        self.no_window.refuse_export();
-    }
-
-    fn quit(&mut self) {
-        self.no_window.quit();
-    }
-
-    fn change_window(&mut self, _command: WindowCommand) {
-        // There is no window to change.
+    fn window(&mut self) -> &mut dyn WindowHost {
+        &mut self.no_window
     }
 }
 

@@ -7,7 +7,8 @@ use super::parse::{Action, Line};
 use super::restore::Restore;
 use super::trace::{State, TraceLine};
 use crate::clock::AnimationClock;
-use crate::editor::{Host, PathQuestion};
+use crate::editor::{Host, PathQuestion, WindowCommand, WindowHost};
+use crate::film::ExportOptions;
 
 /// What hosts without a window keep of what only a window can do.
 #[derive(Clone, Debug, Default)]
@@ -16,9 +17,8 @@ pub struct NoWindow {
     has_quit: bool,
 }
 
-impl NoWindow {
-    /// There is no dialog.
-    pub fn ask_for_path(&mut self, question: &PathQuestion) {
+impl WindowHost for NoWindow {
+    fn ask_for_path(&mut self, question: PathQuestion) {
         self.said = Some(match question {
             PathQuestion::Open | PathQuestion::SaveAs => "Without a window there is no dialog: use --keyframes FILE.",
             PathQuestion::SaveSceneAs => "Without a window there is no dialog: use save-scene FILE.",
@@ -26,15 +26,20 @@ impl NoWindow {
         });
     }
 
-    /// There is no export.
-    pub fn refuse_export(&mut self) {
+    fn begin_export(&mut self, _: ExportOptions) {
+        self.said = Some(NO_EXPORT);
+    }
+
+    fn cancel_export(&mut self) {
         self.said = Some(NO_EXPORT);
     }
 
     /// The script ends.
-    pub fn quit(&mut self) {
+    fn quit(&mut self) {
         self.has_quit = true;
     }
+
+    fn change_window(&mut self, _: WindowCommand) {}
 }
 
 const NO_EXPORT: &str = "Without a window nothing is exported: use `inbetween render`.";

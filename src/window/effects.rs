@@ -8,7 +8,7 @@ use super::dialog::{self, Question};
 use super::shell::Shell;
 use crate::editor::{
     Command, CommandError, Edit, Editor, FileAccess, FileCommand, FileOutcome, Host, PathQuestion, Severity,
-    WindowCommand, Writing, Written,
+    WindowCommand, WindowHost, Writing, Written,
 };
 use crate::files;
 use crate::film::ExportOptions;
@@ -58,6 +58,20 @@ impl Host for Shell {
         Ok(())
     }
 
+    fn window(&mut self) -> &mut dyn WindowHost {
+        self
+    }
+
+    fn carry_out(&mut self, command: Command) -> Result<(), Infallible> {
+        self.keeper.command(&self.editor, &command);
+        match self.editor.apply(command) {
+            Ok(Some(effect)) => self.perform(effect),
+            Ok(None) | Err(_) => Ok(()),
+        }
+    }
+}
+
+impl WindowHost for Shell {
     fn ask_for_path(&mut self, question: PathQuestion) {
         match question {
             PathQuestion::Open => self.choose_keyframes(PathPurpose::Open),
@@ -83,14 +97,6 @@ impl Host for Shell {
 
     fn change_window(&mut self, command: WindowCommand) {
         self.window_command(&command);
-    }
-
-    fn carry_out(&mut self, command: Command) -> Result<(), Infallible> {
-        self.keeper.command(&self.editor, &command);
-        match self.editor.apply(command) {
-            Ok(Some(effect)) => self.perform(effect),
-            Ok(None) | Err(_) => Ok(()),
-        }
     }
 }
 
