@@ -1,0 +1,59 @@
+//! Arguments of `convert`.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+
+use crate::text_layouts::{FieldOrder, Layout};
+
+/// The long help.
+pub const HELP: &str = "\
+Read keyframes in any layout that students' own programs write, and write a keyframe file, or with --to another layout. What is read is \
+told by its content: a keyframe file (JSON), or a text of numbers with or without a header \"N M\", with lines \"frame [0]\" or \"end\", \
+CSV, matrices. Keys in Python dictionaries (translate_keys, rotate_keys, scale_keys) give a scene file with a control node.
+
+On success the report of what was inferred, and how sure that is, goes to standard output: a line of what was read, then one for each \
+finding, which begins with sure, likely, warning or note. A text that cannot be read gives a sentence with line and column on standard \
+error, and nothing is written.";
+
+/// Arguments of `convert`.
+#[derive(Debug, Args)]
+pub struct ConvertArguments {
+    /// The keyframes: a keyframe file or a text, of at most 1 GiB.
+    #[arg(value_name = "IN")]
+    pub input: PathBuf,
+    /// The file to write.
+    #[arg(short, long, value_name = "OUT")]
+    pub output: PathBuf,
+    /// Write this layout instead of a keyframe file, numbers with six significant digits.
+    #[arg(long, value_name = "LAYOUT", value_parser = layout())]
+    pub to: Option<Layout>,
+    /// With --to, write enough digits to read back the same values.
+    #[arg(long)]
+    pub exact: bool,
+    /// The order of a row's numbers, instead of the inferred one.
+    #[arg(long, value_name = "ORDER", value_parser = field_order())]
+    pub order: Option<FieldOrder>,
+    /// The nodes of a keyframe's rows: a file with a path on each line; - marks a row that is not used.
+    #[arg(long, value_name = "FILE")]
+    pub joints: Option<PathBuf>,
+    /// Write OUT also where it is IN.
+    #[arg(long)]
+    pub overwrite: bool,
+    /// Accept a text that breaks off or disagrees with its header, and take its whole keyframes.
+    #[arg(long)]
+    pub salvage: bool,
+}
+
+fn layout() -> impl TypedValueParser<Value = Layout> {
+    PossibleValuesParser::new(
+        Layout::WRITTEN.map(|layout| PossibleValue::new(layout.name()).help(layout.description())),
+    )
+    .try_map(|name| Layout::from_name(&name).ok_or("unknown layout"))
+}
+
+fn field_order() -> impl TypedValueParser<Value = FieldOrder> {
+    PossibleValuesParser::new(FieldOrder::ALL.map(FieldOrder::name))
+        .try_map(|name| FieldOrder::from_name(&name).ok_or("unknown order"))
+}

@@ -1,0 +1,41 @@
+//! Arguments of `grade`.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+/// The long help.
+pub const HELP: &str = "\
+Grade submissions by a rubric: grades.csv, grades.json and report.html, one page with pictures that needs nothing else.
+
+A folder or an archive (zip, tar, tar.gz) that is named alone is a class: each of its entries is a submission. Of several that are \
+named, each is one submission; with --classes each is a class, with --one each is one submission. Downloads of Canvas, Moodle and \
+Gradescope are recognised by their names, and the student, the number and lateness are in the results. What is no submission is listed.
+
+A submission holds a keyframe file, perhaps samples as `diagnose` reads them (linear or catmull in the name tells which playback they \
+show), a hotkey script or a trace of it. The content decides what a file is. Archives are opened, also one level inside each other. \
+Sources, object files, videos, pictures, documents, hidden files and links out of the submission are skipped. Bounds for a submission: \
+200 files are read, 16 MiB a file, 64 MiB in all, unpacked; 4 files of samples of 4 MiB; 2000 keyframes; a script of 2000 commands \
+that waits for an hour, reads 64 MiB and writes 32 MiB. What is wrong with a submission is in its marks.";
+
+/// Arguments of `grade`.
+#[derive(Debug, Args)]
+pub struct GradeArguments {
+    /// The rubric, JSON or (where its name ends in .toml) TOML, as in assets/grading.
+    pub rubric: PathBuf,
+    /// A class: a folder or an archive of submissions. Or several submissions.
+    #[arg(required = true, value_name = "SUBMISSION")]
+    pub submissions: Vec<PathBuf>,
+    /// Each SUBMISSION is a class: a folder or an archive of submissions.
+    #[arg(long)]
+    pub classes: bool,
+    /// Each SUBMISSION is one submission, also where it is a folder or an archive.
+    #[arg(long, conflicts_with = "classes")]
+    pub one: bool,
+    /// The folder for the results.
+    #[arg(short, long, value_name = "DIR")]
+    pub output: PathBuf,
+    /// Draw no pictures: faster, and needs no GPU adapter.
+    #[arg(long)]
+    pub no_images: bool,
+}

@@ -1,0 +1,57 @@
+//! Values that arguments of several commands take.
+
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+
+use crate::export::Size;
+use crate::interpolation::Interpolation;
+use crate::scene::LATEST_SECONDS;
+
+/// A key time.
+pub fn key_time(text: &str) -> Result<f64, String> {
+    // Adding zero makes a zero of minus zero.
+    text.trim().parse::<f64>().map(|key_time| key_time + 0.0).map_err(|_| format!("{text:?} is not a number"))
+}
+
+/// A time of timed keys, in seconds.
+pub fn seconds(text: &str) -> Result<f64, String> {
+    let seconds = text.trim().parse().ok().filter(|seconds: &f64| seconds.abs() <= LATEST_SECONDS);
+    seconds.ok_or_else(|| format!("{text:?} is not a number of seconds from -1e6 to 1e6"))
+}
+
+/// The longest side of a picture that can be asked for, in pixels. What the GPU adapter takes may be less.
+const LONGEST_SIDE: u32 = 65_536;
+
+/// Width and height in pixels.
+pub fn size(text: &str) -> Result<Size, String> {
+    let side = |text: &str| {
+        let digits_only = !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+        text.parse().ok().filter(|side| digits_only && (1..=LONGEST_SIDE).contains(side))
+    };
+    text.split_once('x')
+        .and_then(|(width, height)| Some(Size { width: side(width)?, height: side(height)? }))
+        .ok_or_else(|| format!("expected WIDTHxHEIGHT in pixels, as in 640x480, each from 1 to {LONGEST_SIDE}"))
+}
+
+/// The name of an interpolation.
+pub fn interpolation() -> impl TypedValueParser<Value = Interpolation> {
+    PossibleValuesParser::new(Interpolation::ALL.map(Interpolation::name))
+        .try_map(|name| Interpolation::from_name(&name).ok_or("unknown interpolation"))
+}
+
+/// Samples a pixel.
+pub fn samples() -> impl TypedValueParser<Value = u32> {
+    PossibleValuesParser::new(["1", "4"]).try_map(|samples| samples.parse::<u32>())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sizes() {
+        assert_eq!(size("640x480"), Ok(Size { width: 640, height: 480 }));
+        for bad in ["", "640", "0x480", "640x0", "-1x5", "640x480x3", "+6x6", "640X480", "99999999999x1", "a x b"] {
+            assert!(size(bad).is_err(), "{bad}");
+        }
+    }
+}
