@@ -54,8 +54,6 @@ pub struct Moment {
     pub shown: MomentPose,
     /// Seconds into the timed keys.
     pub seconds: f64,
-    /// Its start time in a film, in milliseconds.
-    pub start_ms: f64,
     /// The turn of the turntable, 0 to 1.
     pub turn: f64,
 }
@@ -78,7 +76,6 @@ impl Moment {
 pub struct Moments {
     /// The moments in order.
     pub all: Vec<Moment>,
-    end_ms: f64,
 }
 
 impl Source<'_> {
@@ -138,20 +135,21 @@ impl Moments {
     /// A single picture.
     #[must_use]
     pub fn of_picture(shown: MomentPose, seconds: f64) -> Self {
-        Self { all: vec![Moment { shown, seconds, start_ms: 0.0, turn: 0.0 }], end_ms: 0.0 }
+        Self { all: vec![Moment { shown, seconds, turn: 0.0 }] }
     }
 
     /// The pictures of a film: picture k is k · 1000/fps ms after the start while that is before the end; the last picture is the end.
+    /// A film shows each for 1000/fps ms, also where the end comes a little sooner: pictures and their rate are all that a film is made of.
     ///
     /// # Errors
     /// [`ExportError`]: a range outside of the playing range, or nothing that moves.
     pub fn of_film(span: Span, source: Source<'_>, viewpoint: Viewpoint, fps: u32) -> Result<Self, ExportError> {
         let seconds_at = |ms: f64| span.seconds + ms / 1000.0;
-        let still = |start_ms| Moment { shown: MomentPose::Rest, seconds: seconds_at(start_ms), start_ms, turn: 0.0 };
+        let still = |ms| Moment { shown: MomentPose::Rest, seconds: seconds_at(ms), turn: 0.0 };
         let mut all: Vec<Moment> = if let Some(animation) = source.animation {
             let [from, to] = source.key_times(span, animation)?;
             let (ms, timing) = (animation.ms_between_keyframes, source.range(animation)?.timing());
-            let moment = |key_time: f64, start_ms| Moment { shown: MomentPose::KeyTime(key_time), ..still(start_ms) };
+            let moment = |key_time: f64, ms| Moment { shown: MomentPose::KeyTime(key_time), ..still(ms) };
             if span.from.is_none() && span.to.is_none() {
                 frame_times(fps, ms, timing).map(|time| moment(time.key_time, time.ms)).collect()
             } else {
@@ -179,8 +177,7 @@ impl Moments {
         for (index, moment) in all.iter_mut().enumerate() {
             moment.turn = to_f64(index) / count;
         }
-        let end_ms = all.last().map_or(0.0, |last| last.start_ms) + 1000.0 / f64::from(fps);
-        Ok(Self { all, end_ms })
+        Ok(Self { all })
     }
 
     /// The pictures of a contact sheet, evenly spread, both ends included.
@@ -190,7 +187,7 @@ impl Moments {
     pub fn of_sheet(span: Span, source: Source<'_>, grid: Grid) -> Result<Self, ExportError> {
         let count = grid.columns * grid.rows;
         let fractions = (0..count).map(|index| f64::from(index) / f64::from((count - 1).max(1)));
-        let still = Moment { shown: MomentPose::Rest, seconds: span.seconds, start_ms: 0.0, turn: 0.0 };
+        let still = Moment { shown: MomentPose::Rest, seconds: span.seconds, turn: 0.0 };
         let all = if let Some(animation) = source.animation {
             let [from, to] = source.key_times(span, animation)?;
             let (ms, timing) = (animation.ms_between_keyframes, source.range(animation)?.timing());
@@ -209,13 +206,7 @@ impl Moments {
         } else {
             (0..count).map(|index| Moment { turn: f64::from(index) / f64::from(count), ..still }).collect()
         };
-        Ok(Self { all, end_ms: 0.0 })
-    }
-
-    /// The end time of a picture, in milliseconds.
-    #[must_use]
-    pub fn end_ms(&self, index: usize) -> f64 {
-        self.all.get(index + 1).map_or(self.end_ms, |next| next.start_ms)
+        Ok(Self { all })
     }
 
     /// The properties of a film of these moments.

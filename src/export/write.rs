@@ -134,10 +134,10 @@ fn encode(
     let samples = samples(drawing, format.sample_frames)?;
     let mut film = Film::new(format, plan, &samples, output).map_err(failed)?;
     drop(samples);
-    let moments = drawing.moments;
+    let start_ms = |index: usize| index as f64 * 1000.0 / f64::from(plan.frames_per_second);
     drawing.draw(|index, drawn| {
         let image = drawn.rows().to_image();
-        film.push(&image, moments.all[index].start_ms, moments.end_ms(index)).map_err(failed)
+        film.push(&image, start_ms(index), start_ms(index + 1)).map_err(failed)
     })?;
     film.finish().map_err(failed)
 }
