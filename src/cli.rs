@@ -18,6 +18,8 @@ mod drivers;
 mod error;
 mod grade;
 mod help;
+mod info;
+mod join;
 mod mistyped;
 mod nodes;
 mod output;
@@ -116,6 +118,8 @@ fn dispatch(arguments: &[OsString]) -> Result<Ended, CliError> {
         Some(Subcommand::Help(arguments)) => help::run(&arguments)?,
         Some(Subcommand::Check(arguments)) => check::run(&arguments, scene)?,
         Some(Subcommand::Convert(arguments)) => convert::run(&arguments, scene)?,
+        Some(Subcommand::Info(arguments)) => info::run(&arguments, scene)?,
+        Some(Subcommand::Join(arguments)) => join::run(&arguments)?,
         Some(Subcommand::Nodes) => nodes::run(&scene::load(scene)?)?,
         Some(Subcommand::Sample(arguments)) => sample::run(&arguments, scene)?,
         Some(Subcommand::Render(arguments)) => render::run(&arguments, scene)?,

@@ -6,6 +6,7 @@
 mod format;
 mod formats;
 mod letters;
+mod numbers;
 mod options;
 mod sheet;
 
@@ -17,11 +18,13 @@ use crate::text::system_words;
 use crate::words::{Message, display_by_message, texts};
 pub use format::{
     Encoder, EncodingError, Film, FilmEncoder, FilmFormat, Format, FormatProblem, Plan, StartStill, StillEncoder,
+    StillFormat,
 };
 pub use formats::{
-    APNG, FORMATS, GIF, MOST_FRAMES_PER_SECOND, MP4, NOT_WRITTEN, PNG, Palette, Y4M, films, format_of_ending, opaque,
-    still_names, stills, translucent, written_endings,
+    APNG, FORMATS, GIF, MOST_FRAMES_PER_SECOND, MP4, NOT_WRITTEN, PNG, Palette, Y4M, films, format_of_ending,
+    format_of_path, opaque, still_names, stills, translucent, written_endings,
 };
+pub use numbers::{FrameNumbers, FrameNumbersError};
 pub use options::{ExportBackground, ExportEnd, ExportOptions};
 pub use sheet::{Cell, Grid, contact_sheet};
 

@@ -6,7 +6,7 @@ mod read;
 
 use std::io::Write;
 
-pub use read::{ImageReadError, PNG_HEAD_BYTES, png_size};
+pub use read::{ImageReadError, MOST_PIXELS, PNG_HEAD_BYTES, png_size};
 
 /// Rows of pixels from the top, tightly packed.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -179,7 +179,7 @@ impl<'a> References<'a> {
         let source = Source { scene: &scene, animation: animation.as_ref(), file: file.as_deref() };
         let view = Viewpoint::named(shot.camera.as_deref(), &scene)?;
         let shown = source.shown(shot.at, shot.keyframe)?;
-        let moment = Moment { shown, seconds: shot.seconds, turn: 0.0 };
+        let moment = Moment { shown, seconds: shot.seconds, turn: 0.0, number: 0 };
         let frame = Stage::new(source, view, 0, self.painter.size_px()).frame(&moment)?;
         Ok(self.painter.image(&frame)?)
     }

@@ -29,7 +29,7 @@ fn film_frame(editor: &Editor, shown: MomentPose) -> Frame {
     let source = Source { scene: editor.scene(), animation: Some(&animation), file: None };
     let viewpoint = Viewpoint::named(None, editor.scene()).unwrap();
     let stage = Stage::new(source, viewpoint, editor.session().ghosts, SIZE_PX);
-    stage.frame(&Moment { shown, seconds: 0.0, turn: 0.0 }).unwrap()
+    stage.frame(&Moment { shown, seconds: 0.0, turn: 0.0, number: 0 }).unwrap()
 }
 
 #[test]

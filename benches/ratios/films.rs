@@ -4,6 +4,7 @@ use std::hint::black_box;
 use std::path::Path;
 
 use inbetween::export::{Animation, Drawing, Moments, Painter, Size, Source, Span, Stage, Viewpoint, write_folder};
+use inbetween::film::StillEncoder;
 use inbetween::frame::Frame;
 use inbetween::keyframe::keyframes_from_json;
 use inbetween::picture::PngMemory;
@@ -36,8 +37,9 @@ pub fn frames(report: &mut Report) {
     let mut written = 0;
     let mut write = || {
         let mut watch = |_, _| true;
-        let mut drawing = Drawing { stage: &stage, moments: &moments, painter: &mut ours, watch: &mut watch };
-        write_folder(folder.path(), "png", |_| Box::new(PngMemory::default()), &mut drawing, &mut |_, _| written += 1)
+        let mut drawing = Drawing { stage: &stage, moments: &moments, painter: &mut ours };
+        let start = |_| -> Box<dyn StillEncoder> { Box::new(PngMemory::default()) };
+        write_folder(folder.path(), "png", start, &mut drawing, &mut watch, &mut |_, _| written += 1)
             .expect("the frames can be written");
     };
     let mut draw = || {

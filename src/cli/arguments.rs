@@ -7,6 +7,9 @@ mod diagnose;
 mod diff;
 mod grade;
 mod help;
+mod info;
+mod join;
+mod progress;
 mod recover;
 mod render;
 mod sample;
@@ -24,6 +27,9 @@ pub use convert::ConvertArguments;
 pub use diagnose::DiagnoseArguments;
 pub use diff::DiffArguments;
 pub use grade::GradeArguments;
+pub use info::InfoArguments;
+pub use join::JoinArguments;
+pub use progress::ProgressKind;
 pub use recover::RecoverArguments;
 pub use render::RenderArguments;
 pub use sample::{SampleArguments, SampleFormat, Space};
@@ -74,6 +80,9 @@ pub enum Subcommand {
     /// Read keyframes in any layout that students' own programs write, and write a keyframe file, or another layout.
     #[command(long_about = convert::HELP, after_long_help = "Manual: inbetween help texts")]
     Convert(ConvertArguments),
+    /// Describe a keyframe file or a text: keyframes, nodes, scene, timing, and the frames of its film.
+    #[command(after_long_help = "Manual: inbetween help farms")]
+    Info(InfoArguments),
     /// Print the paths of the scene's RBT nodes, one a line, in the order of poses.
     Nodes,
     /// Print poses as JSON or CSV: of an animation at key times, or the scene's rest pose.
@@ -82,6 +91,9 @@ pub enum Subcommand {
     /// Render images and films: of an animation, or of the scene's rest pose. Needs no display.
     #[command(after_long_help = "Manual: inbetween help films")]
     Render(RenderArguments),
+    /// Make a film of the numbered images in a folder, which may have been drawn in parts, on many machines.
+    #[command(long_about = join::HELP, after_long_help = "Manual: inbetween help farms")]
+    Join(JoinArguments),
     /// Render what DIR/pictures.json lists and compare it with the references beside it. Exit status: 1 on a difference or a missing reference.
     #[command(after_long_help = "Manual: inbetween help ci")]
     Verify(VerifyArguments),

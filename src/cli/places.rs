@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use super::arguments::ProgressKind;
 use super::{CliError, misuse, scene};
 use crate::storage::Place;
 use crate::words::texts;
@@ -58,6 +59,11 @@ impl Places {
     pub fn writes_once(mut self, name: String, path: &Path) -> Self {
         self.all.push(Named { name, kind: None, place: Place::of_output(path), is_written: true });
         self
+    }
+
+    /// Adds standard output where progress goes there.
+    pub fn tells(self, progress: ProgressKind) -> Self {
+        if progress == ProgressKind::Openjd { self.prints("--progress openjd") } else { self }
     }
 
     /// Adds what is written to standard output anyway.

@@ -1,22 +1,31 @@
-//! A progress line, on a terminal only.
+//! Progress: a line on a terminal, or lines for a program that runs jobs.
 
 use std::io::{self, IsTerminal as _, Write as _};
 
-/// Progress in steps. The line is erased when this is dropped.
+use super::arguments::ProgressKind;
+use super::{CliError, output};
+
+/// Progress in steps. A terminal's line is erased when this is dropped.
 pub struct Progress {
     what: &'static str,
     steps: usize,
     done: usize,
-    is_shown: bool,
+    /// `None` where nobody is told.
+    told: Option<ProgressKind>,
 }
 
 impl Progress {
-    /// Nothing done yet of `steps` steps; `what` names one of them.
+    /// Nothing done yet of `steps` steps, told on a terminal; `what` names one of them.
     pub fn new(what: &'static str, steps: usize) -> Self {
-        Self { what, steps, done: 0, is_shown: io::stderr().is_terminal() }
+        Self::told(ProgressKind::Terminal, what, steps)
     }
 
-    /// One more step is done. The line changes a thousand times at most.
+    fn told(kind: ProgressKind, what: &'static str, steps: usize) -> Self {
+        let is_told = kind == ProgressKind::Openjd || io::stderr().is_terminal();
+        Self { what, steps, done: 0, told: is_told.then_some(kind) }
+    }
+
+    /// One more step is done. A thousand lines are told at most.
     pub fn step(&mut self) {
         self.reach(self.done + 1);
     }
@@ -28,17 +37,54 @@ impl Progress {
         }
         let before = std::mem::replace(&mut self.done, done);
         let thousandth = |done: usize| done * 1000 / self.steps;
-        if self.is_shown && thousandth(self.done) != thousandth(before) {
-            let percent = self.done * 100 / self.steps;
-            let _ = write!(io::stderr(), "\r{} {} of {} ({percent} %)", self.what, self.done, self.steps);
+        if thousandth(self.done) != thousandth(before) {
+            self.tell();
+        }
+    }
+
+    fn tell(&self) {
+        let Self { what, steps, done, told } = self;
+        match told {
+            None => {}
+            Some(ProgressKind::Terminal) => {
+                let _ = write!(io::stderr(), "\r{what} {done} of {steps} ({} %)", done * 100 / steps);
+            }
+            Some(ProgressKind::Openjd) => {
+                let percent = *done as f64 * 100.0 / *steps as f64;
+                // A reader that is gone is no reason to stop the work.
+                let _ = output::print(|output| {
+                    writeln!(output, "openjd_progress: {percent:.1}\nopenjd_status: {what} {done} of {steps}")
+                });
+            }
         }
     }
 }
 
 impl Drop for Progress {
     fn drop(&mut self) {
-        if self.is_shown && self.done > 0 {
+        if self.told == Some(ProgressKind::Terminal) && self.done > 0 {
             let _ = write!(io::stderr(), "\r\u{1b}[K");
         }
     }
+}
+
+/// A watcher of an export that tells its progress.
+pub fn watched(kind: ProgressKind) -> impl FnMut(usize, usize) -> bool {
+    let mut progress = None;
+    move |done, count| {
+        progress.get_or_insert_with(|| Progress::told(kind, "frame", count)).reach(done);
+        true
+    }
+}
+
+/// Does the work. Where it fails and a program that runs jobs listens, tells that why.
+///
+/// # Errors
+/// Those of the work.
+pub fn telling(kind: ProgressKind, work: impl FnOnce() -> Result<(), CliError>) -> Result<(), CliError> {
+    let done = work();
+    if let (ProgressKind::Openjd, Err(CliError::Failed { sentences, .. })) = (kind, &done) {
+        output::say(&format!("openjd_fail: {}\n", sentences.join("; ")))?;
+    }
+    done
 }

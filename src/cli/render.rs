@@ -9,11 +9,10 @@ use std::path::Path;
 
 use super::arguments::RenderArguments;
 use super::places::Places;
-use super::progress::Progress;
+use super::progress::{telling, watched};
 use super::{CliError, scene};
 use crate::export::{
-    Animation, Painter, PlannedRender, RenderRequest, Size, Source, Subject, check_format, check_sheet, is_frame_name,
-    write_picture,
+    Animation, Painter, RenderRequest, Size, Source, Subject, check_format, check_sheet, is_frame_name, write_picture,
 };
 use crate::render::Background;
 use manifest::Manifest;
@@ -29,6 +28,10 @@ const SHEET_SIZE: Size = Size { width: 320, height: 240 };
 /// # Errors
 /// [`CliError`]
 pub fn run(arguments: &RenderArguments, scene: Option<&Path>) -> Result<(), CliError> {
+    telling(arguments.progress, || render(arguments, scene))
+}
+
+fn render(arguments: &RenderArguments, scene: Option<&Path>) -> Result<(), CliError> {
     let output = Output::of(arguments)?;
     places(arguments, scene, output).check()?;
     let is_opaque = arguments.background != Background::Transparent;
@@ -66,6 +69,8 @@ fn draw(
         source: Source { scene: &scene, animation: animation.as_ref(), file: arguments.file.as_deref() },
         subject,
         span: arguments.span(),
+        frames: arguments.frames.as_ref(),
+        only_missing: arguments.missing,
         camera: arguments.camera.as_deref(),
         ghosts: arguments.ghosts.unwrap_or(0),
         is_opaque: arguments.background != Background::Transparent,
@@ -87,7 +92,7 @@ fn draw(
     } else if matches!(subject, Subject::Picture { .. }) {
         planned.write(painter, &mut |_, _| true, &mut written)?;
     } else {
-        planned.write(painter, &mut watched(&planned), &mut written)?;
+        planned.write(painter, &mut watched(arguments.progress), &mut written)?;
     }
     if let (Some(path), Some(mut manifest)) = (&arguments.manifest, manifest) {
         if !output.format.is_still() {
@@ -104,6 +109,7 @@ fn places(arguments: &RenderArguments, scene: Option<&Path>, output: Output) -> 
     let places = arguments.file.iter().fold(places, |places, file| places.reads("FILE", file));
     let is_folder = !output.is_one_image && output.format.is_still();
     let places = if is_folder { places } else { places.writes("--output", &arguments.output) };
+    let places = places.tells(arguments.progress);
     let Some(manifest) = &arguments.manifest else { return places };
     let frame = manifest
         .file_name()
@@ -114,13 +120,4 @@ fn places(arguments: &RenderArguments, scene: Option<&Path>, output: Output) -> 
         None => places,
     };
     places.writes("--manifest", manifest)
-}
-
-/// Shows a line of progress.
-fn watched(planned: &PlannedRender<'_>) -> impl FnMut(usize, usize) -> bool + use<> {
-    let mut progress = Progress::new("frame", planned.frame_count());
-    move |done, _| {
-        progress.reach(done);
-        true
-    }
 }

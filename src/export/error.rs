@@ -4,12 +4,13 @@ use std::path::PathBuf;
 
 use thiserror::Error;
 
+use super::Size;
 use super::ffmpeg::FfmpegError;
 use crate::film::{EncodingError, FilmError, FormatProblem};
 use crate::keyframe::SampleError;
 use crate::render::GpuError;
 use crate::storage::{StorageError, output_name};
-use crate::words::{Message, display_by_message, texts};
+use crate::words::{Message, all_of, display_by_message, texts};
 
 /// Why there is no film or picture.
 #[derive(Debug, Error)]
@@ -58,6 +59,17 @@ pub enum ExportError {
         /// The last keyframe of the list, if there is one.
         last: Option<usize>,
     },
+    /// The film has no such frame.
+    NoFrame {
+        /// The name of the keyframe file, or of the scene.
+        source_name: String,
+        /// The requested number.
+        frame: usize,
+        /// The number of the film's last frame.
+        last: usize,
+        /// Frames per second.
+        fps: u32,
+    },
     /// Nothing in the scene moves.
     NothingMoves {
         /// The scene's name.
@@ -82,6 +94,53 @@ pub enum ExportError {
         /// The cause.
         #[source]
         cause: StorageError,
+    },
+    /// A folder cannot be read.
+    Unread {
+        /// Its path.
+        path: PathBuf,
+        /// The cause.
+        #[source]
+        cause: StorageError,
+    },
+    /// The folder holds no numbered pictures.
+    NoFrames {
+        /// The folder.
+        folder: PathBuf,
+    },
+    /// The folder holds numbered pictures of several formats.
+    SeveralFormats {
+        /// The folder.
+        folder: PathBuf,
+        /// The endings of their names.
+        endings: Vec<&'static str>,
+    },
+    /// Pictures of a film are missing, or not whole.
+    MissingFrames {
+        /// The folder.
+        folder: PathBuf,
+        /// How many.
+        count: usize,
+        /// The name of the first of them.
+        first: String,
+        /// The name of the last of them.
+        last: String,
+    },
+    /// Pictures of a film have different sizes.
+    UnequalFrames {
+        /// The first whose size is not that of the film's first picture.
+        path: PathBuf,
+        /// Its size.
+        size: Size,
+        /// The name of the film's first picture.
+        first: String,
+        /// The size of that.
+        first_size: Size,
+    },
+    /// Another program has changed or removed a picture while the film was made.
+    FrameGone {
+        /// Its path.
+        path: PathBuf,
     },
     /// The folder holds pictures of an earlier, longer film.
     Stale {
@@ -126,11 +185,27 @@ impl ExportError {
                 };
                 texts::export_at(source_name.clone(), problem)
             }
+            Self::NoFrame { source_name, frame, last, fps } => {
+                texts::export_at(source_name.clone(), texts::export_no_frame(*frame, *fps, *last))
+            }
             Self::NothingMoves { source_name } => texts::export_at(source_name.clone(), texts::EXPORT_NOTHING_MOVES),
             Self::Ffmpeg { path, cause } => texts::export_at(path.display(), cause.message()),
             Self::Gpu(error) => error.message(),
             Self::Picture(error) => error.message(),
             Self::Unwritten { path, cause } => texts::export_at(output_name(path), cause.message()),
+            Self::Unread { path, cause } => texts::export_at(path.display(), cause.message()),
+            Self::NoFrames { folder } => texts::export_at(folder.display(), texts::EXPORT_NO_FRAMES),
+            Self::SeveralFormats { folder, endings } => {
+                texts::export_at(folder.display(), texts::export_several_formats(all_of(endings)))
+            }
+            Self::MissingFrames { folder, count, first, last } => {
+                texts::export_at(folder.display(), texts::export_missing_frames(*count, first, last))
+            }
+            Self::UnequalFrames { path, size, first, first_size } => texts::export_at(
+                path.display(),
+                texts::export_unequal_frames(size.to_string(), first, first_size.to_string()),
+            ),
+            Self::FrameGone { path } => texts::export_at(path.display(), texts::EXPORT_FRAME_GONE),
             Self::Stale { folder, count, first, last } => {
                 texts::export_at(folder.display(), texts::export_stale(*count, first, last))
             }
@@ -170,7 +245,14 @@ impl ExportError {
             Self::NoCamera { .. }
             | Self::Unplayable { .. }
             | Self::NoKeyframe { .. }
+            | Self::NoFrame { .. }
             | Self::NothingMoves { .. }
+            | Self::Unread { .. }
+            | Self::NoFrames { .. }
+            | Self::SeveralFormats { .. }
+            | Self::MissingFrames { .. }
+            | Self::UnequalFrames { .. }
+            | Self::FrameGone { .. }
             | Self::Ffmpeg { .. }
             | Self::Picture(_)
             | Self::Unwritten { .. }

@@ -61,6 +61,8 @@ impl Job {
             source: Source { scene: &self.scene, animation, file },
             subject: Subject::Film { fps: *fps },
             span: Span { from, to, seconds: 0.0 },
+            frames: None,
+            only_missing: false,
             camera: camera.as_deref(),
             ghosts: *ghosts,
             is_opaque,

@@ -56,6 +56,8 @@ pub struct Moment {
     pub seconds: f64,
     /// The turn of the turntable, 0 to 1.
     pub turn: f64,
+    /// Its number in the film, from 0.
+    pub number: usize,
 }
 
 impl Moment {
@@ -135,7 +137,7 @@ impl Moments {
     /// A single picture.
     #[must_use]
     pub fn of_picture(shown: MomentPose, seconds: f64) -> Self {
-        Self { all: vec![Moment { shown, seconds, turn: 0.0 }] }
+        Self { all: vec![Moment { shown, seconds, turn: 0.0, number: 0 }] }
     }
 
     /// The pictures of a film: picture k is k · 1000/fps ms after the start while that is before the end; the last picture is the end.
@@ -145,7 +147,7 @@ impl Moments {
     /// [`ExportError`]: a range outside of the playing range, or nothing that moves.
     pub fn of_film(span: Span, source: Source<'_>, viewpoint: Viewpoint, fps: u32) -> Result<Self, ExportError> {
         let seconds_at = |ms: f64| span.seconds + ms / 1000.0;
-        let still = |ms| Moment { shown: MomentPose::Rest, seconds: seconds_at(ms), turn: 0.0 };
+        let still = |ms| Moment { shown: MomentPose::Rest, seconds: seconds_at(ms), turn: 0.0, number: 0 };
         let mut all: Vec<Moment> = if let Some(animation) = source.animation {
             let [from, to] = source.key_times(span, animation)?;
             let (ms, timing) = (animation.ms_between_keyframes, source.range(animation)?.timing());
@@ -175,7 +177,7 @@ impl Moments {
         };
         let count = to_f64(all.len());
         for (index, moment) in all.iter_mut().enumerate() {
-            moment.turn = to_f64(index) / count;
+            (moment.turn, moment.number) = (to_f64(index) / count, index);
         }
         Ok(Self { all })
     }
@@ -187,7 +189,7 @@ impl Moments {
     pub fn of_sheet(span: Span, source: Source<'_>, grid: Grid) -> Result<Self, ExportError> {
         let count = grid.columns * grid.rows;
         let fractions = (0..count).map(|index| f64::from(index) / f64::from((count - 1).max(1)));
-        let still = Moment { shown: MomentPose::Rest, seconds: span.seconds, turn: 0.0 };
+        let still = Moment { shown: MomentPose::Rest, seconds: span.seconds, turn: 0.0, number: 0 };
         let all = if let Some(animation) = source.animation {
             let [from, to] = source.key_times(span, animation)?;
             let (ms, timing) = (animation.ms_between_keyframes, source.range(animation)?.timing());
@@ -209,13 +211,20 @@ impl Moments {
         Ok(Self { all })
     }
 
+    /// Of these moments of a film, those with these numbers, which are in ascending order.
+    #[must_use]
+    pub fn with_numbers(&self, numbers: &[usize]) -> Self {
+        let is_chosen = |moment: &&Moment| numbers.binary_search(&moment.number).is_ok();
+        Self { all: self.all.iter().filter(is_chosen).copied().collect() }
+    }
+
     /// The properties of a film of these moments.
     ///
     /// # Errors
     /// [`ExportError::TooManyFrames`]
     pub fn plan(&self, size: Size, frames_per_second: u32, is_opaque: bool) -> Result<Plan, ExportError> {
-        let frames = u32::try_from(self.all.len()).map_err(|_| ExportError::TooManyFrames)?;
-        Ok(Plan { width: size.width, height: size.height, frames, frames_per_second, is_opaque })
+        Plan::new([size.width, size.height], self.all.len(), frames_per_second, is_opaque)
+            .ok_or(ExportError::TooManyFrames)
     }
 }
 

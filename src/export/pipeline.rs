@@ -4,7 +4,9 @@ use std::sync::mpsc;
 use std::thread;
 use std::time::Duration;
 
+use super::pictures::{Pictures, Take};
 use super::{ExportError, Moments, Painter, Size, Stage};
+use crate::picture::Image;
 use crate::render::Drawn;
 
 /// The capacity of the queue: enough that a slow picture on one thread does not stop the other, at acceptable memory.
@@ -27,8 +29,6 @@ pub struct Drawing<'a> {
     pub moments: &'a Moments,
     /// The painter that draws them.
     pub painter: &'a mut Painter,
-    /// The watcher, which may cancel.
-    pub watch: &'a mut Watch<'a>,
 }
 
 impl Drawing<'_> {
@@ -38,9 +38,10 @@ impl Drawing<'_> {
     /// [`ExportError`] of the drawing, of `take`, or [`ExportError::Cancelled`].
     pub fn draw(
         &mut self,
+        watch: &mut Watch<'_>,
         mut take: impl FnMut(usize, Drawn) -> Result<(), ExportError> + Send,
     ) -> Result<(), ExportError> {
-        let Self { stage, moments, painter, watch } = self;
+        let Self { stage, moments, painter } = self;
         let count = moments.all.len();
         let mut goes_on = |done: usize| if watch(done, count) { Ok(()) } else { Err(ExportError::Cancelled) };
         let gives_way = painter.gpu().is_software;
@@ -77,6 +78,21 @@ impl Drawing<'_> {
         })?;
         // Waiting for the consumer took time; the watcher is asked again.
         goes_on(count)
+    }
+}
+
+impl Pictures for Drawing<'_> {
+    fn count(&self) -> usize {
+        self.moments.all.len()
+    }
+
+    fn ahead(&mut self, places: &[usize]) -> Result<Vec<Image>, ExportError> {
+        let Self { stage, moments, painter } = self;
+        places.iter().map(|&place| Ok(painter.image(&stage.frame(&moments.all[place])?)?)).collect()
+    }
+
+    fn each(&mut self, watch: &mut Watch<'_>, take: &mut Take<'_>) -> Result<(), ExportError> {
+        self.draw(watch, |place, drawn| take(place, drawn.rows().to_image()))
     }
 }
 

@@ -3,9 +3,10 @@
 use std::path::Path;
 
 use super::ffmpeg::find_ffmpeg;
-use super::write::{Written, clear_folder, unwritten, write_film, write_folder, write_through_ffmpeg};
+use super::folder::{clear_folder, missing_frames};
+use super::write::{Written, unwritten, write_film, write_folder, write_through_ffmpeg};
 use super::{Drawing, ExportError, Moments, Painter, Size, Source, Span, Stage, Viewpoint, Watch};
-use crate::film::{Cell, Encoder, Format, FormatProblem, Grid, StartStill, contact_sheet};
+use crate::film::{Cell, Encoder, Format, FormatProblem, FrameNumbers, Grid, StartStill, contact_sheet};
 use crate::frame::Frame;
 use crate::storage;
 
@@ -37,6 +38,10 @@ pub struct RenderRequest<'a> {
     pub subject: Subject,
     /// The part of the animation, for films and contact sheets. Its seconds apply to single pictures too.
     pub span: Span,
+    /// The frames of the film that are drawn; `None`: all.
+    pub frames: Option<&'a FrameNumbers>,
+    /// Whether a folder gets only the frames that are missing in it, not whole, or of another size.
+    pub only_missing: bool,
     /// An eye of the scene by its path, or `turntable`; `None`: the scene's first eye.
     pub camera: Option<&'a str>,
     /// Neighbouring keyframes on each side that are shown as ghosts.
@@ -55,7 +60,10 @@ pub struct RenderRequest<'a> {
 pub struct PlannedRender<'a> {
     request: RenderRequest<'a>,
     viewpoint: Viewpoint,
+    /// What is drawn.
     moments: Moments,
+    /// Frames of the whole film.
+    film_frames: usize,
 }
 
 /// Checks, before any file is read, that a format supports a request and that its encoder is installed.
@@ -98,22 +106,35 @@ impl<'a> RenderRequest<'a> {
     /// Computes the moments.
     ///
     /// # Errors
-    /// [`ExportError`]: an eye, a key time or a keyframe that does not exist, or nothing that moves.
+    /// [`ExportError`]: an eye, a key time, a keyframe or a frame that does not exist, or nothing that moves.
     pub fn plan(self) -> Result<PlannedRender<'a>, ExportError> {
         let viewpoint = Viewpoint::named(self.camera, self.source.scene)?;
-        let moments = match self.subject {
+        let whole = match self.subject {
             Subject::Picture { at, keyframe } => {
                 Moments::of_picture(self.source.shown(at, keyframe)?, self.span.seconds)
             }
             Subject::Sheet(grid) => Moments::of_sheet(self.span, self.source, grid)?,
             Subject::Film { fps } => Moments::of_film(self.span, self.source, viewpoint, fps)?,
         };
-        Ok(PlannedRender { request: self, viewpoint, moments })
+        let film_frames = whole.all.len();
+        let moments = match (self.subject, self.frames) {
+            (Subject::Film { fps }, Some(frames)) => {
+                let outside = |frame| ExportError::NoFrame {
+                    source_name: self.source.name(),
+                    frame,
+                    last: film_frames.saturating_sub(1),
+                    fps,
+                };
+                whole.with_numbers(&frames.of_film(film_frames).map_err(outside)?)
+            }
+            _ => whole,
+        };
+        Ok(PlannedRender { request: self, viewpoint, moments, film_frames })
     }
 }
 
 impl PlannedRender<'_> {
-    /// Frames in all.
+    /// Frames that are drawn, before those are left out that are there.
     #[must_use]
     pub fn frame_count(&self) -> usize {
         self.moments.all.len()
@@ -140,25 +161,31 @@ impl PlannedRender<'_> {
     ) -> Result<(), ExportError> {
         let RenderRequest { subject, format, output, is_opaque, .. } = self.request;
         let (stage, size) = (self.stage(painter), painter.size());
-        let mut drawing = Drawing { stage: &stage, moments: &self.moments, painter, watch };
+        let mut drawing = Drawing { stage: &stage, moments: &self.moments, painter };
         match (subject, &format.encoder) {
-            (Subject::Film { .. }, Encoder::Still(start)) => {
-                clear_folder(output, format.ending, self.frame_count(), self.request.removes_stale)?;
-                write_folder(output, format.ending, *start, &mut drawing, written)
+            (Subject::Film { .. }, Encoder::Still(still)) => {
+                clear_folder(output, format.ending, self.film_frames, self.request.removes_stale)?;
+                let missing;
+                if self.request.only_missing {
+                    let numbers: Vec<usize> = self.moments.all.iter().map(|moment| moment.number).collect();
+                    missing = self.moments.with_numbers(&missing_frames(output, format.ending, *still, size, &numbers));
+                    drawing.moments = &missing;
+                }
+                write_folder(output, format.ending, still.start, &mut drawing, watch, written)
             }
             (Subject::Film { fps }, Encoder::Film(film)) => {
-                write_film(output, *film, self.moments.plan(size, fps, is_opaque)?, &mut drawing)
+                write_film(output, *film, self.moments.plan(size, fps, is_opaque)?, &mut drawing, watch)
             }
             (Subject::Film { fps }, Encoder::Ffmpeg(film)) => {
-                write_through_ffmpeg(output, *film, self.moments.plan(size, fps, is_opaque)?, &mut drawing)
+                write_through_ffmpeg(output, *film, self.moments.plan(size, fps, is_opaque)?, &mut drawing, watch)
             }
-            (Subject::Sheet(grid), Encoder::Still(start)) => {
-                let bytes = sheet(grid, *start, &mut drawing)?;
+            (Subject::Sheet(grid), Encoder::Still(still)) => {
+                let bytes = sheet(grid, still.start, &mut drawing, watch)?;
                 write_picture(output, &bytes, written)
             }
-            (Subject::Picture { .. }, Encoder::Still(start)) => {
+            (Subject::Picture { .. }, Encoder::Still(still)) => {
                 let frame = stage.frame(&self.moments.all[0])?;
-                let bytes = drawing.painter.encoded(&frame, |size| start(Some(size)))?;
+                let bytes = drawing.painter.encoded(&frame, |size| (still.start)(Some(size)))?;
                 write_picture(output, &bytes, written)
             }
             (Subject::Picture { .. } | Subject::Sheet(_), Encoder::Film(_) | Encoder::Ffmpeg(_)) => {
@@ -182,10 +209,15 @@ pub fn write_picture(path: &Path, bytes: &[u8], written: &mut Written<'_>) -> Re
     Ok(())
 }
 
-fn sheet(grid: Grid, start: StartStill, drawing: &mut Drawing<'_>) -> Result<Vec<u8>, ExportError> {
+fn sheet(
+    grid: Grid,
+    start: StartStill,
+    drawing: &mut Drawing<'_>,
+    watch: &mut Watch<'_>,
+) -> Result<Vec<u8>, ExportError> {
     let mut cells = Vec::new();
     let moments = drawing.moments;
-    drawing.draw(|index, drawn| {
+    drawing.draw(watch, |index, drawn| {
         cells.push(Cell { picture: drawn.rows().to_image(), caption: moments.all[index].caption() });
         Ok(())
     })?;

@@ -32,11 +32,20 @@ pub struct Format {
 /// The encoder of a format.
 pub enum Encoder {
     /// One picture per file, encoded here. A film becomes a folder of numbered files.
-    Still(StartStill),
+    Still(StillFormat),
     /// A film, encoded here.
     Film(FilmFormat),
     /// ffmpeg encodes the film. It reads the stream that this `FilmFormat` writes.
     Ffmpeg(FilmFormat),
+}
+
+/// How single pictures are written and read.
+#[derive(Clone, Copy)]
+pub struct StillFormat {
+    /// Makes an encoder.
+    pub start: StartStill,
+    /// The picture in a file's bytes; `None` if they are not a whole picture of the format, or one that is too large to be read.
+    pub decode: fn(&[u8]) -> Option<Image>,
 }
 
 /// Makes an encoder for pictures of this width and height in pixels. `None`: the size is not known yet. An encoder for a known
@@ -101,6 +110,15 @@ pub struct Plan {
     pub is_opaque: bool,
 }
 
+impl Plan {
+    /// The plan of a film of `frames` pictures; `None` if there are 2^32 or more. The size is width and height in pixels.
+    #[must_use]
+    pub fn new([width, height]: [u32; 2], frames: usize, frames_per_second: u32, is_opaque: bool) -> Option<Self> {
+        let frames = u32::try_from(frames).ok()?;
+        Some(Self { width, height, frames, frames_per_second, is_opaque })
+    }
+}
+
 /// A film that is being written.
 pub struct Film<'a> {
     plan: Plan,
@@ -160,6 +178,8 @@ pub enum FormatProblem {
     NoOpacity,
     /// It is for films, and a single picture was requested.
     NoPicture,
+    /// It is for single pictures, and a film was requested.
+    NoFilm,
     /// A limit of the format, such as the longest side.
     Limit(Phrase),
 }
@@ -183,6 +203,7 @@ impl FormatProblem {
         match self {
             Self::NoOpacity => texts::export_no_opacity(all_of(&formats::opaque()), all_of(&formats::translucent())),
             Self::NoPicture => texts::export_one_image(one_of(&formats::still_names())),
+            Self::NoFilm => texts::export_one_film(one_of(&formats::film_names())),
             Self::Limit(limit) => (*limit).into(),
         }
     }

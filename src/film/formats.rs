@@ -8,6 +8,8 @@ mod png;
 mod webp;
 mod y4m;
 
+use std::path::Path;
+
 use super::{Encoder, Format};
 use crate::words::Phrase;
 
@@ -31,6 +33,12 @@ pub const NOT_WRITTEN: [&str; 9] = ["jpg", "jpeg", "webm", "avi", "mov", "mkv", 
 #[must_use]
 pub fn format_of_ending(ending: &str) -> Option<&'static Format> {
     FORMATS.into_iter().find(|format| format.ending == ending)
+}
+
+/// The format that the ending of a file's name tells.
+#[must_use]
+pub fn format_of_path(path: &Path) -> Option<&'static Format> {
+    format_of_ending(&path.extension()?.to_str()?.to_ascii_lowercase())
 }
 
 /// The formats of single pictures.
@@ -63,6 +71,12 @@ pub fn still_names() -> Vec<&'static str> {
     stills().map(|format| format.name).collect()
 }
 
+/// Names of the formats of films.
+#[must_use]
+pub fn film_names() -> Vec<&'static str> {
+    films().map(|format| format.name).collect()
+}
+
 /// Names of formats that keep no opacity.
 #[must_use]
 pub fn opaque() -> Vec<&'static str> {
@@ -82,8 +96,6 @@ const fn no_limit(_: [u32; 2], _: Option<u32>) -> Option<Phrase> {
 
 #[cfg(test)]
 mod tests {
-    use std::path::Path;
-
     use super::super::FormatProblem;
     use super::*;
 

@@ -11,7 +11,7 @@ use crate::words::{Message, display_by_message, texts};
 /// The longest side of a picture that is read, in pixels.
 const LONGEST_SIDE: u32 = 16_384;
 /// The most pixels of a picture that is read: those of the largest contact sheet. To compare two such takes some 8 GB.
-const MOST_PIXELS: u64 = 1 << 26;
+pub const MOST_PIXELS: u64 = 1 << 26;
 /// The bytes of the file up to and including the size: signature, length and name of the first chunk, two sides.
 pub const PNG_HEAD_BYTES: usize = 24;
 

@@ -219,7 +219,11 @@ mod with_a_made_ffmpeg {
             sandbox.write("bin/ffmpeg", script);
             std::fs::set_permissions(sandbox.path("bin/ffmpeg"), std::fs::Permissions::from_mode(0o755)).unwrap();
         }
-        let mut command = sandbox.command(&["render", "a.json", "--size", "64x48", "--fps", "10", "-o", "x.mp4"]);
+        run_with(sandbox, &["render", "a.json", "--size", "64x48", "--fps", "10", "-o", "x.mp4"])
+    }
+
+    fn run_with(sandbox: &Sandbox, arguments: &[&str]) -> Outcome {
+        let mut command = sandbox.command(arguments);
         command.env("PATH", sandbox.path("bin"));
         Sandbox::outcome(command)
     }
@@ -240,7 +244,10 @@ mod with_a_made_ffmpeg {
         done(&render_with(&sandbox, Some(script)));
         done(&render(&sandbox, &["a.json", "-o", "x.y4m", "--fps", "10"]));
         assert_eq!(bytes(&sandbox, "x.mp4"), bytes(&sandbox, "x.y4m"));
-        assert_eq!(sandbox.names(), ["a.json", "bin", "x.mp4", "x.y4m"]);
+        done(&render(&sandbox, &["a.json", "-o", "frames", "--fps", "10"]));
+        done(&run_with(&sandbox, &["join", "frames", "--fps", "10", "-o", "joined.mp4"]));
+        assert_eq!(bytes(&sandbox, "joined.mp4"), bytes(&sandbox, "x.mp4"));
+        assert_eq!(sandbox.names(), ["a.json", "bin", "frames", "joined.mp4", "x.mp4", "x.y4m"]);
     }
 
     #[test]

@@ -8,6 +8,7 @@ mod convert;
 mod diagnose;
 mod diff;
 mod films;
+mod frames;
 mod grade;
 mod help;
 mod journal;

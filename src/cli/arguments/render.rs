@@ -3,13 +3,13 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
 
+use super::ProgressKind;
 use super::help;
-use super::values::{interpolation, key_time, samples, seconds, size};
+use super::values::{interpolation, key_time, samples, seconds, size, still_format};
 use crate::colour::Colour;
 use crate::export::{Size, Span};
-use crate::film::{Format, Grid, MOST_FRAMES_PER_SECOND, format_of_ending, stills};
+use crate::film::{Format, FrameNumbers, Grid, MOST_FRAMES_PER_SECOND};
 use crate::frame::MOST_GHOSTS;
 use crate::interpolation::Interpolation;
 use crate::render::Background;
@@ -37,6 +37,12 @@ pub struct RenderArguments {
     /// Remove the numbered images of an earlier film from the folder that this film does not replace. Without this they are an error.
     #[arg(long)]
     pub clean: bool,
+    /// The frames of the film to draw, as in 0-59, 60-119:2 or 0,7,12-14. Numbers count from 0; names in a folder have them [default: all].
+    #[arg(long, value_name = "NUMBERS", conflicts_with_all = ["at", "keyframe", "sheet", "id"], value_parser = FrameNumbers::parse)]
+    pub frames: Option<FrameNumbers>,
+    /// Of these frames, draw only those that are missing in the folder, not whole, or of another size.
+    #[arg(long)]
+    pub missing: bool,
     /// The key time at which a film or contact sheet begins [default: 0].
     #[arg(long, value_name = "KEY_TIME", requires = "file", conflicts_with_all = ["at", "keyframe"], allow_hyphen_values = true, value_parser = key_time)]
     pub from: Option<f64>,
@@ -70,6 +76,9 @@ pub struct RenderArguments {
     /// Write node indices instead of colours, as a 16-bit grey PNG: 0 for background, else the node's pre-order index plus 1.
     #[arg(long, conflicts_with_all = ["fps", "sheet", "ghosts", "samples"])]
     pub id: bool,
+    /// How progress is told.
+    #[arg(long, value_enum, default_value_t)]
+    pub progress: ProgressKind,
     /// Also write a JSON file with adapter, driver, versions and the SHA-256 of each written file.
     #[arg(long, value_name = "FILE")]
     pub manifest: Option<PathBuf>,
@@ -97,9 +106,4 @@ fn background(text: &str) -> Result<Background, String> {
             .map(|colour| Background::Colour(colour.to_linear()))
             .ok_or_else(|| "expected sky, transparent or a colour such as #aebfce".to_owned()),
     }
-}
-
-fn still_format() -> impl TypedValueParser<Value = &'static Format> {
-    PossibleValuesParser::new(stills().map(|format| format.ending))
-        .try_map(|ending| format_of_ending(&ending).ok_or("unknown format"))
 }

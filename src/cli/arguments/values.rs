@@ -3,6 +3,7 @@
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 use crate::export::Size;
+use crate::film::{Format, format_of_ending, stills};
 use crate::interpolation::Interpolation;
 use crate::scene::LATEST_SECONDS;
 
@@ -36,6 +37,12 @@ pub fn size(text: &str) -> Result<Size, String> {
 pub fn interpolation() -> impl TypedValueParser<Value = Interpolation> {
     PossibleValuesParser::new(Interpolation::ALL.map(Interpolation::name))
         .try_map(|name| Interpolation::from_name(&name).ok_or("unknown interpolation"))
+}
+
+/// The ending of a format of single pictures.
+pub fn still_format() -> impl TypedValueParser<Value = &'static Format> {
+    PossibleValuesParser::new(stills().map(|format| format.ending))
+        .try_map(|ending| format_of_ending(&ending).ok_or("unknown format"))
 }
 
 /// Samples a pixel.

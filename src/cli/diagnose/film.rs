@@ -10,7 +10,7 @@ use crate::diagnosis::Row;
 use crate::export::{Animation, ExportError, Painter, Size};
 use crate::files;
 use crate::film::{
-    Cell, Encoder, Film, FilmError, FilmFormat, Grid, Plan, contact_sheet, format_of_ending, written_endings,
+    Cell, Encoder, Film, FilmError, FilmFormat, Grid, Plan, contact_sheet, format_of_path, written_endings,
 };
 use crate::picture::Image;
 use crate::rbt::Rbt;
@@ -30,8 +30,7 @@ const LAST_MS: f64 = 1000.0;
 /// # Errors
 /// [`CliError`]: the ending is not that of a film that is written without another program.
 pub fn format_of(path: &Path) -> Result<FilmFormat, CliError> {
-    let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_ascii_lowercase();
-    if let Some(Encoder::Film(format)) = format_of_ending(&ending).map(|format| &format.encoder) {
+    if let Some(Encoder::Film(format)) = format_of_path(path).map(|format| &format.encoder) {
         return Ok(*format);
     }
     let [_, own, _] = written_endings();

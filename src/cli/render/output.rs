@@ -54,6 +54,8 @@ impl Output {
                     "--at, --keyframe, --sheet and --id make one image: --output names a {names}"
                 )));
             }
+        } else if arguments.frames.is_some() {
+            return Err(misuse("--frames is for films and folders; --at is for one image"));
         } else if arguments.sheet.is_none() && (arguments.from.is_some() || arguments.to.is_some()) {
             return Err(misuse("--from and --to are for films, folders and contact sheets; --at is for one image"));
         }
@@ -63,8 +65,9 @@ impl Output {
         if arguments.frame_format.is_some() && (self.is_one_image || !self.format.is_still()) {
             return Err(misuse("--frame-format is for a folder of numbered images"));
         }
-        if arguments.clean && (self.is_one_image || !self.format.is_still()) {
-            return Err(misuse("--clean is for a folder of numbered images"));
+        let option = if arguments.clean { "--clean" } else { "--missing" };
+        if (arguments.clean || arguments.missing) && (self.is_one_image || !self.format.is_still()) {
+            return Err(misuse(&format!("{option} is for a folder of numbered images")));
         }
         Ok(())
     }

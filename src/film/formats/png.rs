@@ -1,8 +1,8 @@
 //! PNG: single pictures, every colour and opacity as drawn.
 
 use super::{MOST_FRAMES_PER_SECOND, no_limit};
-use crate::film::{Encoder, EncodingError, Format, StillEncoder};
-use crate::picture::{PngMemory, Rows};
+use crate::film::{Encoder, EncodingError, Format, StillEncoder, StillFormat};
+use crate::picture::{Image, PngMemory, Rows};
 
 /// PNG: lossless, with opacity.
 pub static PNG: Format = Format {
@@ -12,10 +12,18 @@ pub static PNG: Format = Format {
     usual_frames_per_second: 30,
     most_frames_per_second: MOST_FRAMES_PER_SECOND,
     limit: no_limit,
-    encoder: Encoder::Still(|size| {
-        Box::new(size.map_or_else(PngMemory::default, |[width, height]| PngMemory::new(width, height)))
+    encoder: Encoder::Still(StillFormat {
+        start: |size| Box::new(size.map_or_else(PngMemory::default, |[width, height]| PngMemory::new(width, height))),
+        decode,
     }),
 };
+
+/// The last chunk. A decoder stops at the last pixel, before it.
+const END: [u8; 12] = *b"\0\0\0\0IEND\xae\x42\x60\x82";
+
+fn decode(bytes: &[u8]) -> Option<Image> {
+    bytes.ends_with(&END).then(|| Image::from_png(bytes).ok())?
+}
 
 impl StillEncoder for PngMemory {
     fn encode(&mut self, rows: &Rows<'_>) -> Result<(), EncodingError> {

@@ -1,11 +1,13 @@
 //! WebP: single pictures, lossless, every colour and opacity as drawn.
 
-use image::ExtendedColorType;
-use image::codecs::webp::WebPEncoder;
+use std::io::Cursor;
+
+use image::codecs::webp::{WebPDecoder, WebPEncoder};
+use image::{DynamicImage, ExtendedColorType, ImageDecoder as _};
 
 use super::MOST_FRAMES_PER_SECOND;
-use crate::film::{Encoder, EncodingError, Format, StillEncoder};
-use crate::picture::Rows;
+use crate::film::{Encoder, EncodingError, Format, StillEncoder, StillFormat};
+use crate::picture::{Image, MOST_PIXELS, Rows};
 use crate::words::texts;
 
 /// The longest side in pixels: the format has 14 bits for it.
@@ -19,8 +21,23 @@ pub static WEBP: Format = Format {
     usual_frames_per_second: 30,
     most_frames_per_second: MOST_FRAMES_PER_SECOND,
     limit: |size, _| size.iter().any(|side| *side > LONGEST_SIDE).then_some(texts::EXPORT_WEBP_TOO_LARGE),
-    encoder: Encoder::Still(|_| Box::new(WebP::default())),
+    encoder: Encoder::Still(StillFormat { start: |_| Box::new(WebP::default()), decode }),
 };
+
+fn decode(bytes: &[u8]) -> Option<Image> {
+    // The head says how many bytes follow it; a decoder need not read the last ones.
+    let said = u32::from_le_bytes(*bytes.get(4..)?.first_chunk()?);
+    if bytes.len() as u64 != 8 + u64::from(said) {
+        return None;
+    }
+    let decoder = WebPDecoder::new(Cursor::new(bytes)).ok()?;
+    let (width, height) = decoder.dimensions();
+    if u64::from(width) * u64::from(height) > MOST_PIXELS {
+        return None;
+    }
+    let rgba = DynamicImage::from_decoder(decoder).ok()?.into_rgba8().into_raw();
+    Some(Image { width, height, rgba })
+}
 
 /// Memory for encoding WebPs.
 #[derive(Default)]
