@@ -67,6 +67,7 @@ impl StorageError {
                 io::ErrorKind::NotFound => texts::STORAGE_NOT_FOUND.into(),
                 io::ErrorKind::PermissionDenied => texts::STORAGE_PERMISSION_DENIED.into(),
                 io::ErrorKind::AlreadyExists => texts::STORAGE_IN_THE_WAY.into(),
+                io::ErrorKind::NotADirectory => texts::STORAGE_NO_FOLDER.into(),
                 io::ErrorKind::IsADirectory => texts::STORAGE_IS_FOLDER.into(),
                 _ => texts::foreign(system_words(error)),
             },

@@ -77,7 +77,7 @@ fn a_part_of_a_film_that_is_no_folder_is_a_film_of_these_frames() {
 #[test]
 fn frames_that_the_film_does_not_have_are_refused() {
     let sandbox = sandbox();
-    let outside = "a.json: there is no frame 15: with 10 frames a second they are 0 to 14";
+    let outside = "a.json: there is no frame 15: with --fps 10 they are 0 to 14";
     render(&sandbox, &["-o", "f", "--frames", "0-15"]).refuses(outside);
     render(&sandbox, &["-o", "f", "--frames", "0,15"]).refuses(outside);
     for wrong in ["", "3-1", "1-9:0", "a", "-1", "1,,2"] {
@@ -115,8 +115,7 @@ fn missing_frames_alone_are_drawn() {
         let run = |more: &[&str]| {
             let arguments = [&["-o", "frames", "--frame-format", ending, "--manifest", "drawn.json"], more].concat();
             render(&sandbox, &arguments).succeeds();
-            let written = sandbox.json("drawn.json")["files"].as_array().unwrap().len();
-            written
+            sandbox.json("drawn.json")["files"].as_array().unwrap().len()
         };
         assert_eq!(run(&[]), 15);
         let whole = content(&sandbox, "frames");
@@ -190,6 +189,9 @@ fn what_cannot_be_joined_is_named() {
     sandbox
         .run(&["join", "empty", "--fps", "10", "-o", "x.gif"])
         .refuses("empty: the folder holds no numbered images, such as frame-00000.png");
+    sandbox
+        .run(&["join", "a.json", "--fps", "10", "-o", "x.gif"])
+        .refuses("a.json: a file stands where a folder is needed");
     sandbox.run(&["join", "none", "--fps", "10", "-o", "x.gif"]).refuses("none: there is no such file or folder");
     for wrong in [&["-o", "x.png"][..], &["-o", "x"], &["-o", "x.gif", "--fps", "60"]] {
         sandbox.run(&[&["join", "frames", "--fps", "10", "--frames", "0-7"], wrong].concat()).misuses();

@@ -173,6 +173,7 @@ pub fn window_and_failures() -> String {
         texts::decode_expected(texts::DECODE_KIND_OTHER),
         texts::timed_not_finite(f64::NAN),
         texts::EXPORT_TOO_MANY_FRAMES.into(),
+        texts::EXPORT_FRAME_GONE.into(),
         texts::export_ffmpeg_lost("it broke"),
         texts::ended_by_signal("12"),
         texts::EXPORT_FFMPEG_EARLY.into(),
