@@ -128,7 +128,7 @@ fn dispatch(arguments: &[OsString]) -> Result<Ended, CliError> {
         Some(Subcommand::Grade(arguments)) => grade::run(&arguments, scene)?,
         Some(Subcommand::Verify(arguments)) => return verify::run(&arguments, scene),
         Some(Subcommand::Compare(arguments)) => return compare::run(&arguments),
-        Some(Subcommand::Script(arguments)) => script::run(&arguments, scene)?,
+        Some(Subcommand::Script(arguments)) => return script::run(&arguments, scene),
         Some(Subcommand::Recover(arguments)) => recover::run(&arguments)?,
     }
     Ok(Ended::Well)

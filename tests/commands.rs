@@ -224,9 +224,14 @@ fn any_file_command() -> impl Strategy<Value = Command> {
         any_file().prop_map(FileCommand::Open),
         any_file().prop_map(FileCommand::SaveAs),
         any_file().prop_map(FileCommand::SaveSceneAs),
-        any_file().prop_map(|path| FileCommand::Screenshot(Some(path))),
+        (any_file(), any::<bool>())
+            .prop_map(|(path, has_overlays)| FileCommand::Screenshot { path: Some(path), has_overlays }),
     ]
     .prop_map(Command::File)
+}
+
+fn screenshot(path: Option<&str>, has_overlays: bool) -> Command {
+    Command::File(FileCommand::Screenshot { path: path.map(PathBuf::from), has_overlays })
 }
 
 fn any_gesture() -> impl Strategy<Value = Command> {
@@ -338,7 +343,11 @@ fn lines_are_as_people_write_them_where_that_is_exact() {
         (timeline(TimelineEdit::RenameKeyframe(KeyframeIndex::new(2), "the #1".to_owned())), "rename 2 \"the #1\""),
         (Command::File(FileCommand::Open(PathBuf::from("my walk.json"))), "open my walk.json"),
         (Command::File(FileCommand::SaveAs(PathBuf::from("a#b"))), "save-as \"a#b\""),
-        (Command::File(FileCommand::Screenshot(None)), "do screenshot"),
+        (screenshot(None, true), "do screenshot"),
+        (screenshot(Some("a b.png"), false), "screenshot a b.png"),
+        (screenshot(Some("a#b"), true), "screenshot --overlays \"a#b\""),
+        (screenshot(Some("--overlays"), false), "screenshot \"--overlays\""),
+        (screenshot(Some("--overlays a"), true), "screenshot --overlays --overlays a"),
         (Command::Selection(SelectionCommand::TimedKeys(vec![])), "select-keys none"),
         (
             Command::Selection(SelectionCommand::TimedKeys(vec![key("plain_control", 1.5), key("a b", 2.0)])),

@@ -20,7 +20,7 @@ use crate::words::texts;
 pub enum Ended {
     /// All is well: status 0.
     Well,
-    /// What was compared differs by more than the tolerance, and standard output says so: status 1.
+    /// Something is not as it should be, and the command has said what: status 1.
     Beyond,
 }
 

@@ -5,13 +5,13 @@ use std::path::Path;
 
 use super::arguments::ScriptArguments;
 use super::places::Places;
-use super::{CliError, misuse, output};
+use super::{CliError, Ended, misuse, output};
 use crate::editor::{Command, Editor, FileCommand};
 use crate::export::Painter;
 use crate::files::{self, FileError, scene};
 use crate::journal::{self, Journaled, Writer};
 use crate::scene::SceneGraph;
-use crate::script::{self, Action, Disk, Line, Runner, TraceLine, state_json};
+use crate::script::{self, Action, Disk, Line, Runner, Step, TraceLine, state_json};
 use crate::storage::{self, Log};
 use crate::words::texts;
 
@@ -22,7 +22,7 @@ const LARGEST_SCRIPT_BYTES: u64 = 16 << 20;
 ///
 /// # Errors
 /// [`CliError`]: bad lines before anything has run, a missing GPU adapter if the script needs one, a file that cannot be written.
-pub fn run(arguments: &ScriptArguments, named_scene: Option<&Path>) -> Result<(), CliError> {
+pub fn run(arguments: &ScriptArguments, named_scene: Option<&Path>) -> Result<Ended, CliError> {
     if arguments.journal.as_deref().is_some_and(storage::is_standard) {
         return Err(misuse(&texts::places_needs_a_file("--journal").to_string()));
     }
@@ -40,22 +40,23 @@ pub fn run(arguments: &ScriptArguments, named_scene: Option<&Path>) -> Result<()
     let kept = arguments.journal.as_deref().map(|path| begin_journal(path, &editor)).transpose()?;
     let disk = Disk::new(editor, painter).overwriting(arguments.overwrite);
     let host = Journaled::new(disk, kept).panicking_at(arguments.panic_at);
-    let mut trace = Trace::new(arguments.trace);
+    let mut observer = Observer::new(arguments, &location);
     let mut damage = None;
     let ended = if is_journal {
         let mut runner = Runner::new(host);
-        let played = journal::play(&bytes, &mut runner, |line, message, runner| {
-            trace.line(&TraceLine { line, message, state: runner.state() })
+        let played = journal::play(&bytes, &mut runner, |line, step, runner| {
+            let Step { message, is_refusal, .. } = step;
+            observer.line(&TraceLine { line, message, is_refusal, state: runner.state() })
         });
         played.map(|played| {
             damage = played.damage;
             runner.into_host()
         })
     } else {
-        Runner::new(host).run(&lines, |line| trace.line(line))
+        Runner::new(host).run(&lines, |line| observer.line(line))
     };
     // Also where the script stopped, its trace is printed up to there.
-    let traced = trace.finish();
+    let traced = observer.trace.finish();
     let host = ended?;
     let journal = arguments.journal.as_deref().unwrap_or(Path::new(""));
     let (editor, refused) = host.finish().map_err(|error| CliError::unwritten(journal, error))?.finish();
@@ -63,11 +64,16 @@ pub fn run(arguments: &ScriptArguments, named_scene: Option<&Path>) -> Result<()
     if let Some(path) = &arguments.state {
         files::write(path, state_json(&editor).as_bytes())?;
     }
-    let mut sentences: Vec<String> = refused.iter().map(ToString::to_string).collect();
+    // Without a trace each was said at its line.
+    let unsaid = if arguments.trace { refused.as_slice() } else { &[] };
+    let mut sentences: Vec<String> = unsaid.iter().map(ToString::to_string).collect();
     if let Some((number, problem)) = damage {
         sentences.push(format!("{location}: line {number}: {problem}; what comes after it is lost"));
     }
-    if sentences.is_empty() { Ok(()) } else { Err(CliError::bad_inputs(sentences)) }
+    if !sentences.is_empty() {
+        return Err(CliError::bad_inputs(sentences));
+    }
+    Ok(if refused.is_empty() { Ended::Well } else { Ended::Beyond })
 }
 
 fn parsed(location: &str, bytes: &[u8], scene: &SceneGraph) -> Result<Vec<Line>, CliError> {
@@ -122,11 +128,42 @@ fn places(arguments: &ScriptArguments, scene: Option<&Path>, lines: &[Line]) -> 
                 places.writes_as(name(), KEYFRAMES, path)
             }
             FileCommand::SaveSceneAs(path) => places.writes_as(name(), SCENE, path),
-            FileCommand::Screenshot(Some(path)) => places.writes_as(name(), "screenshot", path),
+            FileCommand::Screenshot { path: Some(path), .. } => places.writes_as(name(), "screenshot", path),
             _ => places,
         };
     }
     places
+}
+
+/// Hears of each line that was done.
+struct Observer<'a> {
+    trace: Trace,
+    /// The script's name.
+    location: &'a str,
+    has_trace: bool,
+    is_strict: bool,
+}
+
+impl<'a> Observer<'a> {
+    fn new(arguments: &ScriptArguments, location: &'a str) -> Self {
+        let ScriptArguments { trace, strict, .. } = *arguments;
+        Self { trace: Trace::new(trace), location, has_trace: trace, is_strict: strict }
+    }
+
+    /// Prints the line's trace. A refusal is an error in strict mode; elsewhere, the trace or standard error has it.
+    fn line(&mut self, line: &TraceLine<'_>) -> Result<(), CliError> {
+        self.trace.line(line)?;
+        if line.is_refusal {
+            let location = format!("{}: line {}", self.location, line.line.number);
+            if self.is_strict {
+                return Err(CliError::bad_input(location, &line.message));
+            }
+            if !self.has_trace {
+                output::complain(&format!("{location}: {}", line.message));
+            }
+        }
+        Ok(())
+    }
 }
 
 /// The trace on standard output, where one is asked for. When its reader leaves, the script goes on without.

@@ -281,8 +281,13 @@ pub enum FileCommand {
     ChooseSaveSceneAs,
     /// Writes the scene to a file, which becomes its own from now on.
     SaveSceneAs(PathBuf),
-    /// Writes a picture of the scene: to a path, or beside the keyframe file under the next free name.
-    Screenshot(Option<PathBuf>),
+    /// Writes a picture.
+    Screenshot {
+        /// Where to; `None`: the next free name beside the keyframe file.
+        path: Option<PathBuf>,
+        /// Whether it shows all that the window would: arcball, outline, ghosts, motion path and comparison. If not, the scene alone.
+        has_overlays: bool,
+    },
     /// Makes a film of what the keyframes play, beside whatever else goes on.
     Export(Box<ExportOptions>),
     /// Cancels the running export and removes its partial file.
@@ -355,6 +360,8 @@ pub enum Effect {
     Screenshot {
         /// Where to; `None`: the next free `inbetween-0001.png` beside the keyframe file.
         path: Option<PathBuf>,
+        /// Whether it shows more than the scene.
+        has_overlays: bool,
     },
     /// Make a film of the document as it is now and hand the outcome to [`super::Editor::exported`].
     Export(Box<ExportOptions>),

@@ -21,7 +21,7 @@ pub use line::{ArgumentError, Arguments, Ending, Line};
 pub use row::{Binding, Changes, Group, Menu, Row, WindowState};
 #[cfg(test)]
 pub(crate) use values::radians;
-pub(crate) use values::{quoted_prefix, tokens};
+pub(crate) use values::{quoted_prefix, split_option, tokens};
 
 use super::{Command, Editor};
 

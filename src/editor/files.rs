@@ -35,7 +35,7 @@ impl Editor {
             }
             FileCommand::ChooseSaveSceneAs => Effect::ChooseSaveSceneAs,
             FileCommand::SaveSceneAs(path) => self.write_scene_effect(path),
-            FileCommand::Screenshot(path) => Effect::Screenshot { path },
+            FileCommand::Screenshot { path, has_overlays } => Effect::Screenshot { path, has_overlays },
             FileCommand::Export(options) => Effect::Export(options),
             FileCommand::CancelExport => Effect::CancelExport,
             FileCommand::ChooseExport { proposed, is_folder } => Effect::ChooseExport { proposed, is_folder },

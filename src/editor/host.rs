@@ -104,11 +104,16 @@ pub trait Host {
     /// Only where the host cannot go on; a file that cannot be written is an outcome.
     fn write(&mut self, writing: Writing<'_>) -> Result<Option<FileOutcome<Written>>, Self::Stop>;
 
-    /// Draws what is displayed and writes it to `path`; without one, to the first free name beside the keyframe file. Returns the path.
+    /// Draws what is displayed, or without `has_overlays` the scene alone, and writes it to `path`; without one, to the first free name
+    /// beside the keyframe file. Returns the path.
     ///
     /// # Errors
     /// Only where the host cannot go on.
-    fn take_screenshot(&mut self, path: Option<PathBuf>) -> Result<(PathBuf, FileOutcome<()>), Self::Stop>;
+    fn take_screenshot(
+        &mut self,
+        path: Option<PathBuf>,
+        has_overlays: bool,
+    ) -> Result<(PathBuf, FileOutcome<()>), Self::Stop>;
 
     /// The editor was told of a file; `told` is what it made of that.
     ///
@@ -149,8 +154,8 @@ pub trait Host {
                     return self.told(access, &path, told);
                 }
             }
-            Effect::Screenshot { path } => {
-                let (path, outcome) = self.take_screenshot(path)?;
+            Effect::Screenshot { path, has_overlays } => {
+                let (path, outcome) = self.take_screenshot(path, has_overlays)?;
                 let told = self.editor().screenshot_taken(&path, outcome);
                 return self.told(FileAccess::ScreenshotTaken, &path, told);
             }

@@ -149,7 +149,11 @@ impl Host for Folder {
         Ok(Some(Ok(Written::default())))
     }
 
-    fn take_screenshot(&mut self, path: Option<PathBuf>) -> Result<(PathBuf, FileOutcome<()>), String> {
+    fn take_screenshot(
+        &mut self,
+        path: Option<PathBuf>,
+        _has_overlays: bool,
+    ) -> Result<(PathBuf, FileOutcome<()>), String> {
         let path = path.unwrap_or_else(|| PathBuf::from(SCREENSHOT_FILE));
         plain_name(&path)?;
         Ok((path, Ok(())))

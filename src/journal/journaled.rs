@@ -99,8 +99,12 @@ impl<H: Windowless> Host for Journaled<H> {
         self.host.write(writing)
     }
 
-    fn take_screenshot(&mut self, path: Option<PathBuf>) -> Result<(PathBuf, FileOutcome<()>), H::Stop> {
-        self.host.take_screenshot(path)
+    fn take_screenshot(
+        &mut self,
+        path: Option<PathBuf>,
+        has_overlays: bool,
+    ) -> Result<(PathBuf, FileOutcome<()>), H::Stop> {
+        self.host.take_screenshot(path, has_overlays)
     }
 
     fn told(&mut self, access: FileAccess, path: &Path, told: Result<(), CommandError>) -> Result<(), H::Stop> {

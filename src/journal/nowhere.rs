@@ -45,7 +45,11 @@ impl Host for Nowhere {
         Ok(Some(Err(texts::JOURNAL_NO_FILES.into())))
     }
 
-    fn take_screenshot(&mut self, path: Option<PathBuf>) -> Result<(PathBuf, FileOutcome<()>), Infallible> {
+    fn take_screenshot(
+        &mut self,
+        path: Option<PathBuf>,
+        _has_overlays: bool,
+    ) -> Result<(PathBuf, FileOutcome<()>), Infallible> {
         Ok((path.unwrap_or_default(), Err(texts::JOURNAL_NO_FILES.into())))
     }
 

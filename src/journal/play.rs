@@ -10,7 +10,7 @@ use super::nowhere::Nowhere;
 use crate::editor::{Editor, FileAccess, Host as _, Written};
 use crate::keyframe::keyframes_to_json;
 use crate::scene::{DEFAULT_SCENE, built_in_scene, scene_to_json};
-use crate::script::{Line, Runner, Windowless, parse_line};
+use crate::script::{Line, Runner, Step, Windowless, parse_line};
 use crate::storage::{LeftLog, StorageError};
 
 /// What became of playing a journal.
@@ -69,10 +69,10 @@ fn kept(bytes: &[u8]) -> (Vec<(usize, &[u8])>, usize) {
 pub fn play<H: Windowless, E: From<H::Stop>>(
     bytes: &[u8],
     runner: &mut Runner<H>,
-    mut observe: impl FnMut(&Line, String, &mut Runner<H>) -> Result<(), E>,
+    mut observe: impl FnMut(&Line, Step, &mut Runner<H>) -> Result<(), E>,
 ) -> Result<Played, E> {
     play_each(bytes, runner, |done, runner| match done {
-        Some((line, said)) => observe(line, said, runner),
+        Some((line, step)) => observe(line, step, runner),
         None => Ok(()),
     })
 }
@@ -81,7 +81,7 @@ pub fn play<H: Windowless, E: From<H::Stop>>(
 fn play_each<H: Windowless, E: From<H::Stop>>(
     bytes: &[u8],
     runner: &mut Runner<H>,
-    mut observe: impl FnMut(Option<(&Line, String)>, &mut Runner<H>) -> Result<(), E>,
+    mut observe: impl FnMut(Option<(&Line, Step)>, &mut Runner<H>) -> Result<(), E>,
 ) -> Result<Played, E> {
     let (lines, passed_over) = kept(bytes);
     let is_cut = !bytes.ends_with(b"\n") && !bytes.is_empty();
@@ -108,7 +108,7 @@ fn play_each<H: Windowless, E: From<H::Stop>>(
         let before = runner.host().editor().before();
         if let Ok(step) = catch_unwind(AssertUnwindSafe(|| runner.step(&line))) {
             played.lines += 1;
-            observe(Some((&line, step?.message)), runner)?;
+            observe(Some((&line, step?)), runner)?;
         } else {
             runner.host().editor().go_back(before);
             played.passed_over += 1;

@@ -9,7 +9,7 @@ use crate::editor::{CommandError, Editor, FileAccess, FileOutcome, Host, WindowH
 use crate::export::{ExportError, Painter};
 use crate::files;
 use crate::storage::{self, KnownFiles, OutsideChange};
-use crate::view::frame_of_editor;
+use crate::view::picture_of_editor;
 use crate::words::{Message, texts};
 
 /// Why a script ended early.
@@ -84,10 +84,14 @@ impl Host for Disk {
         Ok(Some(files::write_known(&mut self.known, writing, change.is_some())))
     }
 
-    fn take_screenshot(&mut self, path: Option<PathBuf>) -> Result<(PathBuf, FileOutcome<()>), DiskStop> {
+    fn take_screenshot(
+        &mut self,
+        path: Option<PathBuf>,
+        has_overlays: bool,
+    ) -> Result<(PathBuf, FileOutcome<()>), DiskStop> {
         let path = path.unwrap_or_else(|| storage::next_screenshot_path(self.editor.keyframe_file()));
         let painter = self.painter.as_mut().expect("a script that takes screenshots has a painter");
-        let png = painter.png(&frame_of_editor(&self.editor, painter.size_px()))?;
+        let png = painter.png(&picture_of_editor(&self.editor, painter.size_px(), has_overlays))?;
         let written = storage::write(&path, &png).map_err(|error| error.message());
         Ok((path, written))
     }

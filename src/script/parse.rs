@@ -6,7 +6,7 @@ use std::time::Duration;
 use super::problem::{LineProblem, ScriptError};
 use super::restore::{self, Restore};
 use super::table::OWN_LINES;
-use crate::editor::commands::{self, ArgumentError, Arguments, Ending, quoted_prefix, tokens};
+use crate::editor::commands::{self, ArgumentError, Arguments, Ending, quoted_prefix, split_option, tokens};
 use crate::editor::keymap::{binding_for, bindings, press_from_word};
 use crate::editor::{Command, Edit, FileCommand, SceneEdit};
 use crate::scene::SceneGraph;
@@ -42,7 +42,7 @@ impl Line {
     /// Whether it needs a renderer.
     #[must_use]
     pub fn takes_screenshot(&self) -> bool {
-        matches!(self.action, Action::Apply(Command::File(FileCommand::Screenshot(_))))
+        matches!(self.action, Action::Apply(Command::File(FileCommand::Screenshot { .. })))
     }
 }
 
@@ -123,7 +123,10 @@ impl Parser<'_> {
             Ending::Plain => None,
             Ending::NodePath => self.longest_path(form, line),
             Ending::Name => text_to_end_of_quotes(line, line.find('"')?),
-            Ending::FilePath => text_to_end_of_quotes(line, line.len() - name_and_rest(line).1.len()),
+            Ending::FilePath(option) => {
+                let rest = name_and_rest(line).1;
+                text_to_end_of_quotes(line, line.len() - split_option(rest, option).1.len())
+            }
             Ending::QuotedWords => Some(&line[..tokens(line).1]),
         }
     }

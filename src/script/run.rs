@@ -7,7 +7,7 @@ use super::parse::{Action, Line};
 use super::restore::Restore;
 use super::trace::{State, TraceLine};
 use crate::clock::AnimationClock;
-use crate::editor::{Host, PathQuestion, WindowCommand, WindowHost};
+use crate::editor::{Host, PathQuestion, Severity, WindowCommand, WindowHost};
 use crate::film::ExportOptions;
 
 /// What hosts without a window keep of what only a window can do.
@@ -61,6 +61,8 @@ pub trait Windowless: Host {
 pub struct Step {
     /// What was said; empty where nothing was.
     pub message: String,
+    /// Whether that refuses what the line asks for.
+    pub is_refusal: bool,
     /// Whether the script ends here.
     pub is_last: bool,
 }
@@ -94,11 +96,11 @@ impl<H: Windowless> Runner<H> {
     {
         for line in lines {
             let outcome = self.step(line);
-            let message = match &outcome {
-                Ok(step) => step.message.clone(),
-                Err(stop) => stop.to_string(),
+            let (message, is_refusal) = match &outcome {
+                Ok(step) => (step.message.clone(), step.is_refusal),
+                Err(stop) => (stop.to_string(), false),
             };
-            observe(&TraceLine { line, message, state: self.state() })?;
+            observe(&TraceLine { line, message, is_refusal, state: self.state() })?;
             if outcome?.is_last {
                 break;
             }
@@ -122,7 +124,7 @@ impl<H: Windowless> Runner<H> {
                 self.host.restoring(restore);
                 restore.apply(self.host.editor());
                 self.clock.restart();
-                Ok(Step { message: self.host.editor().message_text(), is_last: false })
+                Ok(self.said(false))
             }
             Action::Apply(command) => {
                 let performed = self.host.carry_out(command.clone());
@@ -136,8 +138,10 @@ impl<H: Windowless> Runner<H> {
                     editor.say(note);
                 }
                 let NoWindow { said, has_quit } = std::mem::take(self.host.no_window());
-                let message = said.map_or_else(|| self.host.editor().message_text(), str::to_owned);
-                Ok(Step { message, is_last: has_quit })
+                Ok(match said {
+                    Some(said) => Step { message: said.to_owned(), is_refusal: true, is_last: has_quit },
+                    None => self.said(has_quit),
+                })
             }
         }
     }
@@ -149,7 +153,14 @@ impl<H: Windowless> Runner<H> {
         let has_ended = was_playing && !editor.is_playing();
         let message = if has_ended { editor.message_text() } else { String::new() };
         self.host.ticked(ticks);
-        Step { message, is_last: false }
+        Step { message, is_refusal: false, is_last: false }
+    }
+
+    /// What the editor said of the last line.
+    fn said(&mut self, is_last: bool) -> Step {
+        let editor = self.host.editor();
+        let is_refusal = editor.message().is_some_and(|message| message.severity() == Severity::Error);
+        Step { message: editor.message_text(), is_refusal, is_last }
     }
 
     /// The host that the lines act on.

@@ -75,6 +75,8 @@ pub struct TraceLine<'a> {
     pub line: &'a Line,
     /// The message in English; empty if there is none.
     pub message: String,
+    /// Whether the message refuses what the line asks for. The trace does not say it.
+    pub is_refusal: bool,
     /// The state after it.
     pub state: State,
 }

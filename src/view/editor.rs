@@ -16,6 +16,15 @@ pub fn frame_of_editor(editor: &Editor, size_px: Vec2) -> Frame {
     frame_of_displayed(editor, &editor.displayed_pose(), size_px)
 }
 
+/// What a screenshot of an editor shows: with overlays what [`frame_of_editor`] does, without them the scene alone, as exports have it.
+#[must_use]
+pub fn picture_of_editor(editor: &Editor, size_px: Vec2, has_overlays: bool) -> Frame {
+    if has_overlays {
+        return frame_of_editor(editor, size_px);
+    }
+    frame_of_scene(editor.scene(), &editor.displayed_pose(), editor.seconds(), &editor.camera(size_px), None)
+}
+
 /// Like [`frame_of_editor`], if the caller already has the displayed pose ([`Editor::displayed_pose`]).
 #[must_use]
 pub fn frame_of_displayed(editor: &Editor, pose: &Pose, size_px: Vec2) -> Frame {

@@ -37,9 +37,13 @@ impl Host for Shell {
         Ok(self.write_or_ask(writing))
     }
 
-    fn take_screenshot(&mut self, path: Option<PathBuf>) -> Result<(PathBuf, FileOutcome<()>), Infallible> {
+    fn take_screenshot(
+        &mut self,
+        path: Option<PathBuf>,
+        has_overlays: bool,
+    ) -> Result<(PathBuf, FileOutcome<()>), Infallible> {
         let path = path.unwrap_or_else(|| storage::next_screenshot_path(self.editor.keyframe_file()));
-        let outcome = self.screenshot(&path);
+        let outcome = self.screenshot(&path, has_overlays);
         Ok((path, outcome))
     }
 
@@ -184,9 +188,9 @@ impl Shell {
         }
     }
 
-    fn screenshot(&self, path: &Path) -> Result<(), Message> {
+    fn screenshot(&self, path: &Path, has_overlays: bool) -> Result<(), Message> {
         let stage = self.stage.as_ref().ok_or_else(|| Message::from(texts::SCREENSHOT_NO_WINDOW))?;
-        let picture = stage.picture(&self.editor).map_err(|error| error.message())?;
+        let picture = stage.picture(&self.editor, has_overlays).map_err(|error| error.message())?;
         let png = picture.to_png().map_err(|error| texts::foreign(error.to_string()))?;
         storage::write(path, &png).map_err(|error| error.message())
     }

@@ -16,7 +16,7 @@ use crate::frame::Frame;
 use crate::pose::RbtIndex;
 use crate::render::{Gpu, GpuError, Image, Offscreen, Renderer, Target, Viewport, default_samples};
 use crate::ui::{Panels, THUMBNAIL_PX, UiOutput, theme};
-use crate::view::{frame_of_displayed, frame_of_editor, mark_dot, outline};
+use crate::view::{frame_of_displayed, mark_dot, outline, picture_of_editor};
 
 /// The 3D view, in physical pixels of the window.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -244,10 +244,10 @@ impl WindowSurface {
     ///
     /// # Errors
     /// [`GpuError`]
-    pub fn picture(&self, editor: &Editor) -> Result<Image, GpuError> {
+    pub fn picture(&self, editor: &Editor, has_overlays: bool) -> Result<Image, GpuError> {
         let [width, height] = whole(self.view.size_px);
         let mut renderer = Renderer::new(&self.gpu, Offscreen::FORMAT, default_samples(self.gpu.is_software));
-        let frame = frame_of_editor(editor, self.view.size_px);
+        let frame = picture_of_editor(editor, self.view.size_px, has_overlays);
         Offscreen::new(&self.gpu, width, height)?.render(&self.gpu, &mut renderer, &frame)
     }
 }

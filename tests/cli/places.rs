@@ -23,6 +23,7 @@ fn sandbox() -> Sandbox {
     sandbox.write("scene.json", scene_to_json(&built_in_scene("orbits").unwrap()));
     sandbox.write("script.txt", SCRIPT);
     sandbox.write("writes.txt", "key i\nkey n\nkey w\n");
+    sandbox.write("makes.txt", "key n\nkey w\n");
     sandbox.write("saves.txt", "save-scene out\n");
     sandbox.write("saves-standard.txt", "save-scene -\n");
     sandbox.write("shoots.txt", "screenshot out\n");
@@ -119,7 +120,7 @@ fn what_is_written_can_be_standard_output_in_every_command() {
         &["compare", "a.png", "b.png", "-o", "@"],
         &["recover", "a.journal", "-o", "@"],
         &["script", "script.txt", "--keyframes", "a.json", "--state", "@"],
-        &["script", "writes.txt", "--keyframes", "@"],
+        &["script", "makes.txt", "--keyframes", "@"],
         &["script", "saves@.txt"],
         &["script", "shoots@.txt", "--size", "32x24"],
         &["render", "-o", "@", "--size", "32x24"],

@@ -113,6 +113,17 @@ fn a_script_takes_screenshots_of_what_is_displayed() {
 }
 
 #[test]
+fn a_screenshot_shows_the_scene_alone_unless_it_is_asked_for_overlays() {
+    let sandbox = Sandbox::new();
+    let script = "select robot1\nghosts 3\nkey n\ntranslate 0 1 0\nkey n\nscreenshot alone.png\nscreenshot --overlays all.png\n\
+                  select none\nkey a\nghosts 0\nscreenshot --overlays bare.png\n";
+    sandbox.write("s.txt", script);
+    done(&sandbox.run(&["script", "s.txt", "--size", "64x48"]));
+    assert_ne!(bytes(&sandbox, "all.png"), bytes(&sandbox, "alone.png"));
+    assert_eq!(bytes(&sandbox, "bare.png"), bytes(&sandbox, "alone.png"));
+}
+
+#[test]
 fn a_screenshot_that_cannot_be_written_ends_the_script() {
     let sandbox = Sandbox::new();
     sandbox.write("a.txt", "screenshot no/such/x.png\nkey w\n");

@@ -173,6 +173,34 @@ fn what_the_window_would_refuse_is_a_message_and_the_script_goes_on() {
 }
 
 #[test]
+fn refusals_go_to_standard_error_where_no_trace_has_them() {
+    let sandbox = Sandbox::new();
+    sandbox.write("s.txt", "key n\n\nrotate x 3 # nothing is chosen\nkey ctrl+e\nundo\nundo\nkey w\n");
+    let outcome = sandbox.run(&["script", "s.txt"]);
+    let no_node = "s.txt: line 3: No node is chosen. ";
+    assert_eq!((outcome.status, outcome.stdout.as_str()), (0, ""));
+    assert!(outcome.stderr.starts_with(no_node), "{}", outcome.stderr);
+    assert!(outcome.stderr.ends_with("s.txt: line 6: There is nothing to undo.\n"), "{}", outcome.stderr);
+    let traced = sandbox.run(&["script", "s.txt", "--trace"]).succeeds();
+    assert_eq!(traced.lines().count(), 6);
+}
+
+#[test]
+fn a_strict_script_ends_at_the_first_refusal() {
+    let sandbox = Sandbox::new();
+    sandbox.write("s.txt", "key n\nkey >\nundo\nundo\nkey w\n");
+    sandbox
+        .run(&["script", "s.txt", "--strict", "--state", "state.json"])
+        .refuses("s.txt: line 4: There is nothing to undo.");
+    assert_eq!(sandbox.names(), ["s.txt"], "what comes after it has not run");
+    let traced = sandbox.run(&["script", "s.txt", "--strict", "--trace"]);
+    assert_eq!((traced.status, traced.stdout.lines().count()), (1, 4));
+    assert_eq!(traced.stderr, "s.txt: line 4: There is nothing to undo.\n");
+    sandbox.write("s.txt", "key n\nkey >\nundo\nkey w\n");
+    sandbox.run(&["script", "s.txt", "--strict"]).succeeds();
+}
+
+#[test]
 fn bad_lines_are_named_and_nothing_is_run() {
     let sandbox = Sandbox::new();
     sandbox.write("s.txt", "key n\nkey w\nselect robot9\n\njump\nkey q # none\n");

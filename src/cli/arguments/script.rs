@@ -19,6 +19,10 @@ pub struct ScriptArguments {
     /// After each command, print a JSON object with its line, its message and the state.
     #[arg(long)]
     pub trace: bool,
+    /// End with exit status 1 at the first command that is refused. Without this the script goes on, and ends with 0; without --trace,
+    /// refusals go to standard error.
+    #[arg(long)]
+    pub strict: bool,
     /// Write keyframes and scenes also over files that another program has changed since they were read or written, or since the
     /// start. What they held is kept in NAME.bak. Without this, such a file is left alone, and the exit status is 1.
     #[arg(long)]
@@ -45,7 +49,7 @@ Run a script of hotkeys and gestures with no window. One command a line; # start
 
 {lines}
 The script is read whole first: a line that makes no sense, or an unknown node, is an error, and nothing is run. While it runs, \
-what the window would refuse with a message is a message here too. A file that cannot be written ends it with exit status 1, \
+what the window would refuse with a message is a message here too: in the trace, or on standard error. With --strict it ends the script with exit status 1. A file that cannot be written ends it with exit status 1, \
 ctrl+q with 0.",
         lines = crate::script::help()
     )

@@ -1,8 +1,10 @@
 //! Commands of files, pictures and films, and undo.
 
+use std::path::PathBuf;
+
 use super::line::{Ending, Line};
 use super::row::{Binding, Changes, Group, Menu, Row};
-use super::values::{file, file_text};
+use super::values::{file, file_text, quoted, split_option};
 use crate::editor::{Command, FileCommand, WindowCommand};
 use crate::words::texts;
 
@@ -29,13 +31,13 @@ fn keyframes() -> Vec<Row> {
                 Line::new(
                     "open FILE",
                     "imports another keyframe file, which is the one that is written from now on",
-                    |arguments| Ok(file(arguments).map(|path| Command::File(FileCommand::Open(path)))),
+                    |arguments| Ok(file(arguments.text).map(|path| Command::File(FileCommand::Open(path)))),
                     |command, _| {
                         let Command::File(FileCommand::Open(path)) = command else { return None };
                         file_text(path)
                     },
                 )
-                .ending(Ending::FilePath),
+                .ending(Ending::FilePath(None)),
             ),
         Row::listed(Changes::Files, save_as.hotkeys(&["Ctrl+Shift+S"])),
         Row::of(Changes::Files, "save-as-file", |command| matches!(command, Command::File(FileCommand::SaveAs(_))))
@@ -43,13 +45,13 @@ fn keyframes() -> Vec<Row> {
                 Line::new(
                     "save-as FILE",
                     "writes the keyframes to another file, which is the one that is written from now on",
-                    |arguments| Ok(file(arguments).map(|path| Command::File(FileCommand::SaveAs(path)))),
+                    |arguments| Ok(file(arguments.text).map(|path| Command::File(FileCommand::SaveAs(path)))),
                     |command, _| {
                         let Command::File(FileCommand::SaveAs(path)) = command else { return None };
                         file_text(path)
                     },
                 )
-                .ending(Ending::FilePath),
+                .ending(Ending::FilePath(None)),
             ),
     ]
 }
@@ -69,33 +71,50 @@ fn scene() -> Vec<Row> {
                 Line::new(
                     "save-scene FILE",
                     "writes the scene with its control nodes and keys",
-                    |arguments| Ok(file(arguments).map(|path| Command::File(FileCommand::SaveSceneAs(path)))),
+                    |arguments| Ok(file(arguments.text).map(|path| Command::File(FileCommand::SaveSceneAs(path)))),
                     |command, _| {
                         let Command::File(FileCommand::SaveSceneAs(path)) = command else { return None };
                         file_text(path)
                     },
                 )
-                .ending(Ending::FilePath),
+                .ending(Ending::FilePath(None)),
             ),
     ]
 }
 
+/// The option of `screenshot` for all that the window shows.
+const OVERLAYS: &str = "--overlays";
+
+fn screenshot(path: Option<PathBuf>, has_overlays: bool) -> Command {
+    Command::File(FileCommand::Screenshot { path, has_overlays })
+}
+
 fn pictures() -> Vec<Row> {
-    let beside = binding("screenshot", Command::File(FileCommand::Screenshot(None)));
+    let beside = binding("screenshot", screenshot(None, true));
     vec![
-        Row::of(Changes::Files, "screenshot", |command| matches!(command, Command::File(FileCommand::Screenshot(_))))
+        Row::of(Changes::Files, "screenshot", |command| matches!(command, Command::File(FileCommand::Screenshot { .. })))
             .binding(beside.hotkeys(&["s"]).section(7))
             .line(
                 Line::new(
-                    "screenshot PATH",
-                    "writes a picture of the scene",
-                    |arguments| Ok(file(arguments).map(|path| Command::File(FileCommand::Screenshot(Some(path))))),
+                    "screenshot [--overlays] PATH",
+                    "writes a picture of the scene alone; with `--overlays` as the window shows it, with arcball, outline, ghosts and paths",
+                    |arguments| {
+                        let (has_overlays, path) = split_option(arguments.text, Some(OVERLAYS));
+                        Ok(file(path).map(|path| screenshot(Some(path), has_overlays)))
+                    },
                     |command, _| {
-                        let Command::File(FileCommand::Screenshot(Some(path))) = command else { return None };
-                        file_text(path)
+                        let Command::File(FileCommand::Screenshot { path: Some(path), has_overlays }) = command else {
+                            return None;
+                        };
+                        let path = file_text(path)?;
+                        if *has_overlays {
+                            return Some(format!("{OVERLAYS} {path}"));
+                        }
+                        let is_option = split_option(&path, Some(OVERLAYS)).0;
+                        Some(if is_option { quoted(&path) } else { path })
                     },
                 )
-                .ending(Ending::FilePath),
+                .ending(Ending::FilePath(Some(OVERLAYS))),
             ),
     ]
 }

@@ -119,8 +119,8 @@ pub enum Ending {
     NodePath,
     /// In a name in double quotes, which stands last.
     Name,
-    /// In a file's path, if it stands in double quotes.
-    FilePath,
+    /// In a file's path, if it stands in double quotes; this option may stand before it.
+    FilePath(Option<&'static str>),
     /// In words in double quotes.
     QuotedWords,
 }

@@ -250,9 +250,15 @@ pub(super) fn token_text(token: &str) -> String {
     if is_bare { token.to_owned() } else { quoted(token) }
 }
 
+/// Whether a text begins with an option, and what stands after that.
+pub(crate) fn split_option<'t>(text: &'t str, option: Option<&str>) -> (bool, &'t str) {
+    let after = option.and_then(|option| text.strip_prefix(option));
+    let after = after.filter(|after| after.is_empty() || after.starts_with(char::is_whitespace));
+    after.map_or((false, text), |after| (true, after.trim_start()))
+}
+
 /// A file's path, which is the rest of a line, bare or in double quotes; `None` where there is none.
-pub(super) fn file(arguments: &Arguments<'_>) -> Option<PathBuf> {
-    let text = arguments.text;
+pub(super) fn file(text: &str) -> Option<PathBuf> {
     (!text.is_empty()).then(|| read_quoted(text).map_or_else(|| PathBuf::from(text), PathBuf::from))
 }
 
