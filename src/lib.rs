@@ -9,7 +9,7 @@
 //!
 //! | level | modules | may name |
 //! |---|---|---|
-//! | 0 | [`words`], [`text`], [`rbt`], [`interpolation`], [`rotation_rules`], [`json`], [`colour`], [`picture`], [`decode`], [`parallel`], [`unfinished`] | glam; `words` may name serde: settings store language codes; `decode` reads by serde |
+//! | 0 | [`words`], [`text`], [`rbt`], [`interpolation`], [`rotation_rules`], [`json`], [`colour`], [`picture`], [`decode`], [`parallel`], [`unfinished`], [`markup`], [`junit`] | glam; `words` may name serde: settings store language codes; `decode` reads by serde |
 //! | 0 | [`manual`] | pulldown-cmark |
 //! | 1 | [`timed`], [`pose`], [`blend`], [`scene`], [`camera`] | serde, in file formats |
 //! | 2 | [`keyframe`], [`clock`], [`settings`], [`text_layouts`], [`frame`], [`film`] | serde, in file formats; `Duration`, never `Instant` |
@@ -45,8 +45,10 @@ pub mod grading;
 pub mod interpolation;
 pub mod journal;
 pub mod json;
+pub mod junit;
 pub mod keyframe;
 pub mod manual;
+pub mod markup;
 pub mod parallel;
 pub mod picture;
 pub mod pose;

@@ -10,6 +10,7 @@ use crate::animation_diff::{Played, compare, frame_times_ms};
 use crate::export::{ExportError, Painter, Size};
 use crate::interpolation::Interpolation;
 use crate::keyframe::{KeyframeList, PlayRange, whole};
+use crate::markup::base64;
 use crate::render::Image;
 use crate::scene::SceneGraph;
 
@@ -153,30 +154,4 @@ fn animated(frames: &[Image]) -> Result<Vec<u8>, png::EncodingError> {
 
 fn picture(png: Vec<u8>, caption: String, starts_row: bool) -> ReportPicture {
     ReportPicture { base64: base64(&png), width: SIZE.width, height: SIZE.height, caption, starts_row }
-}
-
-fn base64(bytes: &[u8]) -> String {
-    const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
-    for three in bytes.chunks(3) {
-        let bits =
-            three.iter().enumerate().fold(0_u32, |bits, (index, &byte)| bits | u32::from(byte) << (16 - 8 * index));
-        for letter in 0..4 {
-            let is_there = letter <= three.len();
-            text.push(if is_there { LETTERS[(bits >> (18 - 6 * letter)) as usize & 63] as char } else { '=' });
-        }
-    }
-    text
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn base_64() {
-        for (text, expected) in [("", ""), ("f", "Zg=="), ("fo", "Zm8="), ("foo", "Zm9v"), ("foobar", "Zm9vYmFy")] {
-            assert_eq!(base64(text.as_bytes()), expected);
-        }
-    }
 }

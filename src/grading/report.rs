@@ -8,6 +8,7 @@ use super::marks::Marks;
 use super::pictures::ReportPicture;
 use super::rubric::Rubric;
 use super::tables::{diagnoses, number};
+use crate::markup::escaped;
 
 const STYLE: &str = "\
 body{font:15px/1.45 system-ui,sans-serif;margin:2rem auto;max-width:76rem;padding:0 1rem;color:#1f2430;background:#f7f7f5}
@@ -28,24 +29,6 @@ figure{margin:0;width:200px}figcaption{font-size:.8rem;color:#5b6472}img{display
 .overview td,.overview th,.items td{border-color:#333a44}.lost{color:#ff9a94}.full{color:#83d6a3}.note{background:#463a15}
 .sum,figcaption{color:#a0a8b4}.bar{background:#333a44}}
 @media print{body{background:#fff}section{break-inside:avoid}}";
-
-/// Text escaped for HTML, attributes included. Control characters, and those that change the direction of writing, become blanks.
-pub fn escaped(text: &str) -> String {
-    let mut safe = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => safe.push_str("&amp;"),
-            '<' => safe.push_str("&lt;"),
-            '>' => safe.push_str("&gt;"),
-            '"' => safe.push_str("&quot;"),
-            '\'' => safe.push_str("&#39;"),
-            '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' => safe.push(' '),
-            c if c.is_control() => safe.push(' '),
-            c => safe.push(c),
-        }
-    }
-    safe
-}
 
 /// The report: an overview with a row for each submission, then each with its points, reasons and pictures, which are in the order of
 /// `marks`.
