@@ -17,6 +17,7 @@ mod pixel_error;
 use thiserror::Error;
 
 use crate::picture::Image;
+use crate::words::{Message, texts};
 
 /// The default tolerance: two pictures with at most this score look the same.
 pub const DEFAULT_TOLERANCE: f32 = 0.06;
@@ -43,9 +44,35 @@ pub struct Comparison {
     width: u32,
     height: u32,
     errors: Vec<f32>,
-    score: f32,
-    mean: f32,
-    largest: f32,
+    scores: Scores,
+}
+
+/// The numbers of a comparison, each from 0 (the same) to 1.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Scores {
+    /// How different the pictures look: the mean FLIP error of the worst thousandth of the pixels.
+    pub score: f32,
+    /// FLIP's own number: the mean error of all pixels.
+    pub mean: f32,
+    /// The largest error of a pixel.
+    pub largest: f32,
+}
+
+impl Scores {
+    /// Whether the pictures look the same, up to a tolerance of the score.
+    #[must_use]
+    pub fn is_within(&self, tolerance: f32) -> bool {
+        self.score <= tolerance
+    }
+
+    /// The result as a sentence.
+    #[must_use]
+    pub fn sentence(&self, tolerance: f32) -> Message {
+        let [score, mean, largest] = [self.score, self.mean, self.largest].map(|number| format!("{number:.6}"));
+        let say: fn(String, String, String, String) -> Message =
+            if self.is_within(tolerance) { texts::flip_within } else { texts::flip_beyond };
+        say(score, tolerance.to_string(), mean, largest)
+    }
 }
 
 /// Checks that two pictures can be compared, by their widths and heights in pixels.
@@ -70,7 +97,7 @@ pub fn compare(first: &Image, second: &Image) -> Result<Comparison, CompareError
     let size = [width as usize, height as usize];
     if first.rgba == second.rgba {
         let errors = vec![0.0; size[0] * size[1]];
-        return Ok(Comparison { width, height, errors, score: 0.0, mean: 0.0, largest: 0.0 });
+        return Ok(Comparison { width, height, errors, scores: Scores::default() });
     }
     let is_opaque = |image: &Image| image.rgba.chunks_exact(4).all(|pixel| pixel[3] == u8::MAX);
     let over = |backdrop| pixel_error::errors(size, &first.rgba, &second.rgba, backdrop);
@@ -91,45 +118,20 @@ impl Comparison {
         // Summed in picture order and in f64, so that the sum does not depend on the order of the selection.
         let mut worst_errors = ordered[..worst].to_vec();
         worst_errors.sort_by(f32::total_cmp);
-        Self { width, height, score: mean(&worst_errors), mean: mean(&errors), largest, errors }
+        let scores = Scores { score: mean(&worst_errors), mean: mean(&errors), largest };
+        Self { width, height, errors, scores }
     }
 
-    /// How different the pictures look, from 0 (the same) to 1: the mean FLIP error of the worst thousandth of the pixels.
+    /// The numbers.
     #[must_use]
-    pub fn score(&self) -> f32 {
-        self.score
-    }
-
-    /// FLIP's own number, 0 to 1: the mean error of all pixels.
-    #[must_use]
-    pub fn mean(&self) -> f32 {
-        self.mean
-    }
-
-    /// The largest error of a pixel, 0 to 1.
-    #[must_use]
-    pub fn largest(&self) -> f32 {
-        self.largest
+    pub fn scores(&self) -> Scores {
+        self.scores
     }
 
     /// The FLIP error of each pixel, 0 to 1, rows from the top.
     #[must_use]
     pub fn errors(&self) -> &[f32] {
         &self.errors
-    }
-
-    /// Whether the pictures look the same, up to a tolerance of the score.
-    #[must_use]
-    pub fn is_within(&self, tolerance: f32) -> bool {
-        self.score <= tolerance
-    }
-
-    /// The result as a sentence: score, verdict, mean and largest error.
-    #[must_use]
-    pub fn sentence(&self, tolerance: f32) -> String {
-        let verdict = if self.is_within(tolerance) { "within" } else { "beyond" };
-        let Self { score, mean, largest, .. } = self;
-        format!("score {score:.6}, {verdict} the tolerance {tolerance} (mean {mean:.6}, largest {largest:.6})")
     }
 
     /// A picture of the errors: from black (0) through violet and orange to pale yellow (1).

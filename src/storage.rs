@@ -208,6 +208,15 @@ pub fn next_screenshot_path(beside: &Path) -> PathBuf {
         .expect("the numbers do not end")
 }
 
+/// Writes bytes at the end of a file, which is created if it is missing.
+///
+/// # Errors
+/// [`StorageError::System`]
+pub fn append(path: &Path, bytes: &[u8]) -> Result<(), StorageError> {
+    let mut file = fs::OpenOptions::new().append(true).create(true).open(path)?;
+    Ok(file.write_all(bytes)?)
+}
+
 /// Creates a folder and its parents if they are missing.
 ///
 /// # Errors

@@ -87,11 +87,11 @@ fn check(name: &str, drawn: &Image) {
     };
     let golden = Image::from_png(&golden).expect("a golden is a PNG");
     let found = compare(&golden, drawn).expect("a golden has the picture's size");
-    if !found.is_within(DEFAULT_TOLERANCE) {
+    if !found.scores().is_within(DEFAULT_TOLERANCE) {
         let difference = folder.join(format!("{name}-difference.png"));
         keep(&actual, drawn);
         keep(&difference, &found.difference());
-        panic!("{name} scores {}: see {} and {}", found.score(), actual.display(), difference.display());
+        panic!("{name} scores {}: see {} and {}", found.scores().score, actual.display(), difference.display());
     }
 }
 
@@ -113,7 +113,7 @@ fn two_robots_in_between() {
 #[test]
 fn the_picture_one_tick_later_is_another() {
     for (now, next) in [(waving(0), waving(1)), (cylinder(1.5), cylinder(1.5 + 1.0 / 60.0))] {
-        let score = compare(&now, &next).expect("one size").score();
+        let score = compare(&now, &next).expect("one size").scores().score;
         assert!(score > 2.0 * DEFAULT_TOLERANCE, "one tick later scores {score}");
     }
 }
@@ -140,7 +140,7 @@ fn what_nobody_sees_is_no_difference() {
         pixel[..3].iter_mut().for_each(|channel| *channel = channel.saturating_add(1));
     }
     for changed in [noisy, brighter] {
-        let score = compare(&rest, &changed).expect("one size").score();
+        let score = compare(&rest, &changed).expect("one size").scores().score;
         assert!(score < DEFAULT_TOLERANCE, "what nobody sees scores {score}");
     }
 }

@@ -4,7 +4,7 @@ use super::arguments::CompareArguments;
 use super::places::Places;
 use super::{CliError, Ended, output};
 use crate::files::{self, FileError};
-use crate::flip::{CompareError, Comparison, check_sizes, compare};
+use crate::flip::{CompareError, Scores, check_sizes, compare};
 use crate::storage;
 
 /// Compares two images, writes their difference where asked to, and prints the result.
@@ -27,18 +27,19 @@ pub fn run(arguments: &CompareArguments) -> Result<Ended, CliError> {
     }
     let [one, other] = [files::image(first).map_err(trouble)?, files::image(second).map_err(trouble)?];
     let found = compare(&one, &other).map_err(incomparable)?;
+    let scores = found.scores();
     if let Some(path) = &arguments.output {
         files::write(path, &found.difference().to_png()?).map_err(trouble)?;
     }
     let tolerance = arguments.tolerance;
-    let line = if arguments.json { json(&found, tolerance) } else { found.sentence(tolerance) };
+    let line = if arguments.json { json(scores, tolerance) } else { scores.sentence(tolerance).to_string() };
     output::say_beside(arguments.output.as_deref(), &format!("{line}\n"))?;
-    Ok(if found.is_within(tolerance) { Ended::Well } else { Ended::Beyond })
+    Ok(if scores.is_within(tolerance) { Ended::Well } else { Ended::Beyond })
 }
 
-fn json(found: &Comparison, tolerance: f32) -> String {
-    let [score, mean, largest] = [found.score(), found.mean(), found.largest()];
-    let is_within = found.is_within(tolerance);
+fn json(scores: Scores, tolerance: f32) -> String {
+    let Scores { score, mean, largest } = scores;
+    let is_within = scores.is_within(tolerance);
     format!(
         "{{\"score\": {score:?}, \"mean\": {mean:?}, \"largest\": {largest:?}, \"tolerance\": {tolerance:?}, \"within\": {is_within}}}"
     )

@@ -29,21 +29,21 @@ fn check(first: &Image, second: &Image) -> Comparison {
     let back = compare(second, first).unwrap();
     assert_eq!(found, back, "the order does not matter");
     assert!(found.errors().iter().all(|error| (0.0..=1.0).contains(error)));
-    assert!(found.mean() <= found.score() && found.score() <= found.largest());
+    assert!(found.scores().mean <= found.scores().score && found.scores().score <= found.scores().largest);
     found
 }
 
 #[test]
 fn a_picture_does_not_differ_from_itself() {
     let found = check(&scene(0, 0), &scene(0, 0));
-    assert_eq!((found.score(), found.mean(), found.largest()), (0.0, 0.0, 0.0));
-    assert!(found.is_within(0.0));
+    assert_eq!((found.scores().score, found.scores().mean, found.scores().largest), (0.0, 0.0, 0.0));
+    assert!(found.scores().is_within(0.0));
 }
 
 #[test]
 fn green_and_blue_differ_most_and_black_and_white_nearly_so() {
-    assert!(check(&plain([0, 255, 0]), &plain([0, 0, 255])).mean() > 0.9999);
-    let mean = check(&plain([0; 3]), &plain([255; 3])).mean();
+    assert!(check(&plain([0, 255, 0]), &plain([0, 0, 255])).scores().mean > 0.9999);
+    let mean = check(&plain([0; 3]), &plain([255; 3])).scores().mean;
     assert!((mean - 0.9672).abs() < 1e-3, "{mean}");
 }
 
@@ -51,9 +51,9 @@ fn green_and_blue_differ_most_and_black_and_white_nearly_so() {
 fn what_moves_is_seen_and_a_level_more_is_not() {
     let brighter = check(&scene(0, 0), &scene(0, 1));
     let moved = check(&scene(0, 0), &scene(1, 0));
-    assert!(brighter.is_within(DEFAULT_TOLERANCE), "{}", brighter.score());
-    assert!(!moved.is_within(3.0 * DEFAULT_TOLERANCE), "{}", moved.score());
-    assert!(check(&scene(0, 0), &scene(3, 0)).mean() > moved.mean());
+    assert!(brighter.scores().is_within(DEFAULT_TOLERANCE), "{}", brighter.scores().score);
+    assert!(!moved.scores().is_within(3.0 * DEFAULT_TOLERANCE), "{}", moved.scores().score);
+    assert!(check(&scene(0, 0), &scene(3, 0)).scores().mean > moved.scores().mean);
 }
 
 #[test]
@@ -71,15 +71,15 @@ fn errors_are_where_the_pictures_differ() {
 fn opacity_is_a_difference_too() {
     let black = picture(20, 20, |_, _| [0, 0, 0, 255]);
     let nothing = picture(20, 20, |_, _| [0, 0, 0, 0]);
-    assert!(check(&black, &nothing).mean() > 0.9);
+    assert!(check(&black, &nothing).scores().mean > 0.9);
     let hidden = picture(20, 20, |_, _| [255, 0, 0, 0]);
-    assert!(check(&hidden, &nothing).is_within(0.0));
+    assert!(check(&hidden, &nothing).scores().is_within(0.0));
 }
 
 #[test]
 fn small_pictures_and_none() {
     let dot = |level| picture(1, 1, |_, _| [level, level, level, 255]);
-    assert!(check(&dot(0), &dot(255)).mean() > 0.9);
+    assert!(check(&dot(0), &dot(255)).scores().mean > 0.9);
     assert_eq!(
         compare(&dot(0), &plain([0; 3])).unwrap_err().to_string(),
         "the pictures have different sizes: 1x1 and 40x30"
@@ -94,7 +94,7 @@ fn the_values_are_those_of_the_authors_program() {
     let check = |second: Image, mean: f32, largest: f32, pixels: [f32; 3]| {
         let found = check(&scene(0, 0), &second);
         let at = |x: usize, y: usize| found.errors()[y * 64 + x];
-        let all = [found.mean(), found.largest(), at(42, 24), at(20, 30), at(0, 0)];
+        let all = [found.scores().mean, found.scores().largest, at(42, 24), at(20, 30), at(0, 0)];
         let [first, second, third] = pixels;
         for (found, expected) in all.into_iter().zip([mean, largest, first, second, third]) {
             assert!((found - expected).abs() < 5e-4, "{all:?}, expected {mean} {largest} {pixels:?}");

@@ -5,10 +5,14 @@ use std::path::{Component, Path};
 
 use serde::Deserialize;
 
+use super::frames::frame_numbers;
+use super::shot::{Shot, When};
 use crate::decode;
 use crate::files::{self, FileError};
+use crate::film::MOST_FRAMES_PER_SECOND;
 use crate::flip::DEFAULT_TOLERANCE;
 use crate::interpolation::Interpolation;
+use crate::words::{Message, texts};
 
 /// The list's name in its folder.
 pub const LIST_NAME: &str = "pictures.json";
@@ -17,106 +21,158 @@ const FORMAT: &str = "inbetween.pictures";
 const VERSION: u32 = 1;
 /// The largest list that is read: 16 MiB.
 const LARGEST_BYTES: u64 = 16 << 20;
+/// The most pictures that a list asks for.
+const MOST_PICTURES: usize = 100_000;
+const USUAL_SIZE: [u32; 2] = [320, 240];
+const USUAL_SAMPLES: u32 = 1;
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct List {
     format: String,
     version: u32,
-    pictures: Vec<Shot>,
+    #[serde(default)]
+    defaults: Defaults,
+    pictures: Vec<Entry>,
 }
 
-/// One picture that the list asks for.
-#[derive(Clone, Debug, Deserialize)]
+/// What pictures have that do not say otherwise.
+#[derive(Clone, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Shot {
-    /// What the picture is called, and its files after it.
-    pub name: String,
-    /// The keyframe file, relative to the folder; without it, the scene's rest pose.
-    pub file: Option<String>,
-    /// A built-in scene, or a scene file relative to the folder.
-    pub scene: Option<String>,
-    /// The key time.
-    pub at: Option<f64>,
-    /// The keyframe of the list, instead of a key time.
-    pub keyframe: Option<i64>,
-    /// The time of the timed keys, in seconds.
-    #[serde(default)]
-    pub seconds: f64,
-    /// Width and height in pixels.
-    #[serde(default = "usual_size")]
-    pub size: [u32; 2],
-    /// The interpolation to use instead of the file's.
+struct Defaults {
+    file: Option<String>,
+    scene: Option<String>,
+    fps: Option<u32>,
+    seconds: Option<f64>,
+    size: Option<[u32; 2]>,
     interpolation: Option<String>,
-    /// Samples a pixel, 1 or 4.
-    #[serde(default = "usual_samples")]
-    pub samples: u32,
-    /// The eye, or turntable.
-    pub camera: Option<String>,
-    /// The largest score that counts as the same.
-    #[serde(default = "usual_tolerance")]
-    pub tolerance: f32,
+    samples: Option<u32>,
+    camera: Option<String>,
+    tolerance: Option<f32>,
+}
+
+/// One or several pictures.
+#[derive(Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Entry {
+    name: String,
+    file: Option<String>,
+    scene: Option<String>,
+    at: Option<KeyTimes>,
+    keyframe: Option<i64>,
+    frames: Option<String>,
+    fps: Option<u32>,
+    seconds: Option<f64>,
+    size: Option<[u32; 2]>,
+    interpolation: Option<String>,
+    samples: Option<u32>,
+    camera: Option<String>,
+    tolerance: Option<f32>,
     reference: Option<String>,
 }
 
-fn usual_size() -> [u32; 2] {
-    [320, 240]
+#[derive(Clone, Deserialize)]
+#[serde(untagged, expecting = "decode.kind.key-times")]
+enum KeyTimes {
+    One(f64),
+    Many(Vec<f64>),
 }
 
-fn usual_samples() -> u32 {
-    1
-}
-
-fn usual_tolerance() -> f32 {
-    DEFAULT_TOLERANCE
-}
-
-impl Shot {
-    /// The reference's name in the folder: NAME.png, unless the list says another.
-    #[must_use]
-    pub fn reference(&self) -> String {
-        self.reference.clone().unwrap_or_else(|| format!("{}.png", self.name))
-    }
-
-    /// The interpolation that replaces the file's.
-    #[must_use]
-    pub fn interpolation(&self) -> Option<Interpolation> {
-        self.interpolation.as_deref().and_then(Interpolation::from_name)
-    }
-
-    fn problem(&self) -> Option<String> {
-        let is_plain = |path: &String| {
-            let mut parts = Path::new(path).components();
-            !path.is_empty() && parts.all(|part| matches!(part, Component::Normal(_) | Component::CurDir))
-        };
-        if self.name.is_empty() || self.name.contains(['/', '\\']) || !is_plain(&self.name) {
-            return Some("the name names files, so it is not empty and has no / and no \\".to_owned());
+impl Entry {
+    /// The pictures, each with what its name has after the entry's.
+    fn moments(&self, fps: Option<u32>) -> Result<Vec<(String, When)>, Message> {
+        let asked = [self.at.is_some(), self.keyframe.is_some(), self.frames.is_some()];
+        if asked.iter().filter(|is_asked| **is_asked).count() > 1 {
+            return Err(texts::REFERENCES_ONE_MOMENT.into());
         }
-        for path in [&self.file, &self.scene, &self.reference].into_iter().flatten() {
+        if self.fps.is_some() && self.frames.is_none() {
+            return Err(texts::REFERENCES_FPS_NEEDS_FRAMES.into());
+        }
+        // Adding zero makes a zero of minus zero.
+        let moments: Vec<(String, When)> = match (&self.at, self.keyframe, &self.frames) {
+            (Some(KeyTimes::Many(all)), ..) => {
+                all.iter().map(|at| (format!("-{}", at + 0.0), When::At(at + 0.0))).collect()
+            }
+            (Some(KeyTimes::One(at)), ..) => vec![(String::new(), When::At(at + 0.0))],
+            (None, Some(index), _) => vec![(String::new(), When::Keyframe(index))],
+            (None, None, Some(frames)) => {
+                let fps = fps.ok_or(texts::REFERENCES_FRAMES_NEED_FPS)?;
+                if !(1..=MOST_FRAMES_PER_SECOND).contains(&fps) {
+                    return Err(texts::references_fps(fps.to_string(), MOST_FRAMES_PER_SECOND.to_string()));
+                }
+                let numbers = frame_numbers(frames, MOST_PICTURES);
+                let numbers = numbers.ok_or_else(|| texts::references_frames(format!("{frames:?}")))?;
+                numbers.into_iter().map(|number| (format!("-{number:05}"), When::Frame { number, fps })).collect()
+            }
+            (None, None, None) => vec![(String::new(), When::At(0.0))],
+        };
+        let is_one = moments.iter().all(|(suffix, _)| suffix.is_empty());
+        if self.reference.is_some() && !is_one {
+            return Err(texts::REFERENCES_ONE_REFERENCE.into());
+        }
+        Ok(moments)
+    }
+
+    /// The pictures that it asks for.
+    fn shots(self, defaults: &Defaults) -> Result<Vec<Shot>, Message> {
+        if self.name.contains(['/', '\\']) || !is_plain(&self.name) {
+            return Err(texts::REFERENCES_NAME.into());
+        }
+        let moments = self.moments(self.fps.or(defaults.fps))?;
+        let needs_file = self.at.is_some() || self.keyframe.is_some();
+        let file = self.file.or_else(|| defaults.file.clone());
+        let scene = self.scene.or_else(|| defaults.scene.clone());
+        for path in [&file, &scene, &self.reference].into_iter().flatten() {
             if !is_plain(path) {
-                return Some(format!("{path:?} leads out of the folder"));
+                return Err(texts::references_leads_out(format!("{path:?}")));
             }
         }
-        if let Some(name) = self.interpolation.as_ref().filter(|_| self.interpolation().is_none()) {
-            return Some(format!("unknown interpolation {name:?}"));
+        if needs_file && file.is_none() {
+            return Err(texts::REFERENCES_NEEDS_FILE.into());
         }
-        if self.at.is_some() && self.keyframe.is_some() {
-            return Some("\"at\" and \"keyframe\" cannot go together".to_owned());
+        let interpolation = self.interpolation.or_else(|| defaults.interpolation.clone());
+        let interpolation = interpolation.map(|name| {
+            Interpolation::from_name(&name).ok_or_else(|| texts::references_unknown_interpolation(format!("{name:?}")))
+        });
+        let samples = self.samples.or(defaults.samples).unwrap_or(USUAL_SAMPLES);
+        if !matches!(samples, 1 | 4) {
+            return Err(texts::references_samples(samples.to_string()));
         }
-        if self.file.is_none() && (self.at.is_some() || self.keyframe.is_some()) {
-            return Some("\"at\" and \"keyframe\" need a \"file\"".to_owned());
+        let tolerance = self.tolerance.or(defaults.tolerance).unwrap_or(DEFAULT_TOLERANCE);
+        if !(0.0..=1.0).contains(&tolerance) {
+            return Err(texts::references_tolerance(tolerance.to_string()));
         }
-        if !matches!(self.samples, 1 | 4) {
-            return Some(format!("samples is {}, expected 1 or 4", self.samples));
-        }
-        if !(0.0..=1.0).contains(&self.tolerance) {
-            return Some(format!("tolerance is {}, expected 0 to 1", self.tolerance));
-        }
-        None
+        let shot = Shot {
+            name: self.name,
+            file,
+            scene,
+            when: When::At(0.0),
+            seconds: self.seconds.or(defaults.seconds).unwrap_or_default(),
+            size: self.size.or(defaults.size).unwrap_or(USUAL_SIZE),
+            interpolation: interpolation.transpose()?,
+            samples,
+            camera: self.camera.or_else(|| defaults.camera.clone()),
+            tolerance,
+            reference: String::new(),
+        };
+        let one = |(suffix, when): (String, When)| {
+            let name = shot.name.clone() + &suffix;
+            let reference = self.reference.clone().unwrap_or_else(|| format!("{name}.png"));
+            Shot { name, when, reference, ..shot.clone() }
+        };
+        Ok(moments.into_iter().map(one).collect())
     }
 }
 
-/// Reads the list.
+/// Whether a path stays within its folder, and prints as one line.
+fn is_plain(path: &str) -> bool {
+    let mut parts = Path::new(path).components();
+    !path.is_empty()
+        && !path.contains(char::is_control)
+        && parts.all(|part| matches!(part, Component::Normal(_) | Component::CurDir))
+}
+
+/// Reads the list: every picture that it asks for, in its order.
 ///
 /// # Errors
 /// [`FileError`] with every problem.
@@ -126,18 +182,34 @@ pub fn read_list(path: &Path) -> Result<Vec<Shot>, FileError> {
     let list: List = decode::json(&bytes).map_err(|error| FileError::new(&location, error))?;
     if list.format != FORMAT || list.version != VERSION {
         let found = format!("{:?} version {}", list.format, list.version);
-        return Err(FileError::new(&location, format!("the format is {found}, expected {FORMAT:?} version {VERSION}")));
+        let expected = format!("{FORMAT:?} version {VERSION}");
+        return Err(FileError::new(&location, texts::references_format(found, expected)));
     }
     let mut names = HashSet::new();
+    let mut shots = Vec::new();
     let mut sentences = Vec::new();
-    for picture in &list.pictures {
-        let twice = (!names.insert(&picture.name)).then(|| "stands twice".to_owned());
-        for problem in picture.problem().into_iter().chain(twice) {
-            sentences.push(format!("{location}: picture {:?}: {problem}", picture.name));
+    let mut problem = |name: &str, problem: Message| {
+        sentences.push(texts::references_picture(path.display(), format!("{name:?}"), problem).to_string());
+    };
+    for entry in list.pictures {
+        let name = entry.name.clone();
+        match entry.shots(&list.defaults) {
+            Ok(of_entry) => {
+                for shot in of_entry {
+                    if !names.insert(shot.name.clone()) {
+                        problem(&shot.name, texts::REFERENCES_TWICE.into());
+                    }
+                    shots.push(shot);
+                }
+            }
+            Err(error) => problem(&name, error),
+        }
+        if shots.len() > MOST_PICTURES {
+            return Err(FileError::new(&location, texts::references_too_many(MOST_PICTURES.to_string())));
         }
     }
-    if list.pictures.is_empty() {
-        sentences.push(format!("{location}: there are no pictures"));
+    if shots.is_empty() && sentences.is_empty() {
+        sentences.push(format!("{location}: {}", texts::REFERENCES_NONE));
     }
-    if sentences.is_empty() { Ok(list.pictures) } else { Err(FileError::of_sentences(sentences)) }
+    if sentences.is_empty() { Ok(shots) } else { Err(FileError::of_sentences(sentences)) }
 }

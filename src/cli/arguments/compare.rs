@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
+use super::values::tolerance;
 use crate::flip::DEFAULT_TOLERANCE;
 
 /// Arguments of `compare`.
@@ -15,21 +16,13 @@ pub struct CompareArguments {
     /// The second image, of the same size.
     #[arg(value_name = "B.png")]
     pub second: PathBuf,
-    /// The largest score that counts as equal, 0 to 1.
+    /// The largest score that counts as equal, 0 to 1. The score is the mean FLIP error of the worst thousandth of the pixels.
     #[arg(long, value_name = "T", default_value_t = DEFAULT_TOLERANCE, value_parser = tolerance)]
     pub tolerance: f32,
     /// Write a PNG of the differences: black where equal, brighter for larger differences.
     #[arg(short, long, value_name = "DIFF.png")]
     pub output: Option<PathBuf>,
-    /// Print the result as JSON.
+    /// Print JSON: score, mean (FLIP's own number: the mean of all pixels), largest, tolerance, within.
     #[arg(long)]
     pub json: bool,
-}
-
-fn tolerance(text: &str) -> Result<f32, String> {
-    text.trim()
-        .parse()
-        .ok()
-        .filter(|tolerance| (0.0..=1.0).contains(tolerance))
-        .ok_or_else(|| format!("{text:?} is not a number from 0 to 1"))
 }

@@ -50,6 +50,15 @@ pub fn samples() -> impl TypedValueParser<Value = u32> {
     PossibleValuesParser::new(["1", "4"]).try_map(|samples| samples.parse::<u32>())
 }
 
+/// A tolerance of scores, 0 to 1.
+pub fn tolerance(text: &str) -> Result<f32, String> {
+    text.trim()
+        .parse()
+        .ok()
+        .filter(|tolerance| (0.0..=1.0).contains(tolerance))
+        .ok_or_else(|| format!("{text:?} is not a number from 0 to 1"))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
