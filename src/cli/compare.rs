@@ -6,6 +6,7 @@ use super::{CliError, Ended, output};
 use crate::files::{self, FileError};
 use crate::flip::{CompareError, Scores, check_sizes, compare};
 use crate::storage;
+use crate::words::texts;
 
 /// Compares two images, writes their difference where asked to, and prints the result.
 ///
@@ -32,7 +33,11 @@ pub fn run(arguments: &CompareArguments) -> Result<Ended, CliError> {
         files::write(path, &found.difference().to_png()?).map_err(trouble)?;
     }
     let tolerance = arguments.tolerance;
-    let line = if arguments.json { json(scores, tolerance) } else { scores.sentence(tolerance).to_string() };
+    let line = if arguments.json {
+        json(scores, tolerance)
+    } else {
+        texts::flip_explained(scores.sentence(tolerance)).to_string()
+    };
     output::say_beside(arguments.output.as_deref(), &format!("{line}\n"))?;
     Ok(if scores.is_within(tolerance) { Ended::Well } else { Ended::Beyond })
 }

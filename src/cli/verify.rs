@@ -45,7 +45,7 @@ pub fn run(arguments: &VerifyArguments, scene: Option<&Path>) -> Result<Ended, C
     let summary = if bad == 0 {
         texts::references_all_good(rows.len())
     } else {
-        texts::references_some_bad(bad.to_string(), rows.len(), page.display())
+        texts::references_some_bad(bad.to_string(), rows.len())
     };
     files::write(&page, references::page(&rows, &summary.to_string(), folder).as_bytes())?;
     if let Some(path) = &arguments.junit {
@@ -73,7 +73,8 @@ pub fn run(arguments: &VerifyArguments, scene: Option<&Path>) -> Result<Ended, C
                 say(&ignore_hint(arguments, &actual).to_string())?;
             }
         }
-        say(&summary.to_string())?;
+        let said = if bad == 0 { summary } else { texts::references_see(summary, page.display()) };
+        say(&said.to_string())?;
     }
     Ok(if bad == 0 { Ended::Well } else { Ended::Beyond })
 }

@@ -18,7 +18,11 @@ fn the_status_says_whether_images_look_the_same() {
     disc(&sandbox, "a.png", 30, 64);
     disc(&sandbox, "b.png", 31, 64);
     let same = sandbox.run(&["compare", "a.png", "a.png", "--tolerance", "0"]).succeeds();
-    assert_eq!(same, "score 0.000000, within the tolerance 0 (mean 0.000000, largest 0.000000)\n");
+    assert_eq!(
+        same,
+        "score 0.000000, within the tolerance 0; FLIP's mean 0.000000, largest 0.000000; the score is the mean of the worst thousandth of the \
+         pixels\n"
+    );
     let other = sandbox.run(&["compare", "a.png", "b.png", "-o", "diff.png"]);
     assert_eq!((other.status, other.stderr.as_str()), (1, ""));
     assert!(other.stdout.contains("beyond the tolerance 0.06"), "{}", other.stdout);

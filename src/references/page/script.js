@@ -9,7 +9,7 @@ for (const three of document.querySelectorAll(".three.both")) {
   const slider = element("input", { type: "range", min: 0, max: 1000, value: 500 });
   slider.setAttribute("aria-label", "share of the reference, from the left");
   const note = element("p", {});
-  const one = element("div", { hidden: true });
+  const one = element("div", { className: "one", hidden: true });
   one.append(pair, slider, note);
   three.after(one);
   let mode = "side by side";
