@@ -1,6 +1,5 @@
 //! Reference pictures: draws the pictures of a folder's list and compares them with the references beside it.
 
-mod frames;
 mod list;
 mod page;
 mod shot;
@@ -233,10 +232,9 @@ impl<'a> References<'a> {
             }
         };
         let (_, moments) = self.film.insert((key, film));
-        moments.get(number).copied().ok_or_else(|| {
-            let last = moments.len().saturating_sub(1).to_string();
-            FileError::of_sentences(vec![texts::references_no_frame(number.to_string(), last).to_string()]).into()
-        })
+        let last = moments.len().saturating_sub(1);
+        let no_frame = || ExportError::NoFrame { source_name: source.name(), frame: number, last, fps };
+        moments.get(number).copied().ok_or_else(|| no_frame().into())
     }
 }
 

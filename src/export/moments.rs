@@ -82,7 +82,8 @@ pub struct Moments {
 
 impl Source<'_> {
     /// The name for errors: the file, or the scene if there is no file.
-    pub(super) fn name(&self) -> String {
+    #[must_use]
+    pub fn name(&self) -> String {
         match self.file {
             Some(file) => input_name(file),
             None => format!("scene \"{}\"", self.scene.name()),

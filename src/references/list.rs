@@ -5,11 +5,10 @@ use std::path::{Component, Path};
 
 use serde::Deserialize;
 
-use super::frames::frame_numbers;
 use super::shot::{Shot, When};
 use crate::decode;
 use crate::files::{self, FileError};
-use crate::film::MOST_FRAMES_PER_SECOND;
+use crate::film::{FrameNumbers, MOST_FRAMES_PER_SECOND};
 use crate::flip::DEFAULT_TOLERANCE;
 use crate::interpolation::Interpolation;
 use crate::words::{Message, texts};
@@ -100,8 +99,8 @@ impl Entry {
                 if !(1..=MOST_FRAMES_PER_SECOND).contains(&fps) {
                     return Err(texts::references_fps(fps.to_string(), MOST_FRAMES_PER_SECOND.to_string()));
                 }
-                let numbers = frame_numbers(frames, MOST_PICTURES);
-                let numbers = numbers.ok_or_else(|| texts::references_frames(format!("{frames:?}")))?;
+                let numbers = FrameNumbers::parse(frames).map_err(|error| error.message())?.of_film(MOST_PICTURES);
+                let numbers = numbers.map_err(|number| texts::references_frame_beyond(number, MOST_PICTURES - 1))?;
                 numbers.into_iter().map(|number| (format!("-{number:05}"), When::Frame { number, fps })).collect()
             }
             (None, None, None) => vec![(String::new(), When::At(0.0))],

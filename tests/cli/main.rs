@@ -1,5 +1,7 @@
 //! The command line, by running the binary: bytes in; bytes, files and exit statuses out.
 
+#[cfg(target_os = "linux")]
+mod action;
 mod bounds;
 mod check;
 mod class;

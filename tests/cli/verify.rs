@@ -128,10 +128,7 @@ fn a_bad_list_is_bad_input_and_says_where() {
     check(json!({"name": "a", "file": "a.json", "frames": "0-5"}), "\"frames\" needs \"fps\"");
     check(json!({"name": "a", "file": "a.json", "fps": 5}), "\"fps\" needs \"frames\"");
     check(json!({"name": "a", "file": "a.json", "fps": 0, "frames": "1"}), "fps is 0, expected 1 to 1000");
-    check(
-        json!({"name": "a", "file": "a.json", "fps": 5, "frames": "5-1"}),
-        "frames is \"5-1\", expected numbers of frames",
-    );
+    check(json!({"name": "a", "file": "a.json", "fps": 5, "frames": "5-1"}), "\"5-1\" ends before it begins");
     check(json!({"name": "a\nb"}), "no control character");
     check(json!({"name": "a", "tolerance": 2}), "tolerance is 2, expected 0 to 1");
     check(json!({"name": "a", "colour": "red"}), "unknown field \"colour\", expected name, ");
@@ -220,7 +217,13 @@ fn one_entry_asks_for_many_pictures_and_defaults_are_for_all() {
     });
     sandbox.write("dir/pictures.json", beyond.to_string());
     let outcome = sandbox.run(&["verify", "dir"]);
-    assert!(outcome.stderr.contains("FAIL film-00009: there is no frame 9: they are 0 to 8\n"), "{}", outcome.stderr);
+    assert!(
+        outcome
+            .stderr
+            .contains("FAIL film-00009: dir/a.json: there is no frame 9: with 2 frames a second they are 0 to 8\n"),
+        "{}",
+        outcome.stderr
+    );
 }
 
 #[test]

@@ -9,6 +9,7 @@ use glam::Vec3;
 use inbetween::editor::keymap::{Chord, Keymap, by_id};
 use inbetween::editor::{Command, Edit, Editor, PlaybackCommand, SceneEdit, TimelineEdit, ViewCommand, Written};
 use inbetween::film::ExportEnd;
+use inbetween::flip::Scores;
 use inbetween::keyframe::KeyframeIndex;
 use inbetween::pose::RbtIndex;
 use inbetween::scene::{DEFAULT_SCENE, built_in_scene};
@@ -172,6 +173,8 @@ pub fn window_and_failures() -> String {
         texts::DECODE_OTHER.into(),
         texts::decode_expected(texts::DECODE_KIND_OTHER),
         texts::timed_not_finite(f64::NAN),
+        // A score depends on the driver that draws.
+        Scores { score: 0.75, mean: 0.01, largest: 1.0 }.sentence(0.5),
         texts::EXPORT_TOO_MANY_FRAMES.into(),
         texts::EXPORT_FRAME_GONE.into(),
         texts::export_ffmpeg_lost("it broke"),
