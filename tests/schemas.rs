@@ -6,6 +6,7 @@ use std::path::Path;
 use boon::{Compiler, SchemaIndex, Schemas};
 use inbetween::interpolation::Interpolation;
 use inbetween::keyframe::{Easing, keyframes_from_json};
+use inbetween::references::read_list;
 use inbetween::scene::{SceneGraph, scene_from_json};
 use inbetween::settings::{Settings, ThemeChoice};
 use inbetween::words::Language;
@@ -68,6 +69,15 @@ fn reader_of_scenes() -> Reader {
 
 fn reader_of_settings() -> Reader {
     Box::new(|text| Settings::from_json(text.as_bytes()).is_ok())
+}
+
+fn reader_of_pictures() -> Reader {
+    let folder = tempfile::tempdir().unwrap();
+    Box::new(move |text| {
+        let path = folder.path().join("pictures.json");
+        fs::write(&path, text).unwrap();
+        read_list(&path).is_ok()
+    })
 }
 
 /// Every changed copy of a value, with whether it has a field that no format has. Of long arrays only the start is changed.
@@ -185,6 +195,22 @@ fn settings() {
     settings.used(Path::new("folder/걷기.json"));
     settings.resized("side", 300.0);
     check("settings", &settings.to_json(), &reader_of_settings());
+}
+
+#[test]
+fn lists_of_pictures() {
+    let list = json!({
+        "format": "inbetween.pictures", "version": 1,
+        "defaults": {"file": "wave.json", "fps": 25, "size": [64, 48], "tolerance": 0.1, "scene": "cylinder", "samples": 4,
+                     "seconds": 1.5, "interpolation": "linear", "camera": "turntable"},
+        "pictures": [
+            {"name": "at", "at": [0, 0.5], "file": "a/b.json", "size": [32, 24]},
+            {"name": "film", "frames": "0-50:10", "fps": 5, "tolerance": 0.5, "samples": 1, "interpolation": "catmull-rom"},
+            {"name": "key", "keyframe": 3, "reference": "third.png", "camera": "sky", "seconds": 2, "scene": "cylinder"},
+            {"name": "rest", "file": null},
+        ],
+    });
+    check("pictures", &list.to_string(), &reader_of_pictures());
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 use std::path::{Component, Path};
 
-use serde::Deserialize;
+use serde::{Deserialize, Deserializer};
 
 use super::shot::{Shot, When};
 use crate::decode;
@@ -55,7 +55,8 @@ struct Defaults {
 #[serde(deny_unknown_fields)]
 struct Entry {
     name: String,
-    file: Option<String>,
+    #[serde(default)]
+    file: FileOfEntry,
     scene: Option<String>,
     at: Option<KeyTimes>,
     keyframe: Option<i64>,
@@ -75,6 +76,22 @@ struct Entry {
 enum KeyTimes {
     One(f64),
     Many(Vec<f64>),
+}
+
+/// The keyframe file of an entry.
+#[derive(Clone, Default)]
+enum FileOfEntry {
+    /// That of the defaults, if there is one.
+    #[default]
+    OfDefaults,
+    /// This one; `null` is none.
+    Own(Option<String>),
+}
+
+impl<'de> Deserialize<'de> for FileOfEntry {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        Option::deserialize(deserializer).map(Self::Own)
+    }
 }
 
 impl Entry {
@@ -119,7 +136,10 @@ impl Entry {
         }
         let moments = self.moments(self.fps.or(defaults.fps))?;
         let needs_file = self.at.is_some() || self.keyframe.is_some();
-        let file = self.file.or_else(|| defaults.file.clone());
+        let file = match self.file {
+            FileOfEntry::OfDefaults => defaults.file.clone(),
+            FileOfEntry::Own(file) => file,
+        };
         let scene = self.scene.or_else(|| defaults.scene.clone());
         for path in [&file, &scene, &self.reference].into_iter().flatten() {
             if !is_plain(path) {
