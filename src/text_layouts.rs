@@ -1,14 +1,18 @@
-//! Import and export of keyframes as text in a dozen layouts of students' own programs. The content tells the layout.
+//! Import and export of keyframes as text in the layouts of students' own programs. The content tells the layout: numbers decide, and
+//! what stands between them is checked.
 //!
 //! Bytes in, keyframes and a report of inferences out; keyframes in, text out. This module does not know files or windows. A text is read
 //! in several passes and never copied: apart from the keyframes, memory does not grow with the text. Counts in a header are checked against
 //! the text before memory is allocated for them.
 
-mod csv;
+mod columns;
 mod error;
+mod header;
 mod joints;
 mod layout;
 mod lexer;
+mod marks;
+mod places;
 mod plan;
 mod python;
 mod reading;
@@ -107,21 +111,38 @@ pub fn import(bytes: &[u8], scene: &SceneGraph, options: &Options) -> Result<Imp
     if text.starts_with(b"\xff\xfe") || text.starts_with(b"\xfe\xff") {
         return Err(TextError::new(bytes, at, TextProblem::Utf16).into());
     }
-    let (mut plan, named_order) = if csv::is_csv(text) {
-        let (plan, order) = csv::plan(bytes, at, scene, options)?;
-        (plan, Some(order))
-    } else {
-        (plan::plan(bytes, scene, options)?, None)
-    };
+    let read = import_text(bytes, at, scene, options).map_err(|error| TextError {
+        can_be_salvaged: error.problem.is_of_counts() && !options.salvage && can_be_salvaged(bytes, at, scene, options),
+        ..error
+    });
+    let (file, report) = read?;
+    Ok(Imported::Text(file, report))
+}
+
+/// Whether a text that cannot be read has whole keyframes that can be.
+fn can_be_salvaged(bytes: &[u8], at: usize, scene: &SceneGraph, options: &Options) -> bool {
+    let options = Options { salvage: true, ..options.clone() };
+    import_text(bytes, at, scene, &options).is_ok_and(|(file, _)| !file.keyframes.is_empty())
+}
+
+/// Reads a text of rows. `at` is the byte at which it begins.
+fn import_text(
+    bytes: &[u8],
+    at: usize,
+    scene: &SceneGraph,
+    options: &Options,
+) -> Result<(KeyframeFile, Report), TextError> {
+    let mut plan = plan::plan(bytes, scene, options)?;
     if options.salvage && plan.keyframes == 0 {
-        return Err(TextError::new(bytes, at, TextProblem::NothingToSalvage).into());
+        return Err(TextError::new(bytes, at, TextProblem::NothingToSalvage));
     }
-    let keyframes = rows::keyframes(bytes, &mut plan, named_order, scene, options)?;
+    places::check(bytes, &mut plan)?;
+    let keyframes = rows::keyframes(bytes, &mut plan, scene, options)?;
     let summary = texts::file_text_summary(
         texts::count_keyframes(keyframes.len()),
         texts::count_nodes(plan.nodes),
         plan.layout.name(),
     );
     let file = KeyframeFile { interpolation: None, ms_between_keyframes: None, keyframes };
-    Ok(Imported::Text(file, Report { summary, findings: plan.findings }))
+    Ok((file, Report { summary, findings: plan.findings }))
 }

@@ -14,13 +14,15 @@ pub struct TextError {
     pub column: usize,
     /// The error.
     pub problem: TextProblem,
+    /// Whether whole keyframes before the error can be salvaged.
+    pub can_be_salvaged: bool,
 }
 
 impl TextError {
     /// A problem at a byte of a text.
     pub(super) fn new(bytes: &[u8], at: usize, problem: TextProblem) -> Self {
         let (line, column) = line_and_column(bytes, at);
-        Self { line, column, problem }
+        Self { line, column, problem, can_be_salvaged: false }
     }
 }
 
@@ -76,6 +78,18 @@ pub enum TextProblem {
         /// The number of numbers expected.
         expected: usize,
     },
+    /// A number has a decimal comma.
+    DecimalComma {
+        /// The number as it is written.
+        found: String,
+    },
+    /// Without a header the number of nodes was guessed, and the offsets match no robot.
+    Guessed {
+        /// The number of nodes that would make whole keyframes.
+        nodes: usize,
+        /// The supported numbers of nodes, as a phrase.
+        expected: Argument,
+    },
     /// The keyframes are of another scene.
     NodeCount {
         /// The number of nodes per keyframe found.
@@ -130,11 +144,18 @@ impl TextError {
     /// The error as a message, with line and column.
     #[must_use]
     pub fn message(&self) -> Message {
-        texts::text_at(self.line, self.column, self.problem.message())
+        let problem = self.problem.message();
+        let problem = if self.can_be_salvaged { texts::text_can_be_salvaged(problem) } else { problem };
+        texts::text_at(self.line, self.column, problem)
     }
 }
 
 impl TextProblem {
+    /// Whether it is a problem of how many numbers there are: what stands before it may be whole.
+    pub(super) fn is_of_counts(&self) -> bool {
+        matches!(self, Self::Header { .. } | Self::Incomplete { .. } | Self::KeyframeLength { .. })
+    }
+
     /// The error as a message without its location.
     #[must_use]
     pub fn message(&self) -> Message {
@@ -153,6 +174,8 @@ impl TextProblem {
             Self::KeyframeLength { keyframe, found, expected } => {
                 texts::text_keyframe_length(*keyframe, *found, *expected)
             }
+            Self::DecimalComma { found } => texts::text_decimal_comma(words::quoted(found), found.replace(',', ".")),
+            Self::Guessed { nodes, expected } => texts::text_guessed(*nodes, expected.clone()),
             Self::NodeCount { found, expected } => texts::text_node_count(*found, expected.clone()),
             Self::NotUnit { keyframe, row, is_last: true, length, hint } => {
                 texts::text_not_unit_last(*keyframe, *row, *length, optional(hint.as_ref()))

@@ -1,8 +1,15 @@
-//! Splits a text into numbers, separators, line ends and words. Nothing is stored: a second pass reads the text again.
+//! Splits a text into numbers, separators, marks, line ends and words. Nothing is stored: a second pass reads the text again.
+//!
+//! Numbers decide what a text says. Everything else is a separator, which may stand anywhere; a mark, whose places are checked later; a
+//! comment, which is skipped; or a word, which is an error.
 
 use super::error::{TextError, TextProblem, quoted};
+use super::marks::MarkKind;
 use crate::text::without_byte_order_mark;
 use crate::words::{Phrase, texts};
+
+/// A line that begins with a word is a mark if it has fewer numbers than this. The shortest line of a row has three.
+const NUMBERS_OF_A_ROW: usize = 3;
 
 /// A token.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -11,6 +18,8 @@ pub(super) enum Token<'a> {
     Number(f32),
     /// `,` or `;`.
     Separator(u8),
+    /// What stands between rows or keyframes: a line that begins with no number, such as `frame 3` or `****`, or signs such as `|`.
+    Mark(&'a [u8]),
     /// The end of a line.
     LineEnd,
     /// Anything else up to the next blank or separator.
@@ -22,6 +31,8 @@ pub(super) enum Token<'a> {
 pub(super) struct Piece<'a> {
     /// The byte offset of its start.
     pub(super) at: usize,
+    /// The byte offset of its end.
+    pub(super) end: usize,
     /// The token.
     pub(super) token: Token<'a>,
 }
@@ -31,26 +42,60 @@ pub(super) struct Piece<'a> {
 pub(super) struct Lexer<'a> {
     bytes: &'a [u8],
     at: usize,
+    /// Whether nothing of the line was read.
+    is_line_start: bool,
+    /// Whether a number was read.
+    has_numbers: bool,
 }
 
 impl<'a> Lexer<'a> {
-    /// A lexer that starts at a byte offset.
+    /// A lexer that starts at a byte offset, at which a line begins.
     pub(super) fn new(bytes: &'a [u8], at: usize) -> Self {
         let mark = if at == 0 { bytes.len() - without_byte_order_mark(bytes).len() } else { 0 };
-        Self { bytes, at: at + mark }
+        Self { bytes, at: at + mark, is_line_start: true, has_numbers: false }
     }
 
-    /// The unread rest.
-    pub(super) fn rest(&self) -> &'a [u8] {
-        &self.bytes[self.at..]
-    }
-
-    /// Reads the rest of the line and returns it without its end.
-    pub(super) fn rest_of_line(&mut self) -> &'a [u8] {
-        let rest = &self.bytes[self.at..];
-        let length = rest.iter().position(|&byte| byte == b'\n').unwrap_or(rest.len());
-        self.at += length;
-        &rest[..length]
+    /// The length and the token of what begins here; `rest` begins with no blank.
+    fn token(&self, rest: &'a [u8]) -> (usize, Token<'a>) {
+        match rest[0] {
+            b'\n' => return (1, Token::LineEnd),
+            // Some tables have a first column without a name.
+            b',' if self.is_line_start && !self.has_numbers && is_mark_line(rest) => {}
+            separator @ (b',' | b';') => return (1, Token::Separator(separator)),
+            _ => {}
+        }
+        let run = run(rest);
+        if let Some(value) = number(run) {
+            return (run.len(), Token::Number(value));
+        }
+        if is_not_finite(run) {
+            return (run.len(), Token::Word(run));
+        }
+        if self.is_line_start && is_mark_line(rest) {
+            let line = line(rest).trim_ascii_end();
+            return (line.len(), Token::Mark(line));
+        }
+        let kind = MarkKind::of(run);
+        if kind == MarkKind::Frame && !self.is_line_start {
+            let line = line(rest).trim_ascii_end();
+            return (line.len(), Token::Mark(line));
+        }
+        if kind == MarkKind::End {
+            return (run.len(), Token::Mark(run));
+        }
+        let digits = run.iter().position(|&byte| is_sign(byte)).unwrap_or(run.len());
+        if digits == 0 {
+            let signs = run.iter().position(|&byte| !is_sign(byte)).unwrap_or(run.len());
+            return (signs, Token::Mark(&run[..signs]));
+        }
+        match number(&run[..digits]).or_else(|| number(run[..digits].strip_suffix(b"f")?)) {
+            Some(value) => (digits, Token::Number(value)),
+            // A minus alone stands between numbers as any other sign does.
+            None if run.iter().all(|&byte| byte == b'-' || byte == b'+' || byte == b'.') => {
+                (run.len(), Token::Mark(run))
+            }
+            None => (run.len(), Token::Word(run)),
+        }
     }
 }
 
@@ -58,21 +103,21 @@ impl<'a> Iterator for Lexer<'a> {
     type Item = Piece<'a>;
 
     fn next(&mut self) -> Option<Piece<'a>> {
-        let rest = &self.bytes[self.at..];
-        let blanks = rest.iter().position(|&byte| !is_blank(byte))?;
-        let (at, rest) = (self.at + blanks, &rest[blanks..]);
-        let (length, token) = match rest[0] {
-            b'\n' => (1, Token::LineEnd),
-            separator @ (b',' | b';') => (1, Token::Separator(separator)),
-            _ => {
-                let is_end = |&byte: &u8| is_blank(byte) || matches!(byte, b'\n' | b',' | b';');
-                let length = rest.iter().position(is_end).unwrap_or(rest.len());
-                let run = &rest[..length];
-                (length, number(run).map_or(Token::Word(run), Token::Number))
+        loop {
+            let rest = &self.bytes[self.at..];
+            let blanks = rest.iter().position(|&byte| !is_blank(byte))?;
+            let rest = &rest[blanks..];
+            self.at += blanks;
+            if !is_comment(rest) {
+                let (length, token) = self.token(rest);
+                let at = self.at;
+                self.at += length;
+                self.is_line_start = token == Token::LineEnd;
+                self.has_numbers |= matches!(token, Token::Number(_));
+                return Some(Piece { at, end: self.at, token });
             }
-        };
-        self.at = at + length;
-        Some(Piece { at, token })
+            self.at += line(rest).len();
+        }
     }
 }
 
@@ -86,12 +131,10 @@ pub(super) fn numbers(bytes: &[u8], from: usize) -> impl Iterator<Item = (usize,
 
 /// The error for a number that is not finite, or for a word instead of a number.
 pub(super) fn not_a_number(bytes: &[u8], piece: Piece<'_>, expected: Phrase) -> TextError {
-    let rest = &bytes[piece.at..];
-    let is_end = |&byte: &u8| is_blank(byte) || matches!(byte, b'\n' | b',' | b';');
-    let length = rest.iter().position(is_end).unwrap_or(rest.len()).max(1).min(rest.len());
-    let run = &rest[..length];
+    let run = run(&bytes[piece.at..]);
+    let run = if run.is_empty() { &bytes[piece.at..piece.end] } else { run };
     let problem = if matches!(piece.token, Token::Number(_)) || is_not_finite(run) {
-        TextProblem::NotFinite { found: String::from_utf8_lossy(&run[..length.min(40)]).into_owned() }
+        TextProblem::NotFinite { found: String::from_utf8_lossy(&run[..run.len().min(40)]).into_owned() }
     } else if let Some(byte) = run.iter().find(|byte| byte.is_ascii_control()) {
         TextProblem::Unexpected {
             found: texts::text_found_byte(format!("{byte:#04x}")).into(),
@@ -103,8 +146,53 @@ pub(super) fn not_a_number(bytes: &[u8], piece: Piece<'_>, expected: Phrase) -> 
     TextError::new(bytes, piece.at, problem)
 }
 
+/// The bytes up to the next blank, separator or line end.
+fn run(rest: &[u8]) -> &[u8] {
+    let is_end = |&byte: &u8| is_blank(byte) || matches!(byte, b'\n' | b',' | b';');
+    &rest[..rest.iter().position(is_end).unwrap_or(rest.len())]
+}
+
+/// The rest of a line, without its end.
+fn line(rest: &[u8]) -> &[u8] {
+    &rest[..rest.iter().position(|&byte| byte == b'\n').unwrap_or(rest.len())]
+}
+
+/// Whether a line that begins with no number stands between rows: it has fewer numbers than a row, and is text.
+fn is_mark_line(rest: &[u8]) -> bool {
+    let line = line(rest);
+    let pieces = line.split(|&byte| is_blank(byte) || is_sign(byte) || matches!(byte, b',' | b';'));
+    let mut has_letters = false;
+    let mut numbers = 0;
+    for piece in pieces.filter(|piece| !piece.is_empty()) {
+        if number(piece).is_some() {
+            numbers += 1;
+        }
+        has_letters |= piece.iter().any(|byte| byte.is_ascii_alphabetic() || !byte.is_ascii());
+        if numbers == NUMBERS_OF_A_ROW {
+            return false;
+        }
+    }
+    // Brackets around a few numbers are the brackets of a row that goes on, or of a header.
+    let is_bracketed = matches!(line[0], b'[' | b'(' | b'{' | b'|') && !has_letters && numbers > 0;
+    let is_text =
+        std::str::from_utf8(line).is_ok_and(|line| !line.chars().any(|c| c.is_control() && !c.is_whitespace()));
+    let is_separator =
+        numbers == 0 && !has_letters && line.iter().all(|&byte| is_blank(byte) || matches!(byte, b',' | b';'));
+    is_text && !is_bracketed && !is_separator
+}
+
+fn is_comment(rest: &[u8]) -> bool {
+    rest.starts_with(b"#") || rest.starts_with(b"//")
+}
+
+/// Quotes around numbers or names mean nothing.
 fn is_blank(byte: u8) -> bool {
-    matches!(byte, b' ' | b'\t' | b'\r' | 0x0b | 0x0c)
+    matches!(byte, b' ' | b'\t' | b'\r' | 0x0b | 0x0c | b'"' | b'\'')
+}
+
+/// Signs that may stand beside a number without a blank.
+fn is_sign(byte: u8) -> bool {
+    byte.is_ascii_punctuation() && !matches!(byte, b'+' | b'-' | b'.' | b',' | b';' | b'#' | b'_' | b'"' | b'\'')
 }
 
 fn number(run: &[u8]) -> Option<f32> {
@@ -116,5 +204,8 @@ fn number(run: &[u8]) -> Option<f32> {
 /// The output of C and C++ programs for NaN and infinity: `nan`, `-nan(ind)`, `inf`, `1.#QNAN`, `-1.#IND`.
 fn is_not_finite(run: &[u8]) -> bool {
     let unsigned = run.strip_prefix(b"-").or(run.strip_prefix(b"+")).unwrap_or(run).to_ascii_lowercase();
-    unsigned.starts_with(b"nan") || unsigned.starts_with(b"inf") || unsigned.starts_with(b"1.#")
+    let begins = |word: &[u8]| {
+        unsigned.strip_prefix(word).is_some_and(|rest| !rest.first().is_some_and(u8::is_ascii_alphabetic))
+    };
+    begins(b"nan") || begins(b"inf") || begins(b"infinity") || unsigned.starts_with(b"1.#")
 }

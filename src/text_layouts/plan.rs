@@ -1,16 +1,22 @@
 //! Infers how the numbers of a text form keyframes: the layout, the header, and the number of nodes per keyframe.
 
 use super::Options;
+use super::columns::{self, Columns};
 use super::error::{TextError, TextProblem, in_rows};
-use super::layout::Layout;
+use super::header::{self, Header};
+use super::joints::{self, JointList};
+use super::layout::{FieldOrder, Layout};
+use super::marks::{MOST_HEADER, MarkKind, Marks};
 use super::report::{Certainty, Finding};
+use super::rows;
 use super::structure::{Irregular, Structure, structure};
 use crate::rotation_rules::RECOGNISED;
 use crate::scene::SceneGraph;
+use crate::text::listed;
 use crate::words::{self, Argument, texts};
 
 /// Numbers per row: a translation and a quaternion.
-const ROW: usize = 7;
+pub(super) const ROW: usize = 7;
 /// Numbers per matrix.
 const MATRIX: usize = 16;
 /// The number of nodes of the scene to which the course's later assignments add some.
@@ -19,11 +25,11 @@ const COURSE_NODES: usize = 22;
 const LATER_COURSE_NODES: [usize; 3] = [24, 25, 26];
 
 /// The inferred structure of a text.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Plan {
     /// The layout that the text is in.
     pub(super) layout: Layout,
-    /// The byte offset of the first number.
+    /// The byte offset of the first line with numbers to be read.
     pub(super) from: usize,
     /// The byte offset after the last number.
     pub(super) end: usize,
@@ -35,6 +41,10 @@ pub(super) struct Plan {
     pub(super) nodes: usize,
     /// The number of keyframes.
     pub(super) keyframes: usize,
+    /// The order of the numbers that the names of columns tell.
+    pub(super) named_order: Option<FieldOrder>,
+    /// Whether w is the last number of the quaternion.
+    pub(super) is_w_last: bool,
     /// The inferences so far.
     pub(super) findings: Vec<Finding>,
 }
@@ -45,52 +55,106 @@ impl Plan {
     }
 }
 
-/// The possible numbers of nodes per keyframe, the most likely first.
-pub(super) fn node_counts(scene: &SceneGraph, options: &Options) -> Vec<usize> {
-    let own = options.joints.as_ref().map_or(scene.rbt_count(), super::JointList::rows);
-    let is_course = scene.rbt_count() == COURSE_NODES;
-    let mut counts = vec![own];
-    counts.extend(LATER_COURSE_NODES.into_iter().filter(|&later| is_course && later > own));
-    counts
+/// The possible numbers of nodes per keyframe.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Counts {
+    /// That of the scene or of the list of joints, then those of later assignments.
+    likely: Vec<usize>,
+    /// That of a scene whose robots have no heads. The offsets must confirm it.
+    without_heads: Option<usize>,
 }
 
-/// The numbers of nodes in words: `22, 24, 25 or 26`.
-pub(super) fn in_words(counts: &[usize]) -> Argument {
-    words::one_of(&counts.iter().map(ToString::to_string).collect::<Vec<_>>())
+impl Counts {
+    fn new(scene: &SceneGraph, options: &Options) -> Self {
+        let own = options.joints.as_ref().map_or(scene.rbt_count(), JointList::rows);
+        let is_course = scene.rbt_count() == COURSE_NODES;
+        let mut likely = vec![own];
+        likely.extend(LATER_COURSE_NODES.into_iter().filter(|&later| is_course && later > own));
+        let heads = joints::heads(scene).len();
+        Self { likely, without_heads: (heads > 0 && options.joints.is_none()).then(|| own - heads) }
+    }
+
+    /// The scene's own number, or that of the list of joints.
+    pub(super) fn own(&self) -> usize {
+        self.likely[0]
+    }
+
+    /// Whether keyframes may have so many nodes.
+    pub(super) fn accept(&self, nodes: usize) -> bool {
+        self.all().any(|count| count == nodes)
+    }
+
+    /// Whether a number must be confirmed by the offsets.
+    fn needs_offsets(&self, nodes: usize) -> bool {
+        self.without_heads == Some(nodes) && !self.likely.contains(&nodes)
+    }
+
+    /// All numbers, the most likely first.
+    pub(super) fn all(&self) -> impl Iterator<Item = usize> + '_ {
+        self.likely.iter().copied().chain(self.without_heads)
+    }
+
+    /// The likely numbers in words: `22, 24, 25 or 26`.
+    pub(super) fn in_words(&self) -> Argument {
+        words::one_of(&self.likely.iter().map(ToString::to_string).collect::<Vec<_>>())
+    }
 }
 
 struct Planner<'a> {
     bytes: &'a [u8],
+    scene: &'a SceneGraph,
     structure: &'a Structure,
-    counts: Vec<usize>,
-    salvage: bool,
+    counts: Counts,
+    options: &'a Options,
 }
 
-/// The plan of a text that is not CSV.
+/// The plan of a text.
 ///
 /// # Errors
 /// The first error.
 pub(super) fn plan(bytes: &[u8], scene: &SceneGraph, options: &Options) -> Result<Plan, TextError> {
     let structure = structure(bytes);
+    let counts = Counts::new(scene, options);
+    if let Some(columns) = Columns::find(bytes, &structure) {
+        let plan = columns::plan(bytes, &columns, &counts, options)?;
+        return confirmed(bytes, plan, &structure, &counts, scene);
+    }
     if let Some(problem) = structure.problem.clone().filter(|_| !options.salvage || structure.numbers == 0) {
         return Err(problem);
     }
+    let planner = Planner { bytes, scene, structure: &structure, counts, options };
     if structure.numbers == 0 {
-        return Err(TextError::new(bytes, 0, TextProblem::Empty));
+        let nothing = || TextError::new(bytes, 0, TextProblem::Empty);
+        return Err(structure.unexpected_mark(bytes).unwrap_or_else(nothing));
     }
-    let planner =
-        Planner { bytes, structure: &structure, counts: node_counts(scene, options), salvage: options.salvage };
     let mut plan = if let Some(plan) = planner.matrices() {
         plan?
-    } else if structure.marks.divide() {
-        planner.marked()?
+    } else if structure.named.divide() {
+        planner.marked(&structure.named)?
+    } else if planner.are_divided_by_other_marks() {
+        planner.marked(&structure.other)?
     } else {
-        planner.unmarked()?
+        planner.unmarked().map_err(|error| planner.blames_a_mark().unwrap_or(error))?
     };
     if let Some(problem) = &structure.problem {
         plan.find(Certainty::Warning, format!("salvaged: the rest is not read from here: {problem}"));
     }
-    Ok(plan)
+    confirmed(bytes, plan, &structure, &planner.counts, scene)
+}
+
+/// The plan, if its number of nodes needs no offsets to confirm it, or they do.
+fn confirmed(
+    bytes: &[u8],
+    plan: Plan,
+    structure: &Structure,
+    counts: &Counts,
+    scene: &SceneGraph,
+) -> Result<Plan, TextError> {
+    if !counts.needs_offsets(plan.nodes) || joints::fit(&rows::first_offsets(bytes, &plan), scene).is_some() {
+        return Ok(plan);
+    }
+    let problem = TextProblem::NodeCount { found: plan.nodes, expected: counts.in_words() };
+    Err(TextError::new(bytes, structure.first_at, problem))
 }
 
 impl Planner<'_> {
@@ -99,20 +163,22 @@ impl Planner<'_> {
     }
 
     fn new_plan(&self, layout: Layout, skip: usize, nodes: usize, keyframes: usize) -> Plan {
-        Plan { layout, from: 0, end: self.structure.end, skip, lead: 0, nodes, keyframes, findings: Vec::new() }
+        Plan {
+            layout,
+            from: 0,
+            end: self.structure.end,
+            skip,
+            lead: 0,
+            nodes,
+            keyframes,
+            named_order: columns::named_order(self.bytes, self.structure).map(|(order, _)| order),
+            is_w_last: columns::named_order(self.bytes, self.structure).is_some_and(|(_, is_w_last)| is_w_last),
+            findings: Vec::new(),
+        }
     }
 
     fn node_count(&self, at: usize, found: usize) -> TextError {
-        self.error(at, TextProblem::NodeCount { found, expected: in_words(&self.counts) })
-    }
-
-    /// The first two numbers, if they can be a header.
-    fn header(&self) -> Option<(usize, usize)> {
-        let whole = |number: &f32| {
-            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it is whole and not negative")]
-            (number.fract() == 0.0 && *number >= 0.0 && *number < 1e9).then_some(*number as usize)
-        };
-        Some((whole(self.structure.first.first()?)?, whole(self.structure.first.get(1)?)?))
+        self.error(at, TextProblem::NodeCount { found, expected: self.counts.in_words() })
     }
 
     /// Recognises matrices by their bottom rows and unit columns.
@@ -124,18 +190,16 @@ impl Planner<'_> {
             let squares: f64 = first[column..column + 3].iter().map(|&number| f64::from(number).powi(2)).sum();
             (squares.sqrt() - 1.0).abs() <= RECOGNISED
         };
-        if !is_affine || ![0, 4, 8].into_iter().all(is_unit) || structure.marks.divide() {
+        if !is_affine || ![0, 4, 8].into_iter().all(is_unit) || structure.named.divide() {
             return None;
         }
-        let by_line = structure.every_line.filter(|every| every.is_multiple_of(MATRIX)).map(|every| every / MATRIX);
-        let nodes = by_line.filter(|nodes| self.counts.contains(nodes)).unwrap_or(self.counts[0]);
+        let by_line = structure.every_line[0].filter(|every| every.is_multiple_of(MATRIX)).map(|every| every / MATRIX);
+        let nodes = by_line.filter(|&nodes| self.counts.accept(nodes)).unwrap_or(self.counts.own());
         let found = structure.numbers;
         let mut plan = self.new_plan(Layout::Matrices, 0, nodes, found / (nodes * MATRIX));
         if !found.is_multiple_of(nodes * MATRIX) {
-            if !self.salvage {
-                let at = structure.irregular_line.map_or(structure.end, |line| line.at);
-                let hint = structure.hint(self.bytes);
-                return Some(Err(self.error(at, TextProblem::Incomplete { found, nodes, width: MATRIX, hint })));
+            if let Err(error) = self.incomplete(nodes, MATRIX) {
+                return Some(Err(error));
             }
             plan.find(Certainty::Warning, "salvaged: the last keyframe is not whole and is left out");
         }
@@ -143,26 +207,53 @@ impl Planner<'_> {
         Some(Ok(plan))
     }
 
-    /// Keyframes between lines `frame [k]` or `end`.
-    fn marked(&self) -> Result<Plan, TextError> {
+    /// The error of numbers that do not make whole keyframes, unless they are salvaged.
+    fn incomplete(&self, nodes: usize, width: usize) -> Result<(), TextError> {
+        if self.options.salvage {
+            return Ok(());
+        }
         let structure = self.structure;
-        let marks = &structure.marks;
+        let at = structure.irregular_line.map_or(structure.end, |line| line.at);
+        let (found, hint) = (structure.numbers, structure.hint(self.bytes));
+        Err(self.error(at, TextProblem::Incomplete { found, nodes, width, hint }))
+    }
+
+    fn nodes_in(&self, numbers: usize) -> Option<usize> {
+        let nodes = numbers / ROW;
+        (numbers.is_multiple_of(ROW) && self.counts.accept(nodes)).then_some(nodes)
+    }
+
+    /// Whether keyframes stand between marks that are neither `frame` nor `end`.
+    fn are_divided_by_other_marks(&self) -> bool {
+        let marks = &self.structure.other;
+        let first = marks.first_blocks[0];
+        let is_keyframe = |numbers: usize| self.nodes_in(numbers).is_some();
+        marks.blocks > 1
+            && (is_keyframe(marks.first_blocks[1])
+                || is_keyframe(first)
+                || (1..=MOST_HEADER).any(|header| first > header && is_keyframe(first - header)))
+    }
+
+    /// The error for the first mark, if there are too few to have a meaning, or there are no rows.
+    fn blames_a_mark(&self) -> Option<TextError> {
+        let is_lonely = self.structure.other.count < 2 || self.structure.numbers < ROW;
+        let error = self.structure.unexpected_mark(self.bytes)?;
+        is_lonely.then_some(error)
+    }
+
+    /// Keyframes between marks.
+    fn marked(&self, marks: &Marks) -> Result<Plan, TextError> {
         let [mut first, second] = marks.first_blocks;
-        let nodes_in = |numbers: usize| {
-            let nodes = numbers / ROW;
-            (numbers.is_multiple_of(ROW) && self.counts.contains(&nodes)).then_some(nodes)
-        };
-        let mut skip = marks.lead;
-        if marks.frames == 0 && nodes_in(first).is_none() && first > 2 && nodes_in(first - 2).is_some() {
-            (skip, first) = (2, first - 2);
-        }
-        if skip != 0 && skip != 2 {
-            let found = texts::count_numbers(skip).into();
-            let expected = texts::TEXT_EXPECTED_FRAME_OR_HEADER.into();
-            return Err(self.error(structure.first_at, TextProblem::Unexpected { found, expected }));
-        }
         let has_second = marks.blocks > 1;
-        let nodes = nodes_in(first).or_else(|| nodes_in(second).filter(|_| has_second));
+        let mut skip = marks.lead;
+        if skip == 0 && self.nodes_in(first).is_none() {
+            let rest = (1..=MOST_HEADER).filter(|header| first > *header).map(|header| (header, first - header));
+            let fits = |rest: usize| if has_second { rest == second } else { self.nodes_in(rest).is_some() };
+            if let Some((header, rest)) = rest.into_iter().find(|&(_, rest)| fits(rest)) {
+                (skip, first) = (header, rest);
+            }
+        }
+        let nodes = self.nodes_in(first).or_else(|| self.nodes_in(second).filter(|_| has_second));
         let Some(nodes) = nodes else {
             return Err(self.node_count(marks.first_blocks_at[0], first / ROW));
         };
@@ -175,10 +266,16 @@ impl Planner<'_> {
         } else {
             marks.irregular
         };
-        let layout = if marks.frames > 0 { Layout::Frames } else { Layout::End };
+        let [text_at, text_end] = marks.first;
+        let text = &self.bytes[text_at..text_end];
+        let (layout, name) = match MarkKind::of(text) {
+            MarkKind::Frame => (Layout::Frames, String::from_utf8_lossy(text).into_owned()),
+            MarkKind::End => (Layout::End, String::from_utf8_lossy(text).into_owned()),
+            MarkKind::Other => (Layout::Rows, String::from_utf8_lossy(text).chars().take(40).collect()),
+        };
         let mut plan = self.new_plan(layout, skip, nodes, marks.blocks);
         if let Some(Irregular { at, index, found, expected }) = odd {
-            if !self.salvage || index == 0 {
+            if !self.options.salvage || index == 0 {
                 return Err(self.error(at, TextProblem::KeyframeLength { keyframe: index, found, expected }));
             }
             plan.keyframes = index;
@@ -187,26 +284,58 @@ impl Planner<'_> {
                 format!("salvaged: keyframe {index} is not whole: it and those after it are left out"),
             );
         }
-        let wrong_header = self.header().filter(|&header| skip == 2 && header != (marks.blocks, nodes));
-        if let Some((keyframes, header_nodes)) = wrong_header {
-            self.header_disagrees(&mut plan, keyframes, header_nodes)?;
-        }
-        let mark = if marks.frames > 0 { "frame [k]" } else { "end" };
-        plan.find(Certainty::Sure, format!("layout: the lines \"{mark}\" divide the keyframes, each of {nodes} nodes"));
+        self.check_lead(&mut plan, marks.blocks)?;
+        let name = name.trim_end_matches([':', ',', ';']);
+        plan.find(
+            Certainty::Sure,
+            format!("layout: lines such as {name:?} divide the keyframes, each of {nodes} nodes"),
+        );
         if let Some((found, expected)) = marks.out_of_turn {
             plan.find(
                 Certainty::Warning,
-                format!(
-                    "a line says frame [{found}] where frame [{expected}] was expected: the order of the file counts"
-                ),
+                format!("a line says frame {found} where frame {expected} was expected: the order of the file counts"),
             );
         }
         Ok(plan)
     }
 
+    /// Compares a header before marked keyframes with them.
+    fn check_lead(&self, plan: &mut Plan, blocks: usize) -> Result<(), TextError> {
+        #[expect(clippy::cast_precision_loss, reason = "counts that are equal to a number of a header are small")]
+        let (keyframes, nodes) = (blocks as f32, plan.nodes as f32);
+        #[expect(clippy::cast_precision_loss, reason = "counts are small")]
+        let is_count = |number: f32| number != keyframes && self.counts.all().any(|count| count as f32 == number);
+        let numbers = &self.structure.first[..plan.skip];
+        match numbers {
+            [] => Ok(()),
+            [one] if *one == keyframes || *one == nodes => Ok(()),
+            [first, second] if [[*first, *second], [*second, *first]].contains(&[keyframes, nodes]) => Ok(()),
+            [_, _, _, ..]
+                if numbers.contains(&keyframes)
+                    && numbers.iter().all(|&number| number == nodes || !is_count(number)) =>
+            {
+                let others: Vec<f32> =
+                    numbers.iter().copied().filter(|number| ![keyframes, nodes].contains(number)).collect();
+                unused(plan, &others);
+                Ok(())
+            }
+            [_, _, ..] => match header::first_two(self.structure) {
+                Some((keyframes, nodes)) => self.header_disagrees(plan, keyframes, nodes),
+                None => Err(self.lead_error(plan.skip)),
+            },
+            [_] => Err(self.lead_error(plan.skip)),
+        }
+    }
+
+    fn lead_error(&self, skip: usize) -> TextError {
+        let found = texts::count_numbers(skip).into();
+        let expected = texts::TEXT_EXPECTED_FRAME_OR_HEADER.into();
+        self.error(self.structure.first_at, TextProblem::Unexpected { found, expected })
+    }
+
     fn header_disagrees(&self, plan: &mut Plan, keyframes: usize, nodes: usize) -> Result<(), TextError> {
-        let found = self.structure.numbers - 2;
-        if !self.salvage {
+        let found = self.structure.numbers - plan.skip;
+        if !self.options.salvage {
             let expected = keyframes.saturating_mul(nodes).saturating_mul(ROW);
             let hint = self.structure.hint(self.bytes);
             let problem = TextProblem::Header { keyframes, nodes, expected, found, hint };
@@ -224,19 +353,25 @@ impl Planner<'_> {
     fn unmarked(&self) -> Result<Plan, TextError> {
         let structure = self.structure;
         let found = structure.numbers;
-        if let Some((keyframes, nodes)) = self.header() {
+        if let Some(header) = header::find(structure, ROW, &self.counts) {
+            return Ok(self.with_header(header));
+        }
+        if let Some((keyframes, nodes)) = header::first_two(structure) {
             if keyframes.checked_mul(nodes).and_then(|rows| rows.checked_mul(ROW)) == Some(found - 2) {
-                return self.with_header(keyframes, nodes);
+                return Err(self.node_count(structure.first_at, nodes));
             }
-            let [first_line, second_line, ..] = structure.first_lines;
-            let stands_apart = first_line == 2 || (first_line, second_line) == (1, 1) && structure.first_lines[2] > 1;
+            let [first_line, second_line, third_line, _] = structure.first_lines;
+            let has_more = (3..=MOST_HEADER).contains(&first_line) && structure.every_line[1] > Some(first_line);
+            let stands_apart = first_line == 2 || (first_line, second_line) == (1, 1) && third_line > 1 || has_more;
             let is_plausible =
-                self.counts.contains(&nodes) && keyframes > 0 && !found.is_multiple_of(self.counts[0] * ROW);
+                self.counts.accept(nodes) && keyframes > 0 && !found.is_multiple_of(self.counts.own() * ROW);
             if stands_apart || is_plausible {
-                if !self.counts.contains(&nodes) && self.salvage {
+                if !self.counts.accept(nodes) && self.options.salvage {
                     return Err(self.node_count(structure.first_at, nodes));
                 }
-                let mut plan = self.new_plan(self.header_layout(), 2, nodes, (found - 2) / (nodes * ROW).max(1));
+                let skip = if has_more { first_line } else { 2 };
+                let whole = (found - skip) / (nodes * ROW).max(1);
+                let mut plan = self.new_plan(self.header_layout(2), skip, nodes, whole);
                 self.header_disagrees(&mut plan, keyframes, nodes)?;
                 return Ok(plan);
             }
@@ -244,26 +379,41 @@ impl Planner<'_> {
         self.without_header()
     }
 
-    fn with_header(&self, keyframes: usize, nodes: usize) -> Result<Plan, TextError> {
-        if keyframes > 0 && !self.counts.contains(&nodes) {
-            return Err(self.node_count(self.structure.first_at, nodes));
+    fn with_header(&self, header: Header) -> Plan {
+        let Header { skip, keyframes, nodes, says_keyframes, says_nodes, .. } = header;
+        let mut plan = self.new_plan(self.header_layout(skip), skip, nodes, keyframes);
+        let count = texts::count_keyframes(keyframes);
+        match (says_keyframes, says_nodes) {
+            (true, true) => {
+                plan.find(Certainty::Sure, format!("header: {count} of {nodes} nodes, as many numbers as follow"));
+            }
+            (true, false) => {
+                plan.find(
+                    Certainty::Likely,
+                    format!("header: {count}; the numbers that follow make {nodes} nodes each"),
+                );
+            }
+            (false, _) => {
+                plan.find(Certainty::Likely, format!("header: {nodes} nodes; the numbers that follow make {count}"));
+            }
         }
-        let mut plan = self.new_plan(self.header_layout(), 2, nodes, keyframes);
-        plan.find(
-            Certainty::Sure,
-            format!("header: {} of {nodes} nodes, as many numbers as follow", texts::count_keyframes(keyframes)),
-        );
-        Ok(plan)
+        unused(&mut plan, &header.unused);
+        plan
     }
 
-    fn header_layout(&self) -> Layout {
+    fn header_layout(&self, skip: usize) -> Layout {
         let [first, second, third, fourth] = self.structure.first_lines;
-        if self.structure.marks.ends > 0 {
+        if self.structure.named.ends > 0 {
             return Layout::End;
         }
-        match (first, second, third, fourth) {
-            (2, 3, 4, _) | (2, 4, 3, _) | (1, 1, 3, 4) | (1, 1, 4, 3) => Layout::HeaderTwoLines,
-            (2, rows, ..) | (1, 1, rows, _) if rows > ROW && rows.is_multiple_of(ROW) => Layout::HeaderKeyframeALine,
+        let (next, after) = match first {
+            1 if skip == 2 => (third, fourth),
+            _ => (second, third),
+        };
+        match (next, after) {
+            _ if first != skip && (first, skip) != (1, 2) => Layout::Header,
+            (3, 4) | (4, 3) => Layout::HeaderTwoLines,
+            (rows, _) if rows > ROW && rows.is_multiple_of(ROW) => Layout::HeaderKeyframeALine,
             _ => Layout::Header,
         }
     }
@@ -271,36 +421,41 @@ impl Planner<'_> {
     fn without_header(&self) -> Result<Plan, TextError> {
         let structure = self.structure;
         let found = structure.numbers;
-        let by_line = structure
-            .every_line
-            .filter(|every| every.is_multiple_of(ROW) && structure.lines > 0)
-            .map(|every| every / ROW)
-            .filter(|nodes| self.counts.contains(nodes));
-        let by_count = self.counts.iter().copied().find(|nodes| found.is_multiple_of(nodes * ROW));
-        let nodes = by_line.or(by_count).unwrap_or(self.counts[0]);
         let layout = match structure {
             Structure { splits_rows: true, .. } => Layout::Pairs,
             Structure { ends_rows: true, has_commas: true, .. } => Layout::Endless,
-            _ if structure.marks.ends > 0 => Layout::End,
+            _ if structure.named.ends > 0 => Layout::End,
             _ => Layout::Rows,
         };
-        let mut plan = self.new_plan(layout, 0, nodes, found / (nodes * ROW));
-        if !found.is_multiple_of(nodes * ROW) {
-            if !self.salvage {
-                let at = structure.irregular_line.map_or(structure.end, |line| line.at);
-                let hint = structure.hint(self.bytes);
-                return Err(self.error(at, TextProblem::Incomplete { found, nodes, width: ROW, hint }));
-            }
-            plan.find(Certainty::Warning, "salvaged: the last keyframe is not whole and is left out");
-        }
+        let plan = |nodes: usize| self.new_plan(layout, 0, nodes, found / (nodes * ROW));
+        let by_line = structure.every_line[0]
+            .filter(|every| every.is_multiple_of(ROW) && structure.lines > 0)
+            .map(|every| every / ROW)
+            .filter(|&nodes| self.counts.accept(nodes));
+        let whole = || self.counts.all().filter(|nodes| found.is_multiple_of(nodes * ROW));
+        let persists = |&nodes: &usize| rows::offsets_persist(self.bytes, &plan(nodes));
+        let fits = |&nodes: &usize| self.fits_joints(&plan(nodes));
+        let by_count = whole().find(|nodes| fits(nodes) && persists(nodes)).or_else(|| whole().find(fits));
+        let mut likely = whole().filter(|&nodes| !self.counts.needs_offsets(nodes));
+        let persistent = || likely.find(persists);
+        let guessed = by_line.or(by_count).or_else(persistent);
+        let Some(nodes) = guessed else {
+            return self.not_guessed(plan);
+        };
+        let mut plan = plan(nodes);
         let keyframes = texts::count_keyframes(plan.keyframes);
-        if nodes == self.counts[0] {
+        if by_line.is_some() && nodes != self.counts.own() {
+            plan.find(Certainty::Likely, format!("no header: each line has {nodes} nodes, which makes {keyframes}"));
+        } else if nodes == self.counts.own() {
             plan.find(
                 Certainty::Likely,
                 format!("no header: with {nodes} nodes, as the scene has, the rows make {keyframes}"),
             );
-        } else if by_line.is_some() {
-            plan.find(Certainty::Likely, format!("no header: each line has {nodes} nodes, which makes {keyframes}"));
+        } else if by_count.is_some() {
+            plan.find(
+                Certainty::Likely,
+                format!("no header: {nodes} nodes, as the offsets of keyframe 0 show, make {keyframes}"),
+            );
         } else {
             plan.find(
                 Certainty::Warning,
@@ -308,5 +463,42 @@ impl Planner<'_> {
             );
         }
         Ok(plan)
+    }
+
+    /// Whether the offsets of keyframe 0 fit the scene. A list of joints decides without them.
+    fn fits_joints(&self, plan: &Plan) -> bool {
+        let fit = || joints::fit(&rows::first_offsets(self.bytes, plan), self.scene);
+        let needs_offsets = self.counts.needs_offsets(plan.nodes);
+        self.options.joints.is_some() || fit().is_some_and(|fit| fit.without_row.is_empty() != needs_offsets)
+    }
+
+    /// The end of guesses without a header: the rows make no whole keyframes, or only some that look like none.
+    fn not_guessed(&self, plan: impl Fn(usize) -> Plan) -> Result<Plan, TextError> {
+        let found = self.structure.numbers;
+        let own = self.counts.own();
+        let is_whole = |nodes: &usize| found.is_multiple_of(nodes * ROW) && !self.counts.needs_offsets(*nodes);
+        if let Some(nodes) = self.counts.all().find(is_whole) {
+            let problem = TextProblem::Guessed { nodes, expected: self.counts.in_words() };
+            return Err(self.error(self.structure.first_at, problem));
+        }
+        self.incomplete(own, ROW)?;
+        let mut plan = plan(own);
+        plan.find(Certainty::Warning, "salvaged: the last keyframe is not whole and is left out");
+        let keyframes = texts::count_keyframes(plan.keyframes);
+        plan.find(
+            Certainty::Likely,
+            format!("no header: with {own} nodes, as the scene has, the rows make {keyframes}"),
+        );
+        Ok(plan)
+    }
+}
+
+/// Notes the numbers of a header that say something else.
+fn unused(plan: &mut Plan, numbers: &[f32]) {
+    if !numbers.is_empty() {
+        let verb = if numbers.len() == 1 { "is" } else { "are" };
+        let numbers: Vec<String> = numbers.iter().map(ToString::to_string).collect();
+        let numbers = listed(&numbers, "and");
+        plan.find(Certainty::Note, format!("header: {numbers} {verb} not used"));
     }
 }

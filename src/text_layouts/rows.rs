@@ -15,6 +15,9 @@ use crate::rotation_rules::{Mending, NORMALISED, RECOGNISED};
 use crate::scene::SceneGraph;
 use crate::words::texts;
 
+/// Numbers per matrix.
+const MATRIX: usize = 16;
+
 /// The byte offset of a row, and its numbers.
 type Row<const WIDTH: usize> = (usize, [f32; WIDTH]);
 
@@ -37,6 +40,59 @@ fn rows<'a, const WIDTH: usize>(bytes: &'a [u8], plan: &Plan) -> impl Iterator<I
     .take(plan.keyframes * plan.nodes)
 }
 
+/// All rows of so many numbers, from a byte on.
+pub(super) fn of_width(bytes: &[u8], from: usize, width: usize) -> impl Iterator<Item = [f32; MATRIX]> + use<'_> {
+    let mut numbers = numbers(bytes, from);
+    std::iter::from_fn(move || {
+        let mut row = [0.0; MATRIX];
+        for number in &mut row[..width] {
+            *number = numbers.next()?.1;
+        }
+        Some(row)
+    })
+}
+
+/// The translations of keyframe 0, in the order of fields in which its rotations are of unit length; empty without keyframes.
+pub(super) fn first_offsets(bytes: &[u8], plan: &Plan) -> Vec<Vec3> {
+    if plan.layout == Layout::Matrices {
+        return rows::<MATRIX>(bytes, plan)
+            .take(plan.nodes)
+            .map(|(_, row)| Vec3::new(row[12], row[13], row[14]))
+            .collect();
+    }
+    let order = first_order(bytes, plan);
+    rows(bytes, plan).take(plan.nodes).map(|(_, row)| translation(row, order)).collect()
+}
+
+fn first_order(bytes: &[u8], plan: &Plan) -> FieldOrder {
+    let is_unit = rows::<7>(bytes, plan).take(plan.nodes).all(|(_, row)| (length(&row[3..]) - 1.0).abs() <= NORMALISED);
+    if is_unit { FieldOrder::TranslationFirst } else { FieldOrder::QuaternionFirst }
+}
+
+/// Whether most nodes keep their translation from keyframe to keyframe, as joints do. Rows that are cut at the wrong places do not.
+pub(super) fn offsets_persist(bytes: &[u8], plan: &Plan) -> bool {
+    let order = first_order(bytes, plan);
+    let first = first_offsets(bytes, plan);
+    let (mut kept, mut all) = (0, 0);
+    for (index, (_, row)) in rows(bytes, plan).enumerate().skip(plan.nodes) {
+        all += 1;
+        kept += usize::from(translation(row, order).distance(first[index % plan.nodes]) < 1e-3);
+    }
+    10 * kept >= 7 * all
+}
+
+fn translation([a, b, c, _, e, f, g]: [f32; 7], order: FieldOrder) -> Vec3 {
+    match order {
+        FieldOrder::TranslationFirst => Vec3::new(a, b, c),
+        FieldOrder::QuaternionFirst => Vec3::new(e, f, g),
+    }
+}
+
+/// The length of a quaternion.
+fn length(four: &[f32]) -> f64 {
+    four.iter().map(|&number| f64::from(number).powi(2)).sum::<f64>().sqrt()
+}
+
 /// Makes keyframes from the rows, and adds inferences to the plan.
 ///
 /// # Errors
@@ -44,7 +100,6 @@ fn rows<'a, const WIDTH: usize>(bytes: &'a [u8], plan: &Plan) -> impl Iterator<I
 pub(super) fn keyframes(
     bytes: &[u8],
     plan: &mut Plan,
-    named_order: Option<FieldOrder>,
     scene: &SceneGraph,
     options: &Options,
 ) -> Result<Vec<Keyframe>, TextError> {
@@ -52,11 +107,13 @@ pub(super) fn keyframes(
         check_matrices(bytes, plan, options)?;
         build(bytes, plan, scene, options, |matrix| rigid(&matrix).unwrap_or(Rbt::IDENTITY))
     } else {
-        let order = field_order(bytes, plan, named_order, options)?;
+        let order = field_order(bytes, plan, options)?;
         if (plan.layout, order) == (Layout::Header, FieldOrder::QuaternionFirst) {
             plan.layout = Layout::HeaderQuaternionFirst;
         }
-        build(bytes, plan, scene, options, |row| rbt(row, order))
+        w_place(bytes, plan, order);
+        let is_w_last = plan.is_w_last;
+        build(bytes, plan, scene, options, |row| rbt(row, order, is_w_last))
     }
 }
 
@@ -92,12 +149,46 @@ fn build<const WIDTH: usize>(
     Ok(keyframes)
 }
 
-fn rbt([a, b, c, d, e, f, g]: [f32; 7], order: FieldOrder) -> Rbt {
-    let (translation, [w, x, y, z]) = match order {
-        FieldOrder::TranslationFirst => ([a, b, c], [d, e, f, g]),
-        FieldOrder::QuaternionFirst => ([e, f, g], [a, b, c, d]),
-    };
-    Rbt::new(translation.into(), near_unit(Quat::from_xyzw(x, y, z, w)))
+fn rbt(row: [f32; 7], order: FieldOrder, is_w_last: bool) -> Rbt {
+    let mut four = quaternion(&row, order);
+    if is_w_last {
+        four.rotate_right(1);
+    }
+    let [w, x, y, z] = four;
+    Rbt::new(translation(row, order), near_unit(Quat::from_xyzw(x, y, z, w)))
+}
+
+/// The four numbers of the quaternion as they stand.
+fn quaternion([a, b, c, d, e, f, g]: &[f32; 7], order: FieldOrder) -> [f32; 4] {
+    match order {
+        FieldOrder::TranslationFirst => [*d, *e, *f, *g],
+        FieldOrder::QuaternionFirst => [*a, *b, *c, *d],
+    }
+}
+
+/// Finds out whether w is the last number of the quaternions, and says it: most nodes of keyframe 0 are not rotated.
+fn w_place(bytes: &[u8], plan: &mut Plan, order: FieldOrder) {
+    if plan.is_w_last {
+        plan.find(Certainty::Sure, "order: w is the last number of the quaternion, as the header names the columns");
+        return;
+    }
+    let mut first_or_last = [0, 0];
+    for (_, row) in rows::<7>(bytes, plan).take(plan.nodes) {
+        let [first, .., last] = quaternion(&row, order).map(f32::abs);
+        first_or_last[0] += usize::from(first > 0.999);
+        first_or_last[1] += usize::from(last > 0.999);
+    }
+    let [first, last] = first_or_last;
+    if plan.named_order.is_none() && 2 * last > plan.nodes && last > first {
+        plan.is_w_last = true;
+        plan.find(
+            Certainty::Warning,
+            format!(
+                "order: the last number of the quaternion is 1 in {last} of {} rows of keyframe 0: taken as w",
+                plan.nodes
+            ),
+        );
+    }
 }
 
 /// The rotation, normalised if it is not of unit length. The sign is kept.
@@ -123,7 +214,7 @@ fn first_not_unit(bytes: &[u8], plan: &Plan, tolerance: f64) -> [Option<NotUnit>
     let mut found = [None; 2];
     for (row, (at, numbers)) in rows::<7>(bytes, plan).enumerate() {
         for (four, first) in [&numbers[3..], &numbers[..4]].into_iter().zip(&mut found) {
-            let length = four.iter().map(|&number| f64::from(number).powi(2)).sum::<f64>().sqrt();
+            let length = length(four);
             if first.is_none() && (length - 1.0).abs() > tolerance {
                 *first = Some(NotUnit { row, at, length });
             }
@@ -135,12 +226,8 @@ fn first_not_unit(bytes: &[u8], plan: &Plan, tolerance: f64) -> [Option<NotUnit>
     found
 }
 
-fn field_order(
-    bytes: &[u8],
-    plan: &mut Plan,
-    named: Option<FieldOrder>,
-    options: &Options,
-) -> Result<FieldOrder, TextError> {
+fn field_order(bytes: &[u8], plan: &mut Plan, options: &Options) -> Result<FieldOrder, TextError> {
+    let named = plan.named_order;
     let tolerance = if options.order.is_some() { NORMALISED } else { RECOGNISED };
     let not_unit = first_not_unit(bytes, plan, tolerance);
     let is_possible = not_unit.map(|row| row.is_none());

@@ -2,10 +2,13 @@
 
 use super::error::{TextError, TextProblem, quoted};
 use super::lexer::{Lexer, Piece, Token, not_a_number};
+use super::marks::{MarkKind, Marks};
 use crate::words::{Message, Phrase, texts};
 
 /// The number of first numbers that are kept: those of a matrix.
 const FIRST: usize = 16;
+/// The number of first lines of which the numbers are counted.
+pub(super) const FIRST_LINES: usize = 4;
 
 /// The structure of a stream of numbers. Its size does not depend on the text's.
 #[derive(Debug, Default)]
@@ -17,15 +20,19 @@ pub(super) struct Structure {
     /// The byte offset of the first number.
     pub(super) first_at: usize,
     /// The numbers per line of the first lines with numbers.
-    pub(super) first_lines: [usize; 4],
+    pub(super) first_lines: [usize; FIRST_LINES],
+    /// The byte offsets of the first lines with numbers.
+    pub(super) first_lines_at: [usize; FIRST_LINES],
     /// The number of lines with numbers.
     pub(super) lines: usize,
-    /// The numbers per line, if equal in all lines.
-    pub(super) every_line: Option<usize>,
+    /// The numbers per line, if equal in all lines but so many first ones.
+    pub(super) every_line: [Option<usize>; FIRST_LINES],
     /// The first line that breaks the pattern of the lines before it.
     pub(super) irregular_line: Option<Irregular>,
-    /// The lines `frame [k]` and `end`.
-    pub(super) marks: Marks,
+    /// The marks `frame` and `end`.
+    pub(super) named: Marks,
+    /// All other marks.
+    pub(super) other: Marks,
     /// Whether any numbers are separated by commas.
     pub(super) has_commas: bool,
     /// Whether a semicolon occurs inside a group of seven numbers.
@@ -36,6 +43,7 @@ pub(super) struct Structure {
     pub(super) end: usize,
     /// The error at that offset; `None` at the end of the text.
     pub(super) problem: Option<TextError>,
+    commas: Commas,
 }
 
 /// A line or a keyframe of an unexpected length.
@@ -51,98 +59,29 @@ pub(super) struct Irregular {
     pub(super) expected: usize,
 }
 
-/// The lines `frame [k]` and `end`, and the numbers between them.
-#[derive(Debug, Default)]
-pub(super) struct Marks {
-    /// The number of lines `frame [k]`.
-    pub(super) frames: usize,
-    /// The number of lines `end`.
-    pub(super) ends: usize,
-    /// The number of numbers before the first `frame [k]`.
-    pub(super) lead: usize,
-    /// The number of blocks of numbers.
-    pub(super) blocks: usize,
-    /// The lengths of the first two blocks in numbers.
-    pub(super) first_blocks: [usize; 2],
-    /// The byte offsets of the first two blocks.
-    pub(super) first_blocks_at: [usize; 2],
-    /// The first block, from the third on, whose length differs from the second's.
-    pub(super) irregular: Option<Irregular>,
-    /// The first `frame [k]` out of sequence: the number found and the number expected.
-    pub(super) out_of_turn: Option<(u64, u64)>,
-    next_frame: u64,
-    in_block: usize,
-    block_at: usize,
-    is_open: bool,
-}
-
-impl Marks {
-    fn number(&mut self, at: usize) {
-        if self.in_block == 0 && !self.is_open {
-            self.block_at = at;
-        }
-        self.in_block += 1;
-    }
-
-    fn close(&mut self) {
-        let (found, at, index) = (self.in_block, self.block_at, self.blocks);
-        if let Some(first) = self.first_blocks.get_mut(index) {
-            *first = found;
-            self.first_blocks_at[index] = at;
-        } else if found != self.first_blocks[1] && self.irregular.is_none() {
-            self.irregular = Some(Irregular { at, index, found, expected: self.first_blocks[1] });
-        }
-        self.blocks += 1;
-        self.in_block = 0;
-        self.is_open = false;
-    }
-
-    fn frame(&mut self, at: usize, number: u64) {
-        if self.frames == 0 && self.ends == 0 {
-            self.lead = std::mem::take(&mut self.in_block);
-            self.next_frame = number.min(1);
-        } else if self.is_open || self.in_block > 0 {
-            self.close();
-        }
-        if number != self.next_frame && self.out_of_turn.is_none() {
-            self.out_of_turn = Some((number, self.next_frame));
-        }
-        self.next_frame = number.saturating_add(1);
-        self.frames += 1;
-        self.is_open = true;
-        self.block_at = at;
-    }
-
-    fn end(&mut self) {
-        if self.is_open || self.in_block > 0 {
-            self.close();
-        }
-        self.ends += 1;
-    }
-
-    /// Whether the marks delimit keyframes. A single `end` may also close the file.
-    pub(super) fn divide(&self) -> bool {
-        self.frames > 0 || self.blocks > 1
-    }
-}
-
 const NUMBER: Phrase = texts::TEXT_EXPECTED_NUMBER;
 
 /// Reads a text of numbers, separators and marks.
 pub(super) fn structure(bytes: &[u8]) -> Structure {
     let mut structure = Structure { end: bytes.len(), ..Structure::default() };
-    let mut lexer = Lexer::new(bytes, 0);
     let mut line = Line::default();
-    while let Some(piece) = lexer.next() {
-        if let Err(problem) = structure.take(bytes, piece, &mut lexer, &mut line) {
+    for piece in Lexer::new(bytes, 0) {
+        structure.commas.take(bytes, piece, structure.lines);
+        if let Err(problem) = structure.take(bytes, piece, &mut line) {
             structure.end = piece.at;
             structure.problem = Some(problem);
             break;
         }
     }
     structure.line_ends(&line);
-    if structure.marks.in_block > 0 || structure.marks.is_open {
-        structure.marks.close();
+    structure.named.finish();
+    structure.other.finish();
+    if let Some([at, end]) = structure.commas.decimal() {
+        let found = String::from_utf8_lossy(&bytes[at..end]).into_owned();
+        let problem = TextProblem::DecimalComma { found };
+        structure.problem = Some(TextError::new(bytes, at, problem));
+        structure.end = at;
+        structure.numbers = 0;
     }
     structure
 }
@@ -155,13 +94,7 @@ struct Line {
 }
 
 impl Structure {
-    fn take<'a>(
-        &mut self,
-        bytes: &'a [u8],
-        piece: Piece<'a>,
-        lexer: &mut Lexer<'a>,
-        line: &mut Line,
-    ) -> Result<(), TextError> {
+    fn take(&mut self, bytes: &[u8], piece: Piece<'_>, line: &mut Line) -> Result<(), TextError> {
         match piece.token {
             Token::Number(value) if value.is_finite() => {
                 if self.numbers == 0 {
@@ -176,7 +109,8 @@ impl Structure {
                 self.numbers += 1;
                 line.numbers += 1;
                 line.last_separated = false;
-                self.marks.number(piece.at);
+                self.named.number(piece.at);
+                self.other.number(piece.at);
             }
             Token::Separator(separator) => {
                 let is_comma = separator == b',';
@@ -196,19 +130,17 @@ impl Structure {
                 self.line_ends(line);
                 *line = Line::default();
             }
-            Token::Word(word) if word.eq_ignore_ascii_case(b"end") => self.marks.end(),
-            Token::Word(word) if word.len() >= 5 && word[..5].eq_ignore_ascii_case(b"frame") => {
-                lexer.rest_of_line();
-                let number = frame_number(bytes, piece.at).ok_or_else(|| {
-                    let found = quoted(line_from(bytes, piece.at)).into();
-                    let expected = texts::TEXT_EXPECTED_FRAME_NUMBER.into();
-                    TextError::new(bytes, piece.at, TextProblem::Unexpected { found, expected })
-                })?;
-                self.marks.frame(piece.at, number);
+            Token::Mark(text) => {
+                line.last_separated = false;
+                let marks = if MarkKind::of(text) == MarkKind::Other { &mut self.other } else { &mut self.named };
+                marks.mark(piece.at, text);
             }
             Token::Number(_) | Token::Word(_) => {
-                let expected =
-                    if self.numbers == 0 && self.marks.frames == 0 { texts::TEXT_EXPECTED_KEYFRAMES } else { NUMBER };
+                let is_first = self.numbers == 0 && self.named.count == 0;
+                if is_first && let Some(error) = self.unexpected_mark(bytes) {
+                    return Err(error);
+                }
+                let expected = if is_first { texts::TEXT_EXPECTED_KEYFRAMES } else { NUMBER };
                 return Err(not_a_number(bytes, piece, expected));
             }
         }
@@ -221,6 +153,7 @@ impl Structure {
         }
         if let Some(first) = self.first_lines.get_mut(self.lines) {
             *first = line.numbers;
+            self.first_lines_at[self.lines] = line.at;
         } else {
             // The header may take the first two lines; translations and quaternions may alternate.
             let expected = self.first_lines[2 + self.lines % 2];
@@ -228,9 +161,29 @@ impl Structure {
                 self.irregular_line = Some(Irregular { at: line.at, index: self.lines, found: line.numbers, expected });
             }
         }
-        self.every_line =
-            if self.lines == 0 { Some(line.numbers) } else { self.every_line.filter(|&every| every == line.numbers) };
+        for (before, every) in self.every_line.iter_mut().enumerate() {
+            if self.lines == before {
+                *every = Some(line.numbers);
+            } else if self.lines > before {
+                *every = every.filter(|&every| every == line.numbers);
+            }
+        }
         self.lines += 1;
+    }
+
+    /// The bytes of the first mark that is neither `frame` nor `end`.
+    pub(super) fn first_other_mark<'a>(&self, bytes: &'a [u8]) -> Option<(usize, &'a [u8])> {
+        let [at, end] = self.other.first;
+        (self.other.count > 0).then(|| (at, &bytes[at..end]))
+    }
+
+    /// The error for a mark that belongs to no keyframes.
+    pub(super) fn unexpected_mark(&self, bytes: &[u8]) -> Option<TextError> {
+        let (at, text) = self.first_other_mark(bytes)?;
+        let expected = if at <= self.first_at || self.numbers == 0 { texts::TEXT_EXPECTED_KEYFRAMES } else { NUMBER };
+        let word = text.split(u8::is_ascii_whitespace).next().unwrap_or_default();
+        let problem = TextProblem::Unexpected { found: quoted(word).into(), expected: expected.into() };
+        Some(TextError::new(bytes, at, problem))
     }
 
     /// The probable location of an error in the rows, as a part of a sentence.
@@ -242,13 +195,53 @@ impl Structure {
     }
 }
 
-fn line_from(bytes: &[u8], at: usize) -> &[u8] {
-    bytes[at..].split(|&byte| byte == b'\n').next().unwrap_or_default().trim_ascii_end()
+/// A header has fewer pairs of numbers than this.
+const FEW_PAIRS: usize = 4;
+
+/// Tells whether commas are decimal commas: they stand between digits only, they join two numbers at most, and nothing has a point.
+#[derive(Debug, Default)]
+struct Commas {
+    /// The bytes of the first two numbers that a comma joins.
+    first: Option<[usize; 2]>,
+    /// How many commas join two numbers, and whether any does in another line than the first, which may be a header.
+    pairs: usize,
+    is_below_header: bool,
+    /// Whether something cannot be so with decimal commas.
+    are_separators: bool,
+    /// The numbers that are joined so far, and the bytes of the last of them.
+    joined: usize,
+    last: [usize; 2],
+    comma_at: Option<usize>,
 }
 
-fn frame_number(bytes: &[u8], at: usize) -> Option<u64> {
-    let text = std::str::from_utf8(line_from(bytes, at)).ok()?;
-    let bracketed = text.get(5..)?.trim().trim_end_matches([':', ',', ';']);
-    let digits = bracketed.strip_prefix('[')?.strip_suffix(']')?.trim();
-    if digits.bytes().all(|byte| byte.is_ascii_digit()) { digits.parse().ok() } else { None }
+impl Commas {
+    fn take(&mut self, bytes: &[u8], piece: Piece<'_>, line: usize) {
+        let before = self.comma_at.take();
+        match piece.token {
+            Token::Number(_) => {
+                let text = &bytes[piece.at..piece.end];
+                let is_joined = before == Some(piece.at.wrapping_sub(1));
+                let are_digits = text[0].is_ascii_digit();
+                self.are_separators |= text.contains(&b'.') || before.is_some() && !(is_joined && are_digits);
+                self.joined = if is_joined { self.joined + 1 } else { 1 };
+                self.are_separators |= self.joined > 2;
+                if is_joined {
+                    self.first = self.first.or(Some([self.last[0], piece.end]));
+                    self.pairs += 1;
+                    self.is_below_header |= line > 0;
+                }
+                self.last = [piece.at, piece.end];
+            }
+            Token::Separator(b',') => {
+                self.are_separators |= self.last[1] != piece.at;
+                self.comma_at = Some(piece.at);
+            }
+            _ => self.are_separators |= before.is_some(),
+        }
+    }
+
+    /// The bytes of the first number with a decimal comma.
+    fn decimal(&self) -> Option<[usize; 2]> {
+        self.first.filter(|_| !self.are_separators && (self.is_below_header || self.pairs >= FEW_PAIRS))
+    }
 }

@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Write as _};
 
-use super::csv;
+use super::columns;
 use super::layout::Layout;
 use crate::keyframe::Keyframe;
 use crate::rbt::Rbt;
@@ -30,7 +30,7 @@ impl fmt::Display for KeyframeText<'_> {
             | Layout::Matrices => {
                 writeln!(out, "{} {}", self.keyframes.len(), self.nodes)?;
             }
-            Layout::Csv => writeln!(out, "{}", csv::HEADER)?,
+            Layout::Csv => writeln!(out, "{}", columns::HEADER)?,
             Layout::Rows | Layout::Frames | Layout::End | Layout::Pairs | Layout::Endless => {}
         }
         for (index, keyframe) in self.keyframes.iter().enumerate() {

@@ -84,13 +84,8 @@ fn keyframes_between_marks_are_of_one_length() {
         let cut = &good[..good.len() - 100];
         assert_eq!(read_with(cut, &salvage()).0, expected[..3]);
     }
-    let sentence = refusal(text("frames").replacen("frame [1]", "frame one", 1));
-    assert_eq!(
-        sentence,
-        "line 24 column 1: found \"frame one\", expected a line \"frame [0]\", with the keyframe's number in brackets"
-    );
     let (_, report) = read(text("frames").replacen("frame [1]", "frame [7]", 1));
-    assert!(report.to_string().contains("warning: a line says frame [7] where frame [1] was expected"));
+    assert!(report.to_string().contains("warning: a line says frame 7 where frame 1 was expected"));
 }
 
 #[test]
@@ -98,11 +93,6 @@ fn csv_rows_are_counted() {
     let good = text("csv");
     let (expected, _) = read(&good);
     for (from, to, sentence) in [
-        (
-            "rbt_ind",
-            "rbt",
-            "line 1 column 1: found \"frame_num,rbt,tx,ty,tz,rw,rx,ry,rz\", expected the header frame_num,rbt_ind,tx,ty,tz,rw,rx,ry,rz",
-        ),
         ("\n1,0,", "\n2,0,", "line 24 column 1: found frame_num 2, expected 1"),
         ("\n1,5,", "\n1,6,", "line 29 column 3: found rbt_ind 6, expected 5"),
         ("\n1,0,", "\n0,22,", "line 25 column 1: found frame_num 1, expected rbt_ind 22"),

@@ -4,7 +4,9 @@ mod broken;
 mod inference;
 mod layouts;
 mod python;
+mod rows_of_nodes;
 mod samples;
+mod separators;
 mod students;
 
 use inbetween::keyframe::Keyframe;

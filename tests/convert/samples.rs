@@ -122,6 +122,34 @@ pub fn texts(keyframes: &[Vec<Row>], swap: bool) -> Vec<Sample> {
     samples.into_iter().map(|(what, layout, text)| Sample { what, layout, text }).collect()
 }
 
+/// Texts that are read too: other marks between keyframes and rows, other headers, columns before the seven, comments.
+pub fn variants(keyframes: &[Vec<Row>]) -> Vec<String> {
+    let (n, m) = (keyframes.len(), keyframes[0].len());
+    let rows = |before: &str, between: &str, after: &str| -> String {
+        keyframes
+            .iter()
+            .map(|rows| before.to_owned() + &lines(rows.iter().map(|row| row.join(between) + after)))
+            .collect()
+    };
+    let indexed = keyframes
+        .iter()
+        .enumerate()
+        .flat_map(|(k, rows)| rows.iter().enumerate().map(move |(node, row)| format!("{k};{node};{}", row.join(";"))));
+    let indexed = lines(indexed);
+    vec![
+        rows("****\n", " ", ""),
+        rows("frame\n", ",", ""),
+        rows("Keyframe 7:\n", " ", " // a row"),
+        rows("", ", ", " |"),
+        rows("", ", ", "],").replace('\n', "\n["),
+        format!("{n};{m};60;176\n") + &rows("", " ", ""),
+        format!("{n}\n") + &rows("# next\n", "\t", ""),
+        indexed.clone(),
+        "frame;joint;px;py;pz;qx;qy;qz;qw\n".to_owned() + &indexed,
+        rows("", " ", "").replace('.', ","),
+    ]
+}
+
 /// Keys of a control node.
 pub const PYTHON: &str = "\
 from transform import vec, quaternion, quaternion_from_euler  # the course's module

@@ -85,6 +85,9 @@ pub fn texts() -> Vec<Vec<u8>> {
     let texts = samples::texts(&keyframes, false).into_iter().chain(samples::texts(&keyframes, true));
     let mut texts: Vec<Vec<u8>> = texts.map(|sample| sample.text.into_bytes()).collect();
     texts.push(samples::matrices(&keyframes[..1]).into_bytes());
+    texts.extend(samples::variants(&keyframes).into_iter().map(String::into_bytes));
+    let headless = keyframes.iter().map(|rows| [&rows[..11], &rows[12..21]].concat()).collect::<Vec<_>>();
+    texts.extend(samples::variants(&headless).into_iter().take(2).map(String::into_bytes));
     texts
 }
 
