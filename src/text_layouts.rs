@@ -6,11 +6,13 @@
 //! the text before memory is allocated for them.
 
 mod columns;
+mod counts;
 mod error;
 mod header;
 mod joints;
 mod layout;
 mod lexer;
+mod marked;
 mod marks;
 mod places;
 mod plan;

@@ -1,11 +1,12 @@
 //! Tables: rows with numbers of keyframe and row before the seven, such as `frame_num,rbt_ind,tx,ty,tz,rw,rx,ry,rz`, with names or without.
 
 use super::Options;
+use super::counts::Counts;
 use super::error::{TextError, TextProblem};
 use super::layout::{FieldOrder, Layout};
 use super::lexer::{Lexer, Token, not_a_number};
 use super::marks::{MOST_HEADER, names};
-use super::plan::{Counts, Plan, ROW};
+use super::plan::{Plan, ROW};
 use super::report::Certainty;
 use super::structure::Structure;
 use crate::text::counted;
@@ -44,6 +45,11 @@ pub(super) struct Columns {
 fn first_names(bytes: &[u8], structure: &Structure) -> Option<Vec<String>> {
     let (at, text) = structure.first_other_mark(bytes)?;
     if structure.numbers > 0 && at > structure.first_at { None } else { names(text) }
+}
+
+/// Whether a table holds samples of playback instead of keyframes.
+pub(super) fn are_samples(bytes: &[u8], structure: &Structure) -> bool {
+    first_names(bytes, structure).is_some_and(|names| names.iter().any(|name| name == "key_time"))
 }
 
 /// The order of fields that names of columns tell, and whether w is the last of the four.

@@ -1,7 +1,7 @@
 //! Finds the numbers before the first row: `N M`, `N` alone, or more of them, such as frames per second.
 
+use super::counts::Counts;
 use super::marks::MOST_HEADER;
-use super::plan::Counts;
 use super::structure::{FIRST_LINES, Structure};
 
 /// Numbers before the first row that agree with what follows.

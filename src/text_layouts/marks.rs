@@ -142,7 +142,10 @@ impl Marks {
     }
 
     fn turn(&mut self, number: Option<u64>) {
-        let Some(number) = number else { return };
+        let Some(number) = number else {
+            self.next_number = self.next_number.map(|number| number.saturating_add(1));
+            return;
+        };
         // The first may be 0 or 1.
         let expected = self.next_number.unwrap_or(number.min(1));
         if number != expected && self.out_of_turn.is_none() {

@@ -8,8 +8,8 @@ use super::plan::{Plan, ROW};
 use super::report::Certainty;
 use crate::words::texts;
 
-/// A mark as it is named in a report has at most so many characters.
-const LONGEST_NAME: usize = 24;
+/// A report names at most so many different marks.
+const MOST_NAMES: usize = 3;
 
 /// The marks of a keyframe: for each of its numbers, whether a mark stands before it.
 struct Places {
@@ -44,8 +44,8 @@ pub(super) fn check(bytes: &[u8], plan: &mut Plan) -> Result<(), TextError> {
             }
             Token::Mark(text) => {
                 let is_named = MarkKind::of(text) != MarkKind::Other || names(text).is_some();
-                let name = String::from_utf8_lossy(text).chars().take(LONGEST_NAME).collect::<String>();
-                if !is_named && seen.len() <= 3 && !seen.contains(&name) {
+                let name = quoted(text);
+                if !is_named && seen.len() <= MOST_NAMES && !seen.contains(&name) {
                     seen.push(name);
                 }
                 if numbers > plan.skip && is_read(numbers) && MarkKind::of(text) == MarkKind::Other {
@@ -57,9 +57,9 @@ pub(super) fn check(bytes: &[u8], plan: &mut Plan) -> Result<(), TextError> {
         }
     }
     if !seen.is_empty() {
-        let more = if seen.len() > 3 { " and others" } else { "" };
-        let seen: Vec<String> = seen.iter().take(3).map(|name| format!("{name:?}")).collect();
-        plan.find(Certainty::Note, format!("not used: {}{more}, which stands between numbers", seen.join(", ")));
+        let more = if seen.len() > MOST_NAMES { " and others" } else { "" };
+        seen.truncate(MOST_NAMES);
+        plan.find(Certainty::Note, format!("what stands between numbers is not used: {}{more}", seen.join(", ")));
     }
     Ok(())
 }

@@ -2,28 +2,24 @@
 
 use super::Options;
 use super::columns::{self, Columns};
+use super::counts::Counts;
 use super::error::{TextError, TextProblem, in_rows};
 use super::header::{self, Header};
-use super::joints::{self, JointList};
+use super::joints;
 use super::layout::{FieldOrder, Layout};
-use super::marks::{MOST_HEADER, MarkKind, Marks};
+use super::marks::MOST_HEADER;
 use super::report::{Certainty, Finding};
 use super::rows;
-use super::structure::{Irregular, Structure, structure};
+use super::structure::{Structure, structure as structure_of};
 use crate::rotation_rules::RECOGNISED;
 use crate::scene::SceneGraph;
 use crate::text::listed;
-use crate::words::{self, Argument, texts};
+use crate::words::texts;
 
 /// Numbers per row: a translation and a quaternion.
 pub(super) const ROW: usize = 7;
 /// Numbers per matrix.
 const MATRIX: usize = 16;
-/// The number of nodes of the scene to which the course's later assignments add some.
-const COURSE_NODES: usize = 22;
-/// The numbers of nodes in those assignments.
-const LATER_COURSE_NODES: [usize; 3] = [24, 25, 26];
-
 /// The inferred structure of a text.
 #[derive(Clone, Debug)]
 pub(super) struct Plan {
@@ -55,57 +51,13 @@ impl Plan {
     }
 }
 
-/// The possible numbers of nodes per keyframe.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Counts {
-    /// That of the scene or of the list of joints, then those of later assignments.
-    likely: Vec<usize>,
-    /// That of a scene whose robots have no heads. The offsets must confirm it.
-    without_heads: Option<usize>,
-}
-
-impl Counts {
-    fn new(scene: &SceneGraph, options: &Options) -> Self {
-        let own = options.joints.as_ref().map_or(scene.rbt_count(), JointList::rows);
-        let is_course = scene.rbt_count() == COURSE_NODES;
-        let mut likely = vec![own];
-        likely.extend(LATER_COURSE_NODES.into_iter().filter(|&later| is_course && later > own));
-        let heads = joints::heads(scene).len();
-        Self { likely, without_heads: (heads > 0 && options.joints.is_none()).then(|| own - heads) }
-    }
-
-    /// The scene's own number, or that of the list of joints.
-    pub(super) fn own(&self) -> usize {
-        self.likely[0]
-    }
-
-    /// Whether keyframes may have so many nodes.
-    pub(super) fn accept(&self, nodes: usize) -> bool {
-        self.all().any(|count| count == nodes)
-    }
-
-    /// Whether a number must be confirmed by the offsets.
-    fn needs_offsets(&self, nodes: usize) -> bool {
-        self.without_heads == Some(nodes) && !self.likely.contains(&nodes)
-    }
-
-    /// All numbers, the most likely first.
-    pub(super) fn all(&self) -> impl Iterator<Item = usize> + '_ {
-        self.likely.iter().copied().chain(self.without_heads)
-    }
-
-    /// The likely numbers in words: `22, 24, 25 or 26`.
-    pub(super) fn in_words(&self) -> Argument {
-        words::one_of(&self.likely.iter().map(ToString::to_string).collect::<Vec<_>>())
-    }
-}
-
-struct Planner<'a> {
-    bytes: &'a [u8],
+/// What is known of a text before its plan.
+pub(super) struct Planner<'a> {
+    pub(super) bytes: &'a [u8],
     scene: &'a SceneGraph,
-    structure: &'a Structure,
-    counts: Counts,
-    options: &'a Options,
+    pub(super) structure: &'a Structure,
+    pub(super) counts: Counts,
+    pub(super) options: &'a Options,
 }
 
 /// The plan of a text.
@@ -113,33 +65,45 @@ struct Planner<'a> {
 /// # Errors
 /// The first error.
 pub(super) fn plan(bytes: &[u8], scene: &SceneGraph, options: &Options) -> Result<Plan, TextError> {
-    let structure = structure(bytes);
+    let mut structure = structure_of(bytes);
+    let odd = structure.odd_mark(bytes);
+    if columns::are_samples(bytes, &structure)
+        && let Some(error) = structure.unexpected_mark(bytes)
+    {
+        return Err(error);
+    }
     let counts = Counts::new(scene, options);
     if let Some(columns) = Columns::find(bytes, &structure) {
-        let plan = columns::plan(bytes, &columns, &counts, options)?;
-        return confirmed(bytes, plan, &structure, &counts, scene);
+        let plan = columns::plan(bytes, &columns, &counts, options);
+        let plan = plan.and_then(|plan| confirmed(bytes, plan, &structure, &counts, scene));
+        return plan.map_err(|error| odd.map_or(error, |(_, odd)| odd));
+    }
+    if let (true, Some((at, error))) = (options.salvage, &odd) {
+        structure = structure_of(&bytes[..*at]);
+        structure.problem.get_or_insert_with(|| error.clone());
     }
     if let Some(problem) = structure.problem.clone().filter(|_| !options.salvage || structure.numbers == 0) {
         return Err(problem);
     }
-    let planner = Planner { bytes, scene, structure: &structure, counts, options };
     if structure.numbers == 0 {
-        let nothing = || TextError::new(bytes, 0, TextProblem::Empty);
-        return Err(structure.unexpected_mark(bytes).unwrap_or_else(nothing));
+        return Err(odd.map_or_else(|| TextError::new(bytes, 0, TextProblem::Empty), |(_, error)| error));
     }
-    let mut plan = if let Some(plan) = planner.matrices() {
-        plan?
+    let planner = Planner { bytes, scene, structure: &structure, counts, options };
+    let plan = if let Some(plan) = planner.matrices() {
+        plan
     } else if structure.named.divide() {
-        planner.marked(&structure.named)?
+        planner.marked(&structure.named)
     } else if planner.are_divided_by_other_marks() {
-        planner.marked(&structure.other)?
+        planner.marked(&structure.other)
     } else {
-        planner.unmarked().map_err(|error| planner.blames_a_mark().unwrap_or(error))?
+        planner.unmarked()
     };
+    let plan = plan.and_then(|plan| confirmed(bytes, plan, &structure, &planner.counts, scene));
+    let mut plan = plan.map_err(|error| odd.map_or(error, |(_, odd)| odd))?;
     if let Some(problem) = &structure.problem {
         plan.find(Certainty::Warning, format!("salvaged: the rest is not read from here: {problem}"));
     }
-    confirmed(bytes, plan, &structure, &planner.counts, scene)
+    Ok(plan)
 }
 
 /// The plan, if its number of nodes needs no offsets to confirm it, or they do.
@@ -158,11 +122,11 @@ fn confirmed(
 }
 
 impl Planner<'_> {
-    fn error(&self, at: usize, problem: TextProblem) -> TextError {
+    pub(super) fn error(&self, at: usize, problem: TextProblem) -> TextError {
         TextError::new(self.bytes, at, problem)
     }
 
-    fn new_plan(&self, layout: Layout, skip: usize, nodes: usize, keyframes: usize) -> Plan {
+    pub(super) fn new_plan(&self, layout: Layout, skip: usize, nodes: usize, keyframes: usize) -> Plan {
         Plan {
             layout,
             from: 0,
@@ -177,7 +141,7 @@ impl Planner<'_> {
         }
     }
 
-    fn node_count(&self, at: usize, found: usize) -> TextError {
+    pub(super) fn node_count(&self, at: usize, found: usize) -> TextError {
         self.error(at, TextProblem::NodeCount { found, expected: self.counts.in_words() })
     }
 
@@ -218,122 +182,7 @@ impl Planner<'_> {
         Err(self.error(at, TextProblem::Incomplete { found, nodes, width, hint }))
     }
 
-    fn nodes_in(&self, numbers: usize) -> Option<usize> {
-        let nodes = numbers / ROW;
-        (numbers.is_multiple_of(ROW) && self.counts.accept(nodes)).then_some(nodes)
-    }
-
-    /// Whether keyframes stand between marks that are neither `frame` nor `end`.
-    fn are_divided_by_other_marks(&self) -> bool {
-        let marks = &self.structure.other;
-        let first = marks.first_blocks[0];
-        let is_keyframe = |numbers: usize| self.nodes_in(numbers).is_some();
-        marks.blocks > 1
-            && (is_keyframe(marks.first_blocks[1])
-                || is_keyframe(first)
-                || (1..=MOST_HEADER).any(|header| first > header && is_keyframe(first - header)))
-    }
-
-    /// The error for the first mark, if there are too few to have a meaning, or there are no rows.
-    fn blames_a_mark(&self) -> Option<TextError> {
-        let is_lonely = self.structure.other.count < 2 || self.structure.numbers < ROW;
-        let error = self.structure.unexpected_mark(self.bytes)?;
-        is_lonely.then_some(error)
-    }
-
-    /// Keyframes between marks.
-    fn marked(&self, marks: &Marks) -> Result<Plan, TextError> {
-        let [mut first, second] = marks.first_blocks;
-        let has_second = marks.blocks > 1;
-        let mut skip = marks.lead;
-        if skip == 0 && self.nodes_in(first).is_none() {
-            let rest = (1..=MOST_HEADER).filter(|header| first > *header).map(|header| (header, first - header));
-            let fits = |rest: usize| if has_second { rest == second } else { self.nodes_in(rest).is_some() };
-            if let Some((header, rest)) = rest.into_iter().find(|&(_, rest)| fits(rest)) {
-                (skip, first) = (header, rest);
-            }
-        }
-        let nodes = self.nodes_in(first).or_else(|| self.nodes_in(second).filter(|_| has_second));
-        let Some(nodes) = nodes else {
-            return Err(self.node_count(marks.first_blocks_at[0], first / ROW));
-        };
-        let expected = nodes * ROW;
-        let [first_at, second_at] = marks.first_blocks_at;
-        let odd = if first != expected {
-            Some(Irregular { at: first_at, index: 0, found: first, expected })
-        } else if has_second && second != expected {
-            Some(Irregular { at: second_at, index: 1, found: second, expected })
-        } else {
-            marks.irregular
-        };
-        let [text_at, text_end] = marks.first;
-        let text = &self.bytes[text_at..text_end];
-        let (layout, name) = match MarkKind::of(text) {
-            MarkKind::Frame => (Layout::Frames, String::from_utf8_lossy(text).into_owned()),
-            MarkKind::End => (Layout::End, String::from_utf8_lossy(text).into_owned()),
-            MarkKind::Other => (Layout::Rows, String::from_utf8_lossy(text).chars().take(40).collect()),
-        };
-        let mut plan = self.new_plan(layout, skip, nodes, marks.blocks);
-        if let Some(Irregular { at, index, found, expected }) = odd {
-            if !self.options.salvage || index == 0 {
-                return Err(self.error(at, TextProblem::KeyframeLength { keyframe: index, found, expected }));
-            }
-            plan.keyframes = index;
-            plan.find(
-                Certainty::Warning,
-                format!("salvaged: keyframe {index} is not whole: it and those after it are left out"),
-            );
-        }
-        self.check_lead(&mut plan, marks.blocks)?;
-        let name = name.trim_end_matches([':', ',', ';']);
-        plan.find(
-            Certainty::Sure,
-            format!("layout: lines such as {name:?} divide the keyframes, each of {nodes} nodes"),
-        );
-        if let Some((found, expected)) = marks.out_of_turn {
-            plan.find(
-                Certainty::Warning,
-                format!("a line says frame {found} where frame {expected} was expected: the order of the file counts"),
-            );
-        }
-        Ok(plan)
-    }
-
-    /// Compares a header before marked keyframes with them.
-    fn check_lead(&self, plan: &mut Plan, blocks: usize) -> Result<(), TextError> {
-        #[expect(clippy::cast_precision_loss, reason = "counts that are equal to a number of a header are small")]
-        let (keyframes, nodes) = (blocks as f32, plan.nodes as f32);
-        #[expect(clippy::cast_precision_loss, reason = "counts are small")]
-        let is_count = |number: f32| number != keyframes && self.counts.all().any(|count| count as f32 == number);
-        let numbers = &self.structure.first[..plan.skip];
-        match numbers {
-            [] => Ok(()),
-            [one] if *one == keyframes || *one == nodes => Ok(()),
-            [first, second] if [[*first, *second], [*second, *first]].contains(&[keyframes, nodes]) => Ok(()),
-            [_, _, _, ..]
-                if numbers.contains(&keyframes)
-                    && numbers.iter().all(|&number| number == nodes || !is_count(number)) =>
-            {
-                let others: Vec<f32> =
-                    numbers.iter().copied().filter(|number| ![keyframes, nodes].contains(number)).collect();
-                unused(plan, &others);
-                Ok(())
-            }
-            [_, _, ..] => match header::first_two(self.structure) {
-                Some((keyframes, nodes)) => self.header_disagrees(plan, keyframes, nodes),
-                None => Err(self.lead_error(plan.skip)),
-            },
-            [_] => Err(self.lead_error(plan.skip)),
-        }
-    }
-
-    fn lead_error(&self, skip: usize) -> TextError {
-        let found = texts::count_numbers(skip).into();
-        let expected = texts::TEXT_EXPECTED_FRAME_OR_HEADER.into();
-        self.error(self.structure.first_at, TextProblem::Unexpected { found, expected })
-    }
-
-    fn header_disagrees(&self, plan: &mut Plan, keyframes: usize, nodes: usize) -> Result<(), TextError> {
+    pub(super) fn header_disagrees(&self, plan: &mut Plan, keyframes: usize, nodes: usize) -> Result<(), TextError> {
         let found = self.structure.numbers - plan.skip;
         if !self.options.salvage {
             let expected = keyframes.saturating_mul(nodes).saturating_mul(ROW);
@@ -435,7 +284,9 @@ impl Planner<'_> {
         let whole = || self.counts.all().filter(|nodes| found.is_multiple_of(nodes * ROW));
         let persists = |&nodes: &usize| rows::offsets_persist(self.bytes, &plan(nodes));
         let fits = |&nodes: &usize| self.fits_joints(&plan(nodes));
-        let by_count = whole().find(|nodes| fits(nodes) && persists(nodes)).or_else(|| whole().find(fits));
+        // Joints may be moved in an animation, but then the scene's own number must fit.
+        let own = || whole().find(|nodes| *nodes == self.counts.own() && fits(nodes));
+        let by_count = whole().find(|nodes| fits(nodes) && persists(nodes)).or_else(own);
         let mut likely = whole().filter(|&nodes| !self.counts.needs_offsets(nodes));
         let persistent = || likely.find(persists);
         let guessed = by_line.or(by_count).or_else(persistent);
@@ -477,7 +328,11 @@ impl Planner<'_> {
         let found = self.structure.numbers;
         let own = self.counts.own();
         let is_whole = |nodes: &usize| found.is_multiple_of(nodes * ROW) && !self.counts.needs_offsets(*nodes);
-        if let Some(nodes) = self.counts.all().find(is_whole) {
+        let is_own = || {
+            let plan = plan(own);
+            plan.keyframes > 0 && self.fits_joints(&plan) && rows::offsets_persist(self.bytes, &plan)
+        };
+        if let Some(nodes) = self.counts.all().find(is_whole).filter(|_| !is_own()) {
             let problem = TextProblem::Guessed { nodes, expected: self.counts.in_words() };
             return Err(self.error(self.structure.first_at, problem));
         }
@@ -494,7 +349,7 @@ impl Planner<'_> {
 }
 
 /// Notes the numbers of a header that say something else.
-fn unused(plan: &mut Plan, numbers: &[f32]) {
+pub(super) fn unused(plan: &mut Plan, numbers: &[f32]) {
     if !numbers.is_empty() {
         let verb = if numbers.len() == 1 { "is" } else { "are" };
         let numbers: Vec<String> = numbers.iter().map(ToString::to_string).collect();

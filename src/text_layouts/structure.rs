@@ -2,7 +2,8 @@
 
 use super::error::{TextError, TextProblem, quoted};
 use super::lexer::{Lexer, Piece, Token, not_a_number};
-use super::marks::{MarkKind, Marks};
+use super::marks::{MarkKind, Marks, names};
+use super::plan::ROW;
 use crate::words::{Message, Phrase, texts};
 
 /// The number of first numbers that are kept: those of a matrix.
@@ -44,6 +45,8 @@ pub(super) struct Structure {
     /// The error at that offset; `None` at the end of the text.
     pub(super) problem: Option<TextError>,
     commas: Commas,
+    kinds: Kinds,
+    last_at: usize,
 }
 
 /// A line or a keyframe of an unexpected length.
@@ -106,6 +109,7 @@ impl Structure {
                 if line.numbers == 0 {
                     line.at = piece.at;
                 }
+                self.last_at = piece.at;
                 self.numbers += 1;
                 line.numbers += 1;
                 line.last_separated = false;
@@ -121,8 +125,8 @@ impl Structure {
                 }
                 self.has_commas |= is_comma;
                 if !is_comma {
-                    self.ends_rows |= self.numbers.is_multiple_of(7);
-                    self.splits_rows |= matches!(self.numbers % 7, 3 | 4);
+                    self.ends_rows |= self.numbers.is_multiple_of(ROW);
+                    self.splits_rows |= matches!(self.numbers % ROW, 3 | 4);
                 }
                 line.last_separated = true;
             }
@@ -132,8 +136,20 @@ impl Structure {
             }
             Token::Mark(text) => {
                 line.last_separated = false;
-                let marks = if MarkKind::of(text) == MarkKind::Other { &mut self.other } else { &mut self.named };
-                marks.mark(piece.at, text);
+                let is_other = MarkKind::of(text) == MarkKind::Other;
+                if is_other {
+                    self.other.mark(piece.at, text);
+                } else {
+                    self.named.mark(piece.at, text);
+                }
+                // What stands before all numbers says something about them.
+                if self.numbers > 0 && (is_other || line.numbers > 0) {
+                    let rest = &bytes[piece.end..];
+                    let blanks = rest.len() - rest.trim_ascii_start().len();
+                    let ends_line = blanks == rest.len() || rest[..blanks].contains(&b'\n');
+                    let are_signs = ends_line && line.numbers == 0 && !text.iter().any(u8::is_ascii_alphabetic);
+                    self.kinds.take(bytes, piece, are_signs);
+                }
             }
             Token::Number(_) | Token::Word(_) => {
                 let is_first = self.numbers == 0 && self.named.count == 0;
@@ -177,13 +193,22 @@ impl Structure {
         (self.other.count > 0).then(|| (at, &bytes[at..end]))
     }
 
-    /// The error for a mark that belongs to no keyframes.
+    /// The error for the first mark of a text without numbers before it.
     pub(super) fn unexpected_mark(&self, bytes: &[u8]) -> Option<TextError> {
-        let (at, text) = self.first_other_mark(bytes)?;
-        let expected = if at <= self.first_at || self.numbers == 0 { texts::TEXT_EXPECTED_KEYFRAMES } else { NUMBER };
-        let word = text.split(u8::is_ascii_whitespace).next().unwrap_or_default();
-        let problem = TextProblem::Unexpected { found: quoted(word).into(), expected: expected.into() };
-        Some(TextError::new(bytes, at, problem))
+        let [at, end] = self.other.first;
+        (self.other.count > 0).then(|| mark_error(bytes, [at, end], texts::TEXT_EXPECTED_KEYFRAMES))
+    }
+
+    /// The error for a mark that is probably a mistake: its like stands nowhere else, within the rows.
+    pub(super) fn odd_mark(&self, bytes: &[u8]) -> Option<(usize, TextError)> {
+        if self.numbers < ROW {
+            let are_names = self.first_other_mark(bytes).is_some_and(|(_, text)| names(text).is_some());
+            let error = self.unexpected_mark(bytes).filter(|_| self.problem.is_none() && !are_names);
+            return error.map(|error| (0, error));
+        }
+        let [at, end] = self.kinds.odd(self.last_at, self.named.count > 0)?;
+        let expected = if at < self.first_at { texts::TEXT_EXPECTED_KEYFRAMES } else { NUMBER };
+        Some((at, mark_error(bytes, [at, end], expected)))
     }
 
     /// The probable location of an error in the rows, as a part of a sentence.
@@ -192,6 +217,45 @@ impl Structure {
             let line = TextError::new(bytes, at, TextProblem::Empty).line;
             texts::text_hint_line(line, found, expected)
         })
+    }
+}
+
+fn mark_error(bytes: &[u8], [at, end]: [usize; 2], expected: Phrase) -> TextError {
+    let word = bytes[at..end].split(u8::is_ascii_whitespace).next().unwrap_or_default();
+    let problem = TextProblem::Unexpected { found: quoted(word).into(), expected: expected.into() };
+    TextError::new(bytes, at, problem)
+}
+
+/// The most different marks that are told apart.
+const MOST_KINDS: usize = 8;
+
+/// The different marks within the rows. Digits do not make a difference.
+#[derive(Debug, Default)]
+struct Kinds {
+    /// The bytes of the first of each kind, how many there are, and whether it is a line of signs.
+    kinds: Vec<([usize; 2], usize, bool)>,
+    are_too_many: bool,
+}
+
+impl Kinds {
+    fn take(&mut self, bytes: &[u8], piece: Piece<'_>, are_signs: bool) {
+        let text = |[at, end]: [usize; 2]| bytes[at..end].iter().filter(|byte| !byte.is_ascii_digit());
+        let here = [piece.at, piece.end];
+        let are_all = self.kinds.len() == MOST_KINDS;
+        match self.kinds.iter_mut().find(|(first, ..)| text(*first).eq(text(here))) {
+            Some((_, count, _)) => *count += 1,
+            None if are_all => self.are_too_many = true,
+            None => self.kinds.push((here, 1, are_signs)),
+        }
+    }
+
+    /// The first that stands alone and before the last number. A line of signs may stand between two keyframes, if no words do.
+    fn odd(&self, last_number_at: usize, have_names: bool) -> Option<[usize; 2]> {
+        let is_odd = |&&([at, _], count, are_signs): &&([usize; 2], usize, bool)| {
+            count == 1 && at < last_number_at && (have_names || !are_signs)
+        };
+        let alone = self.kinds.iter().find(is_odd)?;
+        (!self.are_too_many).then_some(alone.0)
     }
 }
 

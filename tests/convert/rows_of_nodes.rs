@@ -103,8 +103,8 @@ fn twenty_rows_that_are_no_robots_are_refused() {
     let alone = samples.iter().find(|sample| sample.what == "no header").unwrap();
     assert_eq!(
         refusal(&alone.text),
-        "line 1 column 1: there is no header, and whole keyframes would have 25 nodes, but then the offsets of keyframe 0 match no robot. \
-         Expected 22, 24, 25 or 26 nodes in each keyframe, and a first line \"N M\""
+        "line 1 column 1: there is no header, and the rows make whole keyframes only with 25 nodes, which the offsets of the joints \
+         contradict. Expected 22, 24, 25 or 26 nodes in each keyframe, or a first line \"N M\""
     );
 }
 
@@ -119,6 +119,20 @@ fn a_guess_without_header_follows_the_offsets() {
     assert_eq!(found.len(), 11, "{report}");
     let (found, _) = read(lines(keyframes(12).iter().flatten().map(|row| row.join(" "))));
     assert_eq!(found.len(), 12);
+}
+
+#[test]
+fn a_text_that_is_cut_off_is_not_one_of_more_nodes() {
+    // 100 of 110 rows: as many as 4 keyframes of 25 nodes.
+    let rows = lines(keyframes(5).iter().flatten().take(100).map(|row| row.join(" ")));
+    let sentence = refusal(&rows);
+    assert!(
+        sentence.contains("4 whole keyframes and 84 numbers")
+            && sentence.ends_with("--salvage takes the whole keyframes"),
+        "{sentence}"
+    );
+    let (found, _) = read_with(&rows, &Options { salvage: true, ..Options::default() });
+    assert_eq!(found, read(&texts(&keyframes(4), false)[0].text).0);
 }
 
 #[test]

@@ -75,7 +75,7 @@ fn signs_may_stand_between_rows() {
         for text in [joined.clone(), ended.clone(), "4 22\n".to_owned() + &joined, joined.replace('\n', between)] {
             let (found, report) = read(&text);
             assert_eq!(found, expected(), "{between}");
-            assert!(report.to_string().contains("note: not used: "), "{report}");
+            assert!(report.to_string().contains("note: what stands between numbers is not used: "), "{report}");
         }
     }
     for [open, close] in [["[", "]"], ["(", ")"], ["{ ", " }"], ["[ [", "] ]"]] {
@@ -129,6 +129,24 @@ fn the_places_of_marks_are_checked() {
         "line 25 column 1: keyframe 1 has 147 numbers, expected 154; --salvage takes the whole keyframes"
     );
     assert_eq!(read_with(&short, &Options { salvage: true, ..Options::default() }).0, expected()[..1]);
+}
+
+#[test]
+fn a_mark_that_stands_alone_is_a_mistake() {
+    let rows = plain(&keyframes(4));
+    for (from, to, sentence) in [
+        ("\n-1.700000 1", "\n- 1", "line 26 column 1: found \"-\", expected a number"),
+        ("\n-1.700000 1", "\nnull 1", "line 26 column 1: found \"null\", expected a number"),
+        ("\n-1.700000 1", "\n[] 1", "line 26 column 1: found \"[]\", expected a number"),
+        ("\n-1.700000 ", "\n-1.700000\nzero\n", "line 27 column 1: found \"zero\", expected a number"),
+        ("\n-1.700000 1 ", "\n-1.700000 / ", "line 26 column 11: found \"/\", expected a number"),
+    ] {
+        for header in ["4 22\n", "\n"] {
+            assert_eq!(refusal(header.to_owned() + &rows.replacen(from, to, 1)), sentence);
+        }
+    }
+    let samples = "key_time,rbt_ind,tx,ty,tz,rw,rx,ry,rz\n0,0,0,0,0,1,0,0,0\n";
+    assert!(refusal(samples).starts_with("line 1 column 1: found \"key_time,rbt_ind"), "{}", refusal(samples));
 }
 
 #[test]
