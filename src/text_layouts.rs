@@ -110,7 +110,9 @@ pub fn import(bytes: &[u8], scene: &SceneGraph, options: &Options) -> Result<Imp
     if text.is_empty() {
         return Err(TextError::new(bytes, at, TextProblem::Empty).into());
     }
-    if text.starts_with(b"\xff\xfe") || text.starts_with(b"\xfe\xff") {
+    let is_zero = |index: usize| text.get(index) == Some(&0);
+    let is_utf_16_of_digits = is_zero(1) && is_zero(3) || is_zero(0) && is_zero(2);
+    if text.starts_with(b"\xff\xfe") || text.starts_with(b"\xfe\xff") || is_utf_16_of_digits {
         return Err(TextError::new(bytes, at, TextProblem::Utf16).into());
     }
     let read = import_text(bytes, at, scene, options).map_err(|error| TextError {

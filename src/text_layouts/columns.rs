@@ -119,13 +119,17 @@ fn roles(bytes: &[u8], from: usize, lead: usize) -> Option<Vec<Role>> {
             _ => None,
         })
         .collect::<Option<_>>()?;
-    // A column that begins again counts the rows of a keyframe.
+    // A column that begins again counts the rows of a keyframe. Numbers and times of keyframes do not become smaller.
+    let mut before = second;
     for row in rows {
-        for ((value, first), role) in row.iter().zip(&first).zip(&mut roles) {
-            if *role == Role::Running && value == first {
-                *role = Role::Node;
+        for (column, role) in roles.iter_mut().enumerate() {
+            match role {
+                Role::Running if row[column] == first[column] => *role = Role::Node,
+                Role::Keyframe if row[column] < before[column] => return None,
+                _ => {}
             }
         }
+        before = row;
     }
     let is_counted = roles.iter().any(|&role| role != Role::Keyframe);
     (is_counted || lead == 1).then_some(roles)

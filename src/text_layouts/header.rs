@@ -70,7 +70,7 @@ fn of_length(structure: &Structure, skip: usize, width: usize, counts: &Counts) 
     let pairs = values.iter().flat_map(|&first| values.iter().map(move |&second| (first, second)));
     let pair = pairs
         .filter(|((first, _), (second, _))| first != second)
-        .find(|((_, keyframes), (_, nodes))| counts.accept(*nodes) && makes(*keyframes, *nodes));
+        .find(|((_, keyframes), (_, nodes))| *keyframes > 0 && counts.accept(*nodes) && makes(*keyframes, *nodes));
     if let Some(((first, keyframes), (second, nodes))) = pair {
         return Some(header(keyframes, nodes, [Some(first), Some(second)]));
     }

@@ -83,6 +83,9 @@ impl<'a> Lexer<'a> {
         if kind == MarkKind::End {
             return (run.len(), Token::Mark(run));
         }
+        if let Some(label) = self.label(rest, run) {
+            return (label.len(), Token::Mark(label));
+        }
         let digits = run.iter().position(|&byte| is_sign(byte)).unwrap_or(run.len());
         if digits == 0 {
             let signs = run.iter().position(|&byte| !is_sign(byte)).unwrap_or(run.len());
@@ -96,6 +99,22 @@ impl<'a> Lexer<'a> {
             }
             None => (run.len(), Token::Word(run)),
         }
+    }
+}
+
+impl<'a> Lexer<'a> {
+    /// A word at the begin or the end of a line with numbers, or before a bracket, a colon or an equals sign.
+    fn label(&self, rest: &'a [u8], run: &'a [u8]) -> Option<&'a [u8]> {
+        let is_letter = |byte: &u8| byte.is_ascii_alphabetic() || *byte == b'_' || !byte.is_ascii();
+        run.first().filter(|first| is_letter(first))?;
+        let length = run.iter().position(|byte| !is_letter(byte) && !byte.is_ascii_digit()).unwrap_or(run.len());
+        let label = &run[..length];
+        let stands_before = matches!(run.get(length), Some(b'(' | b'[' | b'{' | b':' | b'='));
+        let is_all = length == run.len();
+        let ends_line =
+            is_all && line(&rest[length..]).iter().all(|&byte| is_blank(byte) || matches!(byte, b',' | b';'));
+        let is_text = std::str::from_utf8(label).is_ok();
+        (is_text && (stands_before || is_all && (self.is_line_start || ends_line))).then_some(label)
     }
 }
 

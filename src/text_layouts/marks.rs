@@ -44,7 +44,12 @@ pub(super) fn names(line: &[u8]) -> Option<Vec<String>> {
     let line = std::str::from_utf8(line).ok().filter(|line| line.len() <= LONGEST_NAMES)?;
     let is_blank = |c: char| c.is_whitespace() || matches!(c, '"' | '\'' | '|');
     let by_comma: Vec<&str> = line.trim_end_matches([',', ';', ' ']).split([',', ';', '\t']).collect();
-    let parts = if by_comma.len() > 1 { by_comma } else { line.split_whitespace().collect() };
+    let by_bar: Vec<&str> = line.trim().trim_matches('|').split('|').collect();
+    let parts = match (by_comma.len(), by_bar.len()) {
+        (2.., _) => by_comma,
+        (_, 2..) => by_bar,
+        _ => line.split_whitespace().collect(),
+    };
     let names: Vec<String> = parts.iter().map(|name| name.trim_matches(is_blank).to_lowercase()).collect();
     let are_names =
         names.iter().all(|name| !name.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '-' | '+' | '.')));

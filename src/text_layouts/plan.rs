@@ -66,6 +66,11 @@ pub(super) struct Planner<'a> {
 /// The first error.
 pub(super) fn plan(bytes: &[u8], scene: &SceneGraph, options: &Options) -> Result<Plan, TextError> {
     let mut structure = structure_of(bytes);
+    if let Some(error) =
+        structure.problem.clone().filter(|error| matches!(error.problem, TextProblem::DecimalComma { .. }))
+    {
+        return Err(error);
+    }
     let odd = structure.odd_mark(bytes);
     if columns::are_samples(bytes, &structure)
         && let Some(error) = structure.unexpected_mark(bytes)

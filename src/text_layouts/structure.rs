@@ -62,6 +62,9 @@ pub(super) struct Irregular {
     pub(super) expected: usize,
 }
 
+/// Prose with fewer numbers than this is no animation.
+const FEWEST: usize = 10 * ROW;
+
 const NUMBER: Phrase = texts::TEXT_EXPECTED_NUMBER;
 
 /// Reads a text of numbers, separators and marks.
@@ -193,16 +196,20 @@ impl Structure {
         (self.other.count > 0).then(|| (at, &bytes[at..end]))
     }
 
-    /// The error for the first mark of a text without numbers before it.
+    /// The error for the first mark of a text that holds no keyframes.
     pub(super) fn unexpected_mark(&self, bytes: &[u8]) -> Option<TextError> {
         let [at, end] = self.other.first;
-        (self.other.count > 0).then(|| mark_error(bytes, [at, end], texts::TEXT_EXPECTED_KEYFRAMES))
+        let is_within = self.numbers > 0 && at > self.first_at;
+        let expected = if is_within { NUMBER } else { texts::TEXT_EXPECTED_KEYFRAMES };
+        (self.other.count > 0).then(|| mark_error(bytes, [at, end], expected))
     }
 
     /// The error for a mark that is probably a mistake: its like stands nowhere else, within the rows.
     pub(super) fn odd_mark(&self, bytes: &[u8]) -> Option<(usize, TextError)> {
-        if self.numbers < ROW {
-            let are_names = self.first_other_mark(bytes).is_some_and(|(_, text)| names(text).is_some());
+        let first = self.first_other_mark(bytes).map(|(_, text)| text);
+        let is_word = first.is_some_and(|text| text.iter().any(u8::is_ascii_alphabetic));
+        if self.numbers < ROW || is_word && self.numbers < FEWEST {
+            let are_names = first.is_some_and(|text| names(text).is_some());
             let error = self.unexpected_mark(bytes).filter(|_| self.problem.is_none() && !are_names);
             return error.map(|error| (0, error));
         }
@@ -213,10 +220,16 @@ impl Structure {
 
     /// The probable location of an error in the rows, as a part of a sentence.
     pub(super) fn hint(&self, bytes: &[u8]) -> Option<Message> {
-        self.irregular_line.map(|Irregular { at, found, expected, .. }| {
-            let line = TextError::new(bytes, at, TextProblem::Empty).line;
-            texts::text_hint_line(line, found, expected)
-        })
+        let every =
+            self.every_line[1].filter(|&every| self.lines > 2 && !every.is_multiple_of(ROW) && every > ROW / 2 + 1);
+        match (self.irregular_line, every) {
+            (Some(Irregular { at, found, expected, .. }), _) => {
+                let line = TextError::new(bytes, at, TextProblem::Empty).line;
+                Some(texts::text_hint_line(line, found, expected))
+            }
+            (None, Some(every)) => Some(texts::text_hint_every_line(every, ROW)),
+            (None, None) => None,
+        }
     }
 }
 

@@ -18,7 +18,9 @@ fn without_heads(count: usize) -> Vec<Vec<Row>> {
 /// The keyframes with a light at each of these rows, counted in the result.
 fn with_lights(keyframes: Vec<Vec<Row>>, at: &[usize]) -> Vec<Vec<Row>> {
     let add = |mut rows: Vec<Row>| {
-        at.iter().for_each(|&row| rows.insert(row, LIGHT.map(str::to_owned)));
+        for &row in at {
+            rows.insert(row, LIGHT.map(str::to_owned));
+        }
         rows
     };
     keyframes.into_iter().map(add).collect()

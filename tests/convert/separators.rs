@@ -224,6 +224,36 @@ fn columns_may_have_other_names_or_none() {
 }
 
 #[test]
+fn rows_may_have_labels() {
+    let rows = keyframes(4);
+    let names: Vec<String> = super::samples::scene().rbt_paths().map(|path| path.replace('/', "_")).collect();
+    let labelled =
+        |label: &dyn Fn(usize, &Row) -> String| text(&rows, &|_| String::new(), &|node, row| label(node, row));
+    for labelled in [
+        labelled(&|node, numbers| format!("node{node}: {}", row(numbers))),
+        labelled(&|node, numbers| format!("{} {}", names[node], row(numbers))),
+        labelled(&|node, numbers| format!("{}\n{}", names[node], row(numbers))),
+        labelled(&|node, numbers| format!("{},{}", numbers.join(","), names[node])),
+        labelled(&|_, row| format!("t {}\nr {}", row[..3].join(" "), row[3..].join(" "))),
+        labelled(&|_, row| format!("Rbt(Cvec3({}), Quat({}))", row[..3].join(", "), row[3..].join(", "))),
+        "| k | n | tx | ty | tz | rw | rx | ry | rz |\n|---|---|---|---|---|---|---|---|---|\n".to_owned()
+            + &rows
+                .iter()
+                .enumerate()
+                .flat_map(|(k, rows)| {
+                    rows.iter().enumerate().map(move |(node, row)| format!("|{k}|{node}|{}|\n", row.join("|")))
+                })
+                .collect::<String>(),
+    ] {
+        let (found, report) = read(&labelled);
+        assert_eq!(found, expected(), "{report}");
+        assert!(!report.has_warnings(), "{report}");
+    }
+    let six = text(&rows, &|_| String::new(), &|_, row| row[..6].join(" "));
+    assert!(refusal("4 22\n".to_owned() + &six).contains("(each line has 6 numbers, and a row has 7)"));
+}
+
+#[test]
 fn names_tell_where_w_stands() {
     let rows = keyframes(4);
     let last = |row: &Row| [0, 1, 2, 4, 5, 6, 3].map(|place: usize| row[place].clone());
@@ -264,6 +294,11 @@ fn decimal_commas_are_named() {
         assert_eq!(refusal(header.to_owned() + &with_commas.replace(' ', "\t")), sentence);
         assert_eq!(refusal(header.to_owned() + &with_commas.replace('\n', " ")), sentence);
     }
+    let table = "frame;node;tx;ty;tz;rw;rx;ry;rz\n".to_owned()
+        + &text(&keyframes(4), &|_| String::new(), &|node, row| {
+            format!("0;{node};{}", row.join(";").replace('.', ","))
+        });
+    assert!(refusal(&table).contains("\"-0,657306\" has a decimal comma"), "{}", refusal(&table));
     // Whole numbers between commas are no decimals.
     let whole = "4,22\n".to_owned() + &"0,0,0,1,0,0,0\n".repeat(88);
     assert_eq!(read(&whole).0.len(), 4);
