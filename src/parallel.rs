@@ -30,6 +30,14 @@ pub fn map_in_order<T: Sync, R: Send>(items: &[T], map: impl Fn(&T) -> R + Sync)
     done.into_iter().map(|(_, result)| result).collect()
 }
 
+/// Does work that recurses on a thread with a stack of its own, of so many bytes. A panic is passed on.
+pub fn with_stack<R: Send>(bytes: usize, work: impl FnOnce() -> R + Send) -> R {
+    thread::scope(|scope| {
+        let worker = thread::Builder::new().stack_size(bytes).spawn_scoped(scope, work);
+        worker.expect("the system has a thread left").join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::map_in_order;

@@ -61,8 +61,14 @@ pub fn rotation_about_axis(axis: Vec3, radians: f64) -> Quat {
 /// [`rotation_about_axis`].
 #[must_use]
 pub fn rotation_from_euler_degrees(degrees: [f32; 3]) -> Quat {
-    let [yaw, pitch, roll] = degrees.map(|degrees| f64::from(degrees).to_radians());
-    (DQuat::from_rotation_z(yaw) * DQuat::from_rotation_y(pitch) * DQuat::from_rotation_x(roll)).as_quat()
+    exact_rotation_from_euler_degrees(degrees.map(f64::from)).as_quat()
+}
+
+/// [`rotation_from_euler_degrees`] of angles in double precision, before it is rounded to single precision.
+#[must_use]
+pub fn exact_rotation_from_euler_degrees(degrees: [f64; 3]) -> DQuat {
+    let [yaw, pitch, roll] = degrees.map(f64::to_radians);
+    DQuat::from_rotation_z(yaw) * DQuat::from_rotation_y(pitch) * DQuat::from_rotation_x(roll)
 }
 
 /// What to tell someone who typed an angle beyond half a turn: a rotation has no turns in it. `None` for an angle within ±180 degrees.

@@ -46,6 +46,30 @@ pub struct Options {
     pub joints: Option<JointList>,
     /// Whether the complete keyframes of a broken text are imported.
     pub salvage: bool,
+    /// Which group of keys of a Python program is imported.
+    pub group: GroupChoice,
+    /// The file's name, for the report; may be empty.
+    pub file_name: String,
+}
+
+/// Which of the groups of keys of a Python program is imported, each of which belongs to a control node.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum GroupChoice {
+    /// The only one that can be read; an error if there are several.
+    #[default]
+    Only,
+    /// The first that can be read: for those who ask whether there are keys.
+    First,
+    /// The one of this number, from 1, in the order of the text.
+    Number(usize),
+}
+
+impl Options {
+    /// For those who take keyframes and nothing else, so that a program needs no choice of a group.
+    #[must_use]
+    pub fn of_keyframes() -> Self {
+        Self { group: GroupChoice::First, ..Self::default() }
+    }
 }
 
 /// The result of an import.
@@ -101,7 +125,7 @@ pub fn import(bytes: &[u8], scene: &SceneGraph, options: &Options) -> Result<Imp
     let blank = marked.iter().take_while(|byte| byte.is_ascii_whitespace()).count();
     let (text, at) = (&marked[blank..], bytes.len() - marked.len() + blank);
     if python::is_python(text) {
-        let (scene, report) = python::scene_from_keys(bytes, at)?;
+        let (scene, report) = python::scene_from_keys(bytes, at, options)?;
         return Ok(Imported::Scene(scene, report));
     }
     if text.starts_with(b"{") {

@@ -11,7 +11,9 @@ use crate::files::{self, FileError};
 use crate::keyframe::{Keyframe, KeyframeFile, KeyframesText, LARGEST_FILE_BYTES};
 use crate::scene::SceneGraph;
 use crate::storage;
-use crate::text_layouts::{Certainty, Finding, Imported, JointList, KeyframeText, Layout, Options, Report, import};
+use crate::text_layouts::{
+    Certainty, Finding, GroupChoice, Imported, JointList, KeyframeText, Layout, Options, Report, import,
+};
 use crate::words::texts;
 
 /// The largest list of joints that is read: 16 MiB.
@@ -26,7 +28,13 @@ pub fn run(arguments: &ConvertArguments, scene: Option<&Path>) -> Result<(), Cli
     let scene = &scene::load(scene)?;
     let input = storage::input_name(&arguments.input);
     let joints = arguments.joints.as_deref().map(|file| joint_list(file, scene)).transpose()?;
-    let options = Options { order: arguments.order, joints, salvage: arguments.salvage };
+    let options = Options {
+        order: arguments.order,
+        joints,
+        salvage: arguments.salvage,
+        group: arguments.group.map_or(GroupChoice::Only, GroupChoice::Number),
+        file_name: input.clone(),
+    };
     let imported = {
         let bytes = files::read(&arguments.input, LARGEST_FILE_BYTES)?;
         import(&bytes, scene, &options).map_err(|error| FileError::all(&input, error.sentences()))?
@@ -37,7 +45,11 @@ pub fn run(arguments: &ConvertArguments, scene: Option<&Path>) -> Result<(), Cli
             write_keyframes(arguments, scene, file)?;
             report
         }
-        Imported::Text(file, report) => {
+        Imported::Text(file, mut report) => {
+            if options.group != GroupChoice::Only {
+                let text = "a text has no groups: --group is for programs in Python".to_owned();
+                report.findings.push(Finding { certainty: Certainty::Note, text });
+            }
             write_keyframes(arguments, scene, file)?;
             report
         }
@@ -69,9 +81,9 @@ fn joint_list(file: &Path, scene: &SceneGraph) -> Result<JointList, FileError> {
 fn keyframe_file_report(file: &KeyframeFile, scene: &SceneGraph, options: &Options, to: Option<Layout>) -> Report {
     let (keyframes, nodes) = (file.keyframes.len(), scene.rbt_count());
     let mut findings = Vec::new();
-    if options.order.is_some() || options.joints.is_some() || options.salvage {
-        let text =
-            "a keyframe file names its nodes and fields: --order, --joints and --salvage are for texts".to_owned();
+    if options.order.is_some() || options.joints.is_some() || options.salvage || options.group != GroupChoice::Only {
+        let text = "a keyframe file names its nodes and fields: --order, --joints, --salvage and --group are for texts"
+            .to_owned();
         findings.push(Finding { certainty: Certainty::Note, text });
     }
     let has_settings = file.interpolation.is_some() || file.ms_between_keyframes.is_some();

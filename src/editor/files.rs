@@ -145,7 +145,7 @@ impl Editor {
         self.refuse_while_playing(texts::ACT_IMPORT)?;
         let path = path.to_owned();
         let bytes = bytes.map_err(|reason| CommandError::Read { path: path.clone(), reason })?;
-        let (file, report) = match import(&bytes, &self.document.scene, &Options::default()) {
+        let (file, report) = match import(&bytes, &self.document.scene, &Options::of_keyframes()) {
             Ok(Imported::KeyframeFile(file)) => (file, None),
             Ok(Imported::Text(file, report)) => (file, Some(report)),
             Ok(Imported::Scene(..)) => return Err(CommandError::HoldsScene { path }),

@@ -6,7 +6,7 @@ use crate::keyframe::KeyframeFile;
 use crate::scene::SceneGraph;
 use crate::script;
 use crate::text::without_byte_order_mark;
-use crate::text_layouts::{Imported, Options, import};
+use crate::text_layouts::{ImportError, Imported, Options, TextError, TextProblem, import};
 
 /// How many bytes of a file tell what it is.
 const START_BYTES: usize = 64 << 10;
@@ -35,6 +35,8 @@ pub struct Unreadable {
     pub is_empty: bool,
     /// Whether it looks as if keyframes were meant: a JSON object with names of this program's format, or mostly numbers.
     pub is_alike: bool,
+    /// Whether it is a program without keys, as others than keyframes are handed in with.
+    pub is_source: bool,
 }
 
 /// Determines what a file is, and reads keyframes.
@@ -52,20 +54,24 @@ pub fn content_of(bytes: &[u8], scene: &SceneGraph) -> Content {
     if is_script(&start) {
         return Content::Script;
     }
-    let problems = match import(bytes, scene, &Options::default()) {
+    let (problems, is_source) = match import(bytes, scene, &Options::of_keyframes()) {
         Ok(Imported::KeyframeFile(file)) => return Content::Keyframes(file, None),
         Ok(Imported::Text(file, report)) => {
             return Content::Keyframes(file, Some(report.to_string().replace('\n', "; ")));
         }
         Ok(Imported::Scene(..)) => {
             let problem = "these are the keys of a control node, not keyframes".to_owned();
-            return Content::Unreadable(Unreadable { problem, is_empty: false, is_alike: true });
+            return Content::Unreadable(Unreadable { problem, is_empty: false, is_alike: true, is_source: false });
         }
-        Err(error) => error.sentences(),
+        Err(error) => {
+            let is_source = matches!(&error, ImportError::Text(TextError { problem: TextProblem::NoKeys, .. }));
+            (error.sentences(), is_source)
+        }
     };
     let more = if problems.len() > 1 { format!(" (and {} more problems)", problems.len() - 1) } else { String::new() };
     let problem = format!("{}{more}", problems.first().map_or("", String::as_str));
-    Content::Unreadable(Unreadable { problem, is_empty: first.is_empty(), is_alike: is_alike(&start, bytes) })
+    let is_alike = !is_source && is_alike(&start, bytes);
+    Content::Unreadable(Unreadable { problem, is_empty: first.is_empty(), is_alike, is_source })
 }
 
 /// Whether a header has the columns of samples, whatever separates them.
@@ -130,6 +136,7 @@ mod tests {
             Content::Keyframes(..) => "keyframes",
             Content::Unreadable(Unreadable { is_empty: true, .. }) => "empty",
             Content::Unreadable(Unreadable { is_alike: true, .. }) => "alike",
+            Content::Unreadable(Unreadable { is_source: true, .. }) => "source",
             Content::Unreadable(_) => "other",
             Content::Samples => "samples",
             Content::Trace => "trace",
@@ -155,6 +162,11 @@ mod tests {
             ("0 0 0 1 0 0 0\n0 0 0 1\n", "alike"),
             ("0 0 0 1 0 0 0\n", "alike"),
             (&"0 0 0 1 0 0 0\n".repeat(22), "keyframes"),
+            // Keys of control nodes are meant as keyframes; a program without is one of the student's sources.
+            ("from transform import vec\ndef main():\n    translate_keys = {0: vec(0, 0, 0)}\n", "alike"),
+            ("translate_keys = {0: vec(0, 0, 0)}\ntranslate_keys = {0: vec(1, 0, 0)}\n", "alike"),
+            ("#!/usr/bin/env python3\nimport glfw\n\nclass Viewer:\n    size = 1\n", "source"),
+            (&format!("rows = [{}]\n", "1.5, ".repeat(300)), "source"),
             (" \n\n", "empty"),
             ("", "empty"),
         ] {

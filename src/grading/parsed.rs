@@ -100,7 +100,7 @@ impl Failed {
     fn is_to_blame(&self, preferred: &PreferredNames) -> bool {
         let (name, why) = (&self.member.name, &self.why);
         let is_named_so = has_keyframe_ending(name) && (speaks_of_keyframes(name) || why.is_empty);
-        why.is_alike || is_named_so || preferred.fit(name)
+        why.is_alike || (is_named_so && !why.is_source) || preferred.fit(name)
     }
 
     /// Those that are likelier to be meant come first.
@@ -157,7 +157,10 @@ impl Sorted {
         let count = file.keyframes.len();
         if count > MOST_KEYFRAMES {
             let problem = format!("{count} keyframes, and at most {MOST_KEYFRAMES} are graded");
-            self.failed.push(Failed { member, why: Unreadable { problem, is_empty: false, is_alike: true } });
+            self.failed.push(Failed {
+                member,
+                why: Unreadable { problem, is_empty: false, is_alike: true, is_source: false },
+            });
             return;
         }
         let place = preferred.place(&member.name);

@@ -124,6 +124,39 @@ pub enum TextProblem {
         /// The matrix within it, from 0.
         row: usize,
     },
+    /// An expression of a program whose value is known only when it runs.
+    Unknown {
+        /// The expression, quoted.
+        found: Argument,
+    },
+    /// The text is no valid Python.
+    Syntax {
+        /// The parser's words, in English.
+        reason: String,
+    },
+    /// A program nests too deep.
+    TooDeep,
+    /// A program is too large.
+    TooLarge {
+        /// The most bytes that are read, in MiB.
+        limit: usize,
+    },
+    /// A Python program has no keys.
+    NoKeys,
+    /// There is more than one group of keys.
+    Groups {
+        /// How many there are.
+        count: usize,
+        /// The groups, with number, line and name.
+        list: Message,
+    },
+    /// There is no group of this number.
+    NoGroup {
+        /// The number.
+        group: usize,
+        /// The groups, with number, line and name.
+        list: Message,
+    },
     /// A dictionary has too many keys.
     TooManyKeys {
         /// The largest number of keys.
@@ -185,6 +218,13 @@ impl TextProblem {
             }
             Self::TooFar { keyframe, row } => texts::text_too_far(*keyframe, *row, texts::SCENE_EXPECTED_COORDINATES),
             Self::NotRigid { keyframe, row } => texts::text_not_rigid(*keyframe, *row),
+            Self::Unknown { found } => texts::text_unknown(found.clone()),
+            Self::Syntax { reason } => texts::text_syntax(reason.as_str()),
+            Self::TooDeep => texts::TEXT_TOO_DEEP.into(),
+            Self::TooLarge { limit } => texts::text_program_too_large(*limit),
+            Self::NoKeys => texts::TEXT_NO_KEYS.into(),
+            Self::Groups { count, list } => texts::text_groups(*count, list.clone()),
+            Self::NoGroup { group, list } => texts::text_no_group(*group, list.clone()),
             Self::TooManyKeys { limit } => texts::text_too_many_keys(*limit),
             Self::TwoAtOneTime { seconds } => texts::text_two_at_one_time(*seconds),
             Self::NothingToSalvage => texts::TEXT_NOTHING_TO_SALVAGE.into(),

@@ -30,7 +30,7 @@ impl Reading {
 /// # Errors
 /// A message for each error; never empty.
 pub fn read_keyframes(bytes: &[u8], scene: &SceneGraph) -> Result<Reading, Vec<String>> {
-    match import(bytes, scene, &Options::default()).map_err(|error| error.sentences())? {
+    match import(bytes, scene, &Options::of_keyframes()).map_err(|error| error.sentences())? {
         Imported::KeyframeFile(file) => Ok(Reading { file, report: None }),
         Imported::Text(file, report) => Ok(Reading { file, report: Some(report) }),
         Imported::Scene(..) => Err(vec!["these are the keys of a control node, not keyframes".to_owned()]),

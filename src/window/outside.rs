@@ -160,7 +160,7 @@ impl Shell {
     /// The keyframes that a file has.
     fn keyframes_of(&self, path: &Path) -> Result<KeyframeFile, Message> {
         let bytes = storage::read(path, LARGEST_FILE_BYTES).map_err(|error| error.message())?;
-        match import(&bytes, self.editor.scene(), &Options::default()) {
+        match import(&bytes, self.editor.scene(), &Options::of_keyframes()) {
             Ok(Imported::KeyframeFile(file) | Imported::Text(file, _)) => Ok(file),
             Ok(Imported::Scene(..)) => Err(texts::DIFFERS_HOLDS_KEYS.into()),
             Err(error) => Err(error.message()),

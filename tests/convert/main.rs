@@ -3,6 +3,7 @@
 mod broken;
 mod inference;
 mod layouts;
+mod programs;
 mod python;
 mod rows_of_nodes;
 mod samples;

@@ -64,44 +64,48 @@ fn a_dictionary_without_a_name_is_told_by_its_values() {
 #[test]
 fn what_is_wrong_has_its_place() {
     for (text, sentence) in [
-        ("{0: vec(0, 0)}", "line 1 column 5: found \"vec(0, 0)}\", expected a translation, as in vec(0, 1, 0)"),
+        ("{0: vec(0, 0)}", "line 1 column 5: found \"vec(0, 0)\", expected a translation, as in vec(0, 1, 0)"),
         (
-            "{0: vec(0, 0, 0) 1: vec(0, 0, 0)}",
-            "line 1 column 18: found \"1: vec(0, 0, 0)}\", expected \",\" or \"}\" after the value",
+            "translate_keys = {0: vec(1, 2, 3, 4, 5)}",
+            "line 1 column 22: found \"vec(1, 2, 3, 4, 5)\", expected numbers, as in vec(0, 1, 0)",
         ),
         ("{0: vec(0, 0, 0),\n 0.0: vec(1, 0, 0)}", "line 2 column 2: a second key at 0 s, expected one at each time"),
         ("{0: vec(0, nan, 0)}", "line 1 column 12: \"nan\" is not finite, expected a number"),
-        ("{0: vec(0, 1e99, 0)}", "line 1 column 12: \"1e99\" is not finite, expected a number"),
-        ("{0: vec(0, 0, 0)", "line 1 column 17: found the end of the file, expected \",\" or \"}\" after the value"),
-        ("{0: 1, 1: 0}", "line 1 column 11: found \"0}\", expected a scale above 0, at most 1e6"),
+        ("{0: vec(0, 1e999, 0)}", "line 1 column 12: \"1e999\" is not finite, expected a number"),
+        ("{0: vec(0, 1 / 0, 0)}", "line 1 column 12: \"1 / 0\" is not finite, expected a number"),
+        (
+            "{0: vec(0, 1e99, 0)}",
+            "line 1 column 5: found \"vec(0, 1e99, 0)\", expected coordinates between -1e6 and 1e6",
+        ),
+        ("{0: 1, 1: -1}", "line 1 column 11: found \"-1\", expected a scale from 0 to 1e6"),
         (
             "{0: quaternion(1, 1, 0, 0)}",
-            "line 1 column 5: found \"quaternion(1, 1, 0, 0)}\", expected x, y, z and w of a unit quaternion",
+            "line 1 column 5: found \"quaternion(1, 1, 0, 0)\", expected x, y, z and w of a unit quaternion",
         ),
+        ("{0: (1, 1, 0, 0)}", "line 1 column 5: found \"(1, 1, 0, 0)\", expected w, x, y and z of a unit quaternion"),
         (
             "{0: quaternion(), 1: 2}",
-            "line 1 column 22: found \"2}\", expected a rotation: quaternion, quaternion_from_euler or quaternion_from_axis_angle",
+            "line 1 column 22: found \"2\", expected a rotation: quaternion, quaternion_from_euler or quaternion_from_axis_angle",
         ),
+        ("scale_keys = {'a': 1}", NO_KEYS),
+        ("scale_keys = {}", NO_KEYS),
+        ("x = 1", NO_KEYS),
         (
-            "keys = {0: 1}",
-            "line 1 column 1: found \"keys = {0: 1}\", expected translate_keys, rotate_keys or scale_keys",
+            "translate_keys = {0: vec(camera.x + 3, 0, 30)}",
+            "line 1 column 26: \"camera.x + 3\" is known only when the program runs, expected numbers, or calls such as vec(0, 1, 0) \
+             and quaternion_from_euler(0, 90, 0)",
         ),
-        (
-            "scale_keys = {}",
-            "line 1 column 16: found the end of the file, expected translate_keys, rotate_keys or scale_keys with at least one key",
-        ),
-        (
-            "{0: lambda()}",
-            "line 1 column 5: found \"lambda()}\", expected vec, quaternion, quaternion_from_euler, quaternion_from_axis_angle, or a number",
-        ),
-        (
-            "{0: 1}\n{0: 2}",
-            "line 2 column 1: found a second dictionary of the same kind, expected one each of translate_keys, rotate_keys and scale_keys",
-        ),
+        // What is no Python.
+        ("{0: vec(0, 0, 0) 1: vec(0, 0, 0)}", "line 1 column 18: this is no valid Python: expected `,`, found int"),
+        ("def main()\n    pass", "line 1 column 11: this is no valid Python: expected `:`, found newline"),
+        ("{0: lambda()}", "line 1 column 11: this is no valid Python: expected `:`, found `(`"),
     ] {
-        assert_eq!(refusal(text), sentence);
+        assert_eq!(refusal(text), sentence, "{text}");
     }
-    assert!(refusal(format!("{{0: {}", "(".repeat(1_000_000))).contains("fewer parentheses"));
     let many = "{0: 1".to_owned() + &", 0: 1".repeat(20_000);
-    assert!(refusal(many).contains("more than 20000 keys"));
+    assert!(refusal(many.clone() + "}").contains("more than 20000 keys"));
+    assert!(refusal(many).contains("no valid Python"));
+    assert!(refusal(format!("x = {{0: \"{}\"}}", "a".repeat(5 << 20))).contains("at most 4 MiB"));
 }
+
+const NO_KEYS: &str = "line 1 column 1: the program has no keys, expected dictionaries such as translate_keys = {0: vec(0, 0, 0), 2: vec(1, 1, 0)}";

@@ -89,6 +89,9 @@ pub fn base(spec: &str) -> String {
         "many-keys" => {
             format!("scale_keys = {{{}}}\n", (0..count).map(|time| format!("{time}: 1,")).collect::<String>())
         }
+        "many-groups" => "{0: 1}\n".repeat(count),
+        "deep-python" => format!("scale_keys = {{0: {}1{}}}\n", "(".repeat(count), ")".repeat(count)),
+        "long-python" => format!("names = '{}'\n", "a".repeat(count)),
         "zeros" => "\0".repeat(count),
         "scene" => scene(count),
         "samples" => samples(),

@@ -91,6 +91,40 @@ pub fn texts() -> Vec<Vec<u8>> {
     texts
 }
 
+/// Programs with keys: the course's way, and whatever else the reader knows.
+pub fn programs() -> Vec<Vec<u8>> {
+    vec![samples::PYTHON.into(), PROGRAM.into()]
+}
+
+const PROGRAM: &str = r#"#!/usr/bin/env python3
+"""Birds."""
+import numpy as np
+from animation import KeyFrameControlNode, TransformKeyFrames
+
+height, turn = 2.5, quaternion_from_axis_angle(vec(0, 1, 0), degrees=90)
+names = [f"bird {i!r:>{width}}" for i in range(3) if i]
+
+@decorated(lambda a, *b, c=1: a or not b)
+class Bird(Node):
+    def __init__(self, *args, speed: float = 1.0, **params):
+        super().__init__({0: vec(0, height, 0)}, {0: turn, 2: -turn}, {0: 1, 2: 0}, **params)
+        self.keys = {}
+        self.keys[np.pi / 2] = np.array([1, 2 ** -1, 7 // 2 % 3], 'f') * 2 + vec(*(1, 0, 0))
+        node = KeyFrameControlNode(self.keys, [(0, quaternion_mul(turn, turn))], dict({0: vec(2)}))
+
+def main(camera):
+    for i in range(8):
+        keys = {i: vec(camera.x + 3, i, 0)}
+        if i > 4 and keys: keys.update(others)
+    try:
+        with open("a") as file: moved = TransformKeyFrames(translate_keys=keys, rotate_keys={}, scale_keys={1: .5})
+    except (KeyError, ValueError) as error:
+        match error:
+            case [a, *_] | {"b": a}: return (yield a)
+    else:
+        global height; height += 1; del keys[0]
+"#;
+
 pub fn scenes() -> Vec<Vec<u8>> {
     let built_in = built_in_scene_names().filter_map(built_in_scene).map(|scene| scene_to_json(&scene).into_bytes());
     built_in.chain([SCENE.as_bytes().to_vec()]).collect()

@@ -12,7 +12,7 @@ use inbetween::references::read_list;
 use inbetween::scene::{SceneGraph, scene_from_json, scene_to_json};
 use inbetween::script;
 use inbetween::settings::Settings;
-use inbetween::text_layouts::{FieldOrder, Imported, JointList, Options, import};
+use inbetween::text_layouts::{FieldOrder, GroupChoice, Imported, JointList, Options, import};
 
 use super::{originals, samples};
 
@@ -87,10 +87,13 @@ pub fn all() -> Vec<Reader> {
         }),
         text("keyframes as text", originals::texts(), move |bytes| {
             let order = (bytes.len() % 3 == 0).then_some(FieldOrder::QuaternionFirst);
-            let options = Options { order, joints: None, salvage: bytes.len() % 2 == 0 };
+            let options = Options { order, salvage: bytes.len() % 2 == 0, ..Options::default() };
             check_import(bytes, scene, &options);
         }),
-        text("Python keys", vec![samples::PYTHON.into()], move |bytes| check_import(bytes, scene, &Options::default())),
+        text("Python keys", originals::programs(), move |bytes| {
+            check_import(bytes, scene, &Options::default());
+            check_import(bytes, scene, &Options { group: GroupChoice::Number(2), ..Options::default() });
+        }),
         text("samples", vec![include_bytes!("../data/diagnosis/correct.csv")[..3000].to_vec()], move |bytes| {
             check_samples(bytes, scene);
         }),

@@ -11,7 +11,8 @@ use crate::text_layouts::{FieldOrder, Layout};
 pub const HELP: &str = "\
 Read keyframes in any layout that students' own programs write, and write a keyframe file, or with --to another layout. What is read is \
 told by its content: a keyframe file (JSON), or a text of numbers with or without a header \"N M\", with lines \"frame [0]\" or \"end\", \
-CSV, matrices. Keys in Python dictionaries (translate_keys, rotate_keys, scale_keys) give a scene file with a control node.
+CSV, matrices. Keys in a Python program (dictionaries such as translate_keys, rotate_keys and scale_keys) give a scene file with a \
+control node. The program is not run.
 
 On success the report of what was inferred, and how sure that is, goes to standard output: a line of what was read, then one for each \
 finding, which begins with sure, likely, warning or note. A text that cannot be read gives a sentence with line and column on standard \
@@ -44,6 +45,9 @@ pub struct ConvertArguments {
     /// Accept a text that breaks off or disagrees with its header, and take its whole keyframes.
     #[arg(long)]
     pub salvage: bool,
+    /// Which group of keys of a Python program to read, if there are several, from 1: what one control node gets.
+    #[arg(long, value_name = "N")]
+    pub group: Option<usize>,
 }
 
 fn layout() -> impl TypedValueParser<Value = Layout> {
