@@ -129,11 +129,6 @@ pub enum TextProblem {
         /// The expression, quoted.
         found: Argument,
     },
-    /// The text is no valid Python.
-    Syntax {
-        /// The parser's words, in English.
-        reason: String,
-    },
     /// A program nests too deep.
     TooDeep,
     /// A program is too large.
@@ -219,7 +214,6 @@ impl TextProblem {
             Self::TooFar { keyframe, row } => texts::text_too_far(*keyframe, *row, texts::SCENE_EXPECTED_COORDINATES),
             Self::NotRigid { keyframe, row } => texts::text_not_rigid(*keyframe, *row),
             Self::Unknown { found } => texts::text_unknown(found.clone()),
-            Self::Syntax { reason } => texts::text_syntax(reason.as_str()),
             Self::TooDeep => texts::TEXT_TOO_DEEP.into(),
             Self::TooLarge { limit } => texts::text_program_too_large(*limit),
             Self::NoKeys => texts::TEXT_NO_KEYS.into(),

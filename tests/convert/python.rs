@@ -96,15 +96,19 @@ fn what_is_wrong_has_its_place() {
              and quaternion_from_euler(0, 90, 0)",
         ),
         // What is no Python.
-        ("{0: vec(0, 0, 0) 1: vec(0, 0, 0)}", "line 1 column 18: this is no valid Python: expected `,`, found int"),
-        ("def main()\n    pass", "line 1 column 11: this is no valid Python: expected `:`, found newline"),
-        ("{0: lambda()}", "line 1 column 11: this is no valid Python: expected `:`, found `(`"),
+        ("{0: vec(0, 0, 0) 1: vec(0, 0, 0)}", "line 1 column 18: found \"1: vec(0, 0, 0)}\", expected \",\""),
+        ("def main()\n    pass", "line 1 column 11: found the end of the line, expected \":\""),
+        ("{0: lambda()}", "line 1 column 11: found \"()}\", expected \":\""),
+        ("x = 1\n2 = x", "line 2 column 1: found \"2 = x\", expected valid Python"),
+        ("x = 'a\ny = 1", "line 1 column 5: found \"'a\", expected a closing quotation mark"),
+        ("x =", "line 1 column 4: found the end of the file, expected a value"),
+        ("{0: vec(0, 0, 0)", "line 1 column 17: found the end of the file, expected a closing bracket"),
     ] {
         assert_eq!(refusal(text), sentence, "{text}");
     }
     let many = "{0: 1".to_owned() + &", 0: 1".repeat(20_000);
     assert!(refusal(many.clone() + "}").contains("more than 20000 keys"));
-    assert!(refusal(many).contains("no valid Python"));
+    assert!(refusal(many).contains("expected a closing bracket"));
     assert!(refusal(format!("x = {{0: \"{}\"}}", "a".repeat(5 << 20))).contains("at most 4 MiB"));
 }
 

@@ -11,7 +11,8 @@ use super::fault::Fault;
 use super::groups::{Group, groups};
 use crate::parallel::with_stack;
 use crate::text::line_and_column;
-use crate::text_layouts::error::{TextError, TextProblem};
+use crate::text_layouts::error::{TextError, TextProblem, quoted};
+use crate::words::texts;
 
 /// The largest program that is read, in MiB. Its tree takes some fifty times the memory.
 const LARGEST_MIB: usize = 4;
@@ -122,8 +123,7 @@ fn parsed(source: &str) -> Result<Vec<Stmt>, Fault> {
     };
     let errors = parsed.errors().iter().filter(|error| !is_forgiven(error));
     if let Some(error) = errors.min_by_key(|error| error.location.start()) {
-        let problem = TextProblem::Syntax { reason: in_a_sentence(&error.error.to_string()) };
-        return Err(Fault::new(error.location.start().to_usize()..error.location.end().to_usize(), problem));
+        return Err(syntax_fault(source, error));
     }
     match parsed.into_syntax() {
         Mod::Module(module) => Ok(module.body),
@@ -148,8 +148,24 @@ fn follows_from_indentation(error: &ParseError) -> bool {
     }
 }
 
-/// The parser's words, without the capital at their beginning.
-fn in_a_sentence(words: &str) -> String {
-    let mut letters = words.chars();
-    letters.next().map_or_else(String::new, |first| first.to_lowercase().chain(letters).collect())
+/// What was found where the parser expected something else.
+fn syntax_fault(source: &str, error: &ParseError) -> Fault {
+    let at = error.location.start().to_usize();
+    let line = source[at..].lines().next().unwrap_or_default().trim_end();
+    let found = match line {
+        "" if source[at..].trim_ascii().is_empty() => texts::TEXT_FOUND_END_OF_FILE.into(),
+        "" => texts::TEXT_FOUND_LINE_END.into(),
+        line => quoted(line.as_bytes()).into(),
+    };
+    let expected = match &error.error {
+        ParseErrorType::ExpectedToken { expected, .. } => match expected.to_string().trim_matches('`') {
+            sign if sign.chars().all(|letter| letter.is_ascii_punctuation()) => format!("{sign:?}").into(),
+            _ => texts::TEXT_EXPECTED_PYTHON.into(),
+        },
+        ParseErrorType::ExpectedExpression => texts::TEXT_EXPECTED_EXPRESSION.into(),
+        ParseErrorType::Lexical(LexicalErrorType::Eof) => texts::TEXT_EXPECTED_CLOSING_BRACKET.into(),
+        ParseErrorType::Lexical(LexicalErrorType::UnclosedStringError) => texts::TEXT_EXPECTED_CLOSING_QUOTE.into(),
+        _ => texts::TEXT_EXPECTED_PYTHON.into(),
+    };
+    Fault { at, problem: TextProblem::Unexpected { found, expected } }
 }
