@@ -93,7 +93,8 @@ impl<'a> Walk<'a> {
             }
         }
         // A class that passes on what it was given is no group.
-        if !is_known && !(is_node && is_unknown) {
+        let is_group = is_known || (is_node && is_unknown);
+        if !is_group {
             return false;
         }
         for index in node.dictionaries.into_iter().flatten() {

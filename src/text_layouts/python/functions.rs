@@ -159,10 +159,7 @@ fn sequence(arguments: &Arguments<'_>) -> Option<Term> {
 }
 
 fn filled(arguments: &Arguments<'_>, value: f64) -> Option<Term> {
-    let count = match arguments.only()? {
-        Term::Number(count) => count,
-        _ => return None,
-    };
+    let Term::Number(count) = arguments.only()? else { return None };
     let count = (1..=MOST_NUMBERS).find(|&whole| whole as f64 == count)?;
     Some(Term::Numbers(Numbers { values: [value; MOST_NUMBERS], count, is_array: true }))
 }

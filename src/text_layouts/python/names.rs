@@ -58,7 +58,7 @@ impl Hint {
         let words: Vec<&str> = small.split('_').filter(|word| !word.is_empty()).collect();
         let channel = words.iter().find_map(|word| Channel::of_word(word));
         let is_key = |word: &&str| ["key", "keys", "keyframe", "keyframes"].contains(word) || word.ends_with("keys");
-        let is_rest = |word: &&&str| Channel::of_word(word).is_none() && !is_key(*word);
+        let is_rest = |word: &&&str| Channel::of_word(word).is_none() && !is_key(word);
         let rest = if channel.is_none() { String::new() } else { words.iter().filter(is_rest).copied().collect() };
         Self { channel, is_exact: false, is_of_keys: words.iter().any(is_key), rest }
     }

@@ -35,7 +35,7 @@ struct Scope {
 
 /// All scopes of a program, and the current one.
 pub(super) struct Scopes {
-    scopes: Vec<Scope>,
+    all: Vec<Scope>,
     current: usize,
     /// Names that functions assign outside of themselves, at times that are not known.
     global: HashSet<String>,
@@ -45,7 +45,7 @@ impl Scopes {
     /// The scope of the module.
     pub(super) fn new(global: HashSet<String>) -> Self {
         let module = Scope { names: HashMap::new(), parent: None, is_class: false, path: String::new() };
-        Self { scopes: vec![module], current: 0, global }
+        Self { all: vec![module], current: 0, global }
     }
 
     /// The number of the current scope.
@@ -55,12 +55,12 @@ impl Scopes {
 
     /// Makes a scope in another the current one. It has no names yet.
     pub(super) fn enter(&mut self, parent: usize, name: &str, is_class: bool) {
-        let path = match self.scopes[parent].path.as_str() {
+        let path = match self.all[parent].path.as_str() {
             "" => name.to_owned(),
             above => format!("{above}.{name}"),
         };
-        self.scopes.push(Scope { names: HashMap::new(), parent: Some(parent), is_class, path });
-        self.current = self.scopes.len() - 1;
+        self.all.push(Scope { names: HashMap::new(), parent: Some(parent), is_class, path });
+        self.current = self.all.len() - 1;
     }
 
     /// Makes another scope the current one.
@@ -70,7 +70,7 @@ impl Scopes {
 
     /// The name, with dots, of something in the current scope.
     pub(super) fn path_of(&self, name: &str) -> String {
-        match (self.scopes[self.current].path.as_str(), name) {
+        match (self.all[self.current].path.as_str(), name) {
             ("", name) => name.to_owned(),
             (path, "") => path.to_owned(),
             (path, name) => format!("{path}.{name}"),
@@ -79,19 +79,19 @@ impl Scopes {
 
     /// Assigns a name in the current scope.
     pub(super) fn bind(&mut self, name: String, value: Bound) {
-        let binding = self.scopes[self.current].names.entry(name).or_insert(Binding { value, count: 0 });
+        let binding = self.all[self.current].names.entry(name).or_insert(Binding { value, count: 0 });
         binding.value = value;
         binding.count += 1;
     }
 
     /// What a name stands for in the current scope; `None` if the program does not assign it.
     pub(super) fn look_up(&self, name: &str) -> Option<Bound> {
-        let mut scope = &self.scopes[self.current];
+        let mut scope = &self.all[self.current];
         if let Some(binding) = scope.names.get(name) {
             return Some(if self.is_global(name) { Bound::Unknown } else { binding.value });
         }
         while let Some(parent) = scope.parent {
-            scope = &self.scopes[parent];
+            scope = &self.all[parent];
             // The body of a function does not see the names of the class.
             if let Some(binding) = scope.names.get(name).filter(|_| !scope.is_class) {
                 // It runs later, when a name that is assigned twice may stand for either.
