@@ -125,10 +125,15 @@ pub fn import(bytes: &[u8], scene: &SceneGraph, options: &Options) -> Result<Imp
     let blank = marked.iter().take_while(|byte| byte.is_ascii_whitespace()).count();
     let (text, at) = (&marked[blank..], bytes.len() - marked.len() + blank);
     if python::is_python(text) {
-        let (scene, report) = python::scene_from_keys(bytes, at, options)?;
-        return Ok(Imported::Scene(scene, report));
+        return match python::scene_from_keys(bytes, at, options) {
+            Ok((scene, report)) => Ok(Imported::Scene(scene, report)),
+            // Rows of numbers may stand below a line such as `N = 6`, which Python has too.
+            Err(error) => import_text(bytes, at, scene, &Options { salvage: false, ..options.clone() })
+                .map(|(file, report)| Imported::Text(file, report))
+                .map_err(|_| error.into()),
+        };
     }
-    if text.starts_with(b"{") {
+    if is_object(text) {
         return keyframes_from_json(bytes, scene).map(Imported::KeyframeFile).map_err(ImportError::KeyframeFile);
     }
     if text.is_empty() {
@@ -145,6 +150,13 @@ pub fn import(bytes: &[u8], scene: &SceneGraph, options: &Options) -> Result<Imp
     });
     let (file, report) = read?;
     Ok(Imported::Text(file, report))
+}
+
+/// Whether a text begins as an object of JSON does: a brace, and then no row of numbers.
+fn is_object(text: &[u8]) -> bool {
+    let Some(inside) = text.strip_prefix(b"{") else { return false };
+    let first = inside.trim_ascii_start().first();
+    !first.is_some_and(|byte| byte.is_ascii_digit() || matches!(byte, b'+' | b'-' | b'.' | b'{'))
 }
 
 /// Whether a text that cannot be read has whole keyframes that can be.

@@ -80,11 +80,20 @@ fn signs_may_stand_between_rows() {
     }
     for [open, close] in [["[", "]"], ["(", ")"], ["{ ", " }"], ["[ [", "] ]"]] {
         let bracketed = text(&rows, &|_| String::new(), &|_, row| format!("{open}{}{close},", row.join(", ")));
-        // A text that begins with a brace is JSON.
+        assert_eq!(read(&bracketed).0, expected(), "{open}");
         assert_eq!(read("4 22\n".to_owned() + &bracketed).0, expected(), "{open}");
     }
     let two = text(&rows, &|_| String::new(), &|_, row| format!("[{}] ({})", row[..3].join(", "), row[3..].join(", ")));
     assert_eq!(read(&two).0, expected());
+}
+
+#[test]
+fn a_first_line_may_be_what_python_has_too() {
+    let rows = keyframes(4);
+    let text = text(&rows, &|_| String::new(), &|_, numbers| row(numbers));
+    for first in ["N = 4", "t=0.5", "sep=;"] {
+        assert_eq!(read(format!("{first}\n{text}")).0, expected(), "{first}");
+    }
 }
 
 #[test]

@@ -40,7 +40,19 @@ pub(in crate::text_layouts) fn is_python(text: &[u8]) -> bool {
         b"try" => rest.starts_with(b":"),
         b"if" | b"for" | b"while" | b"with" => line_of(rest).trim_ascii_end().ends_with(b":"),
         // An assignment, also to several names or with a type, or a call.
-        _ => after.starts_with(b"(") || is_assigned(rest) || rest.strip_prefix(b":").is_some_and(is_typed),
+        _ => is_call(after) || is_assigned(rest) || rest.strip_prefix(b":").is_some_and(is_typed),
+    }
+}
+
+/// Whether the parentheses of a call follow, and not a labelled row of numbers, such as `Rbt(Cvec3(0, 0.25, 4)`.
+fn is_call(after: &[u8]) -> bool {
+    let Some(mut inside) = after.strip_prefix(b"(") else { return false };
+    loop {
+        let argument = inside.trim_ascii_start();
+        let Some(deeper) = argument[name_length(argument)..].strip_prefix(b"(") else {
+            return !argument.first().is_some_and(|byte| byte.is_ascii_digit() || matches!(byte, b'+' | b'-' | b'.'));
+        };
+        inside = deeper;
     }
 }
 
@@ -101,6 +113,7 @@ mod tests {
             "print('a')",
             "glfw.init()",
             "날개 = {0: 1}",
+            "KeyFrameControlNode({0: vec(0, 0, 0)})",
         ] {
             assert!(is_python(text.as_bytes()), "{text}");
         }
@@ -124,6 +137,8 @@ mod tests {
             "a, 1 = 2",
             ".5 = 1",
             "if it works:then",
+            "Rbt(Cvec3(0, 0.25, 4), Quat(1, 0, 0, 0))",
+            "vec3( -1, 0, 0)",
         ] {
             assert!(!is_python(text.as_bytes()), "{text}");
         }
