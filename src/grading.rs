@@ -34,12 +34,12 @@ mod verdicts;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 pub use gather::{Found, Naming, PassedOver, find};
-pub use item::{Item, ItemKind, Verdict};
+pub use item::{Evidence, Item, ItemKind, Verdict};
 pub use marks::Marks;
 pub use parsed::Parsed;
 pub use pictures::{ReportPicture, SIZE as PICTURE_SIZE, pictures_of};
 pub use report::html;
-pub use rubric::Rubric;
+pub use rubric::{Reference, Rubric};
 pub use samples::SampleDiagnosis;
 pub use submission::Submission;
 pub use tables::{csv, json};

@@ -44,24 +44,69 @@ impl ItemKind {
     }
 }
 
+/// What a verdict on playback or on a script rests on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Evidence {
+    /// Samples that were handed in: what the student's program showed.
+    Samples,
+    /// A trace that was handed in.
+    Trace,
+    /// A script that was handed in and run.
+    Script,
+    /// What this program makes of the submitted keyframes. It says nothing about the student's program.
+    Assumed,
+}
+
+impl Evidence {
+    /// The name in tables.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Samples => "samples",
+            Self::Trace => "trace",
+            Self::Script => "script",
+            Self::Assumed => "assumed",
+        }
+    }
+}
+
 /// The verdict on an item, with its reason.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Verdict {
-    /// Whether the requirement is met.
-    pub is_met: bool,
+    /// The share of the points, 0 to 1.
+    pub share: f64,
     /// The reason, in sentences.
     pub reason: String,
+    /// What it rests on; `None` where nothing was looked at, and for items that are about keyframes alone.
+    pub evidence: Option<Evidence>,
 }
 
 impl Verdict {
+    /// A share of the points, from 0 to 1.
+    pub fn share(share: f64, reason: impl Into<String>) -> Self {
+        Self { share, reason: reason.into(), evidence: None }
+    }
+
     /// The requirement is met.
     pub fn met(reason: impl Into<String>) -> Self {
-        Self { is_met: true, reason: reason.into() }
+        Self::share(1.0, reason)
     }
 
     /// The requirement is not met, or cannot be checked.
     pub fn unmet(reason: impl Into<String>) -> Self {
-        Self { is_met: false, reason: reason.into() }
+        Self::share(0.0, reason)
+    }
+
+    /// The same verdict, with what it rests on.
+    #[must_use]
+    pub fn by(self, evidence: Evidence) -> Self {
+        Self { evidence: Some(evidence), ..self }
+    }
+
+    /// Whether the requirement is met in full.
+    #[must_use]
+    pub fn is_met(&self) -> bool {
+        self.share >= 1.0
     }
 }
 
@@ -76,13 +121,16 @@ pub struct Item {
     pub out_of: f64,
     /// Why: sentences.
     pub reason: String,
+    /// What the verdict rests on.
+    pub evidence: Option<Evidence>,
 }
 
 impl Item {
-    /// An item that gets all points or none.
+    /// An item that gets the share of the points that the verdict gives.
     #[must_use]
     pub fn new(kind: ItemKind, out_of: f64, verdict: Verdict) -> Self {
-        Self { kind, points: if verdict.is_met { out_of } else { 0.0 }, out_of, reason: verdict.reason }
+        let Verdict { share, reason, evidence } = verdict;
+        Self { kind, points: out_of * share, out_of, reason, evidence }
     }
 
     /// Whether points are missing.

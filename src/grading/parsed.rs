@@ -54,15 +54,18 @@ pub struct ParsedKeyframes {
 }
 
 impl ParsedKeyframes {
-    /// A keyframe file of these keyframes. What the file does not hold is as in the reference: nobody can hand it in by such a file.
+    /// A keyframe file of these keyframes. What the file does not hold is as in the reference, if there is one: nobody can hand it in by such a file.
     #[must_use]
     pub fn with_pace_of(&self, rubric: &Rubric, scene: &SceneGraph) -> Cow<'_, [u8]> {
         match self.held {
             (Some(_), Some(_)) => Cow::Borrowed(&self.bytes),
             (interpolation, ms) => {
-                let interpolation = interpolation.unwrap_or(rubric.interpolation);
-                let ms_between_keyframes = ms.unwrap_or(rubric.ms_between_keyframes);
-                keyframes_to_json(scene, &self.list, interpolation, ms_between_keyframes).into_bytes().into()
+                let reference = rubric.reference.as_ref();
+                let of_reference = reference.map_or(self.interpolation, |reference| reference.interpolation);
+                let ms_of_reference =
+                    reference.map_or(self.ms_between_keyframes, |reference| reference.ms_between_keyframes);
+                let (interpolation, ms) = (interpolation.unwrap_or(of_reference), ms.unwrap_or(ms_of_reference));
+                keyframes_to_json(scene, &self.list, interpolation, ms).into_bytes().into()
             }
         }
     }

@@ -4,12 +4,12 @@ use num_rational::BigRational;
 
 use super::item::{Item, ItemKind};
 use super::marks::Marks;
-use super::rubric::Rubric;
+use super::rubric::{Reference, Rubric};
 use super::shown::{FRAMES, ShownPose, ShownPoses, farthest};
 use crate::animation_diff::{Played, compare, frame_times_ms};
 use crate::export::{ExportError, Painter, Size};
 use crate::interpolation::Interpolation;
-use crate::keyframe::{KeyframeList, PlayRange, whole};
+use crate::keyframe::{DEFAULT_MS_BETWEEN_KEYFRAMES, KeyframeList, PlayRange, whole};
 use crate::markup::base64;
 use crate::render::Image;
 use crate::scene::SceneGraph;
@@ -105,9 +105,13 @@ fn of_playback(
 
 /// Keyframes as this program plays them.
 fn played(list: &KeyframeList, interpolation: Interpolation, rubric: &Rubric) -> Option<ShownPoses> {
-    let (range, reference) = (PlayRange::new(list).ok()?, PlayRange::new(&rubric.reference).ok()?);
-    let played = |range| Played { range, interpolation, ms_between_keyframes: rubric.ms_between_keyframes };
-    let (right, own) = (played(&reference), played(&range));
+    let range = PlayRange::new(list).ok()?;
+    let reference = rubric.reference.as_ref();
+    let right = reference.map_or_else(|| range.clone(), Reference::range);
+    let ms_between_keyframes =
+        reference.map_or(DEFAULT_MS_BETWEEN_KEYFRAMES, |reference| reference.ms_between_keyframes);
+    let played = |range| Played { range, interpolation, ms_between_keyframes };
+    let (right, own) = (played(&right), played(&range));
     let shown = |ms: &BigRational| {
         let (pose, right_pose) = (own.pose_at(ms).ok()?, right.pose_at(ms).ok()?);
         Some(ShownPose { key_time: right.key_time_at(ms), pose, right: right_pose })

@@ -108,7 +108,7 @@ fn rows(items: &[Item]) -> Vec<Row> {
             continue;
         }
         first = index;
-        let Item { kind, points, out_of, reason } = item.clone();
+        let Item { kind, points, out_of, reason, .. } = item.clone();
         rows.push(Row { title: kind.title(), points, out_of, has_lost: item.has_lost(), reason });
     }
     rows
@@ -180,7 +180,8 @@ mod tests {
 
     #[test]
     fn keyframes_of_which_there_is_the_same_to_say_are_one_row() {
-        let item = |kind, points, reason: &str| Item { kind, points, out_of: 2.0, reason: reason.to_owned() };
+        let item =
+            |kind, points, reason: &str| Item { kind, points, out_of: 2.0, reason: reason.to_owned(), evidence: None };
         let items = [
             item(ItemKind::KeyframeCount, 2.0, "right"),
             item(ItemKind::Keyframe(0), 2.0, "right"),

@@ -24,14 +24,18 @@ pub fn sample_diagnoses(parsed: &Parsed, rubric: &Rubric) -> Vec<SampleDiagnosis
     // A program may have played its own keyframes or the reference's: try both.
     let own = parsed.keyframes.as_ref().ok();
     let own_sequence = own.and_then(|own| Some((Sequence::new(own.list.as_slice()).ok()?, own.ms_between_keyframes)));
-    let reference = Sequence::new(rubric.reference.as_slice()).ok().map(|right| (right, rubric.ms_between_keyframes));
+    let reference = rubric.reference.as_ref();
+    let right = reference.map(|right| (&right.list, right.ms_between_keyframes));
+    let right = right.or_else(|| own.map(|own| (&own.list, own.ms_between_keyframes)));
+    let reference =
+        reference.and_then(|right| Some((Sequence::new(right.list.as_slice()).ok()?, right.ms_between_keyframes)));
     let sequences: Vec<(Sequence, u32)> = own_sequence.into_iter().chain(reference).collect();
     let one = |ParsedFile { name, content }: &ParsedFile<SampleRows>| {
         let interpolation =
             playback_named(name).unwrap_or_else(|| own.map_or_else(Interpolation::default, |own| own.interpolation));
         let diagnosis = content.as_ref().map_err(Clone::clone).and_then(|rows| nearest(rows, &sequences));
-        let shown = match (content, &diagnosis) {
-            (Ok(rows), Ok(_)) => thinned(&rows.samples(rubric.ms_between_keyframes), interpolation, rubric),
+        let shown = match (content, &diagnosis, right) {
+            (Ok(rows), Ok(_), Some((list, ms))) => thinned(&rows.samples(ms), interpolation, list, rubric.tolerances),
             _ => None,
         };
         SampleDiagnosis { file: name.clone(), interpolation, diagnosis, shown }

@@ -4,11 +4,10 @@ use std::collections::BTreeMap;
 
 use glam::Quat;
 
-use super::rubric::Rubric;
-use crate::animation_diff::distances;
+use crate::animation_diff::{Tolerances, distances};
 use crate::diagnosis::{Row, Samples};
 use crate::interpolation::Interpolation;
-use crate::keyframe::PlayRange;
+use crate::keyframe::{KeyframeList, PlayRange};
 use crate::pose::Pose;
 use crate::rbt::Rbt;
 
@@ -39,9 +38,16 @@ pub struct ShownPoses {
     pub moments: Vec<ShownPose>,
 }
 
-/// Chooses poses of samples: evenly spread ones, and those with the largest errors. `None` where the reference cannot be played.
-pub fn thinned(samples: &Samples, interpolation: Interpolation, rubric: &Rubric) -> Option<ShownPoses> {
-    let range = PlayRange::new(&rubric.reference).ok()?;
+/// Chooses poses of samples: evenly spread ones, and those with the largest errors. `None` where
+/// the right keyframes cannot be played.
+/// `right` are the keyframes whose playback is right.
+pub fn thinned(
+    samples: &Samples,
+    interpolation: Interpolation,
+    right: &KeyframeList,
+    tolerances: Tolerances,
+) -> Option<ShownPoses> {
+    let range = PlayRange::new(right).ok()?;
     // Key times are finite and not negative, so their bits order them as their values would.
     let mut by_time: BTreeMap<u64, Vec<&Row>> = BTreeMap::new();
     for row in &samples.rows {
@@ -52,7 +58,6 @@ pub fn thinned(samples: &Samples, interpolation: Interpolation, rubric: &Rubric)
         let last = range.last_key_time() as f64;
         range.pose_at(key_time.clamp(0.0, last), interpolation).ok()
     };
-    let tolerances = rubric.tolerances;
     let off: Option<Vec<f64>> = times
         .iter()
         .map(|(key_time, rows)| {

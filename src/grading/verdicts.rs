@@ -18,6 +18,7 @@ use crate::script::Line;
 const MOST_FRAMES: usize = 20_000;
 
 const UNREADABLE: &str = "The keyframes cannot be read.";
+const NO_REFERENCE: &str = "The rubric has no reference.";
 
 /// Everything that verdicts depend on.
 pub struct Marker<'a> {
@@ -57,7 +58,8 @@ impl Marker<'_> {
 
     fn count(&self) -> Verdict {
         let Some(list) = self.list() else { return Verdict::unmet(UNREADABLE) };
-        let (found, expected) = (list.len(), self.rubric.reference.len());
+        let Some(reference) = &self.rubric.reference else { return Verdict::unmet(NO_REFERENCE) };
+        let (found, expected) = (list.len(), reference.list.len());
         if found == expected {
             Verdict::met(format!("{found} keyframes."))
         } else {
@@ -69,7 +71,10 @@ impl Marker<'_> {
         let Some(list) = self.list() else { return Verdict::unmet(UNREADABLE) };
         match list.as_slice().get(index) {
             None => Verdict::unmet("It is not there."),
-            Some(found) => self.same_pose(&found.pose, &self.rubric.reference.as_slice()[index].pose),
+            Some(found) => match &self.rubric.reference {
+                Some(reference) => self.same_pose(&found.pose, &reference.list.as_slice()[index].pose),
+                None => Verdict::unmet(NO_REFERENCE),
+            },
         }
     }
 
@@ -101,11 +106,9 @@ impl Marker<'_> {
             Ok(range) => range,
             Err(error) => return Verdict::unmet(format!("{error}.")),
         };
-        let expected = match PlayRange::new(&self.rubric.reference) {
-            Ok(expected) => expected,
-            Err(error) => return Verdict::unmet(error.to_string()),
-        };
-        let played = |range| Played { range, interpolation, ms_between_keyframes: self.rubric.ms_between_keyframes };
+        let Some(reference) = &self.rubric.reference else { return Verdict::unmet(NO_REFERENCE) };
+        let (expected, ms_between_keyframes) = (reference.range(), reference.ms_between_keyframes);
+        let played = |range| Played { range, interpolation, ms_between_keyframes };
         let (right, own) = (played(&expected), played(&range));
         let times = frame_times_ms(&right.length_ms(), self.rubric.fps, MOST_FRAMES);
         let Some(times) = times.filter(|times| times.len() <= MOST_FRAMES) else {
@@ -140,7 +143,8 @@ impl Marker<'_> {
             return Verdict::unmet(format!("{file}: {}. {}", best.name, what.join(" ")));
         }
         let Some(list) = self.list() else { return Verdict::unmet(UNREADABLE) };
-        let (keyframes, expected) = (list.as_slice(), self.rubric.reference.as_slice());
+        let Some(reference) = &self.rubric.reference else { return Verdict::unmet(NO_REFERENCE) };
+        let (keyframes, expected) = (list.as_slice(), reference.list.as_slice());
         if keyframes.len() != expected.len() {
             return Verdict::unmet(format!(
                 "{} keyframes play another range than {}.",
@@ -150,9 +154,9 @@ impl Marker<'_> {
         }
         let last = expected.len() - 2;
         for (what, index) in [("first", 1), ("last", last)] {
-            let Verdict { is_met, reason } = self.same_pose(&keyframes[index].pose, &expected[index].pose);
-            if !is_met {
-                return Verdict::unmet(format!("The {what} played keyframe, {index}: {reason}"));
+            let verdict = self.same_pose(&keyframes[index].pose, &expected[index].pose);
+            if !verdict.is_met() {
+                return Verdict::unmet(format!("The {what} played keyframe, {index}: {}", verdict.reason));
             }
         }
         Verdict::met(format!("It plays from keyframe 1 to keyframe {last}."))

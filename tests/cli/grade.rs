@@ -362,11 +362,22 @@ fn a_bad_rubric_is_bad_input() {
     run(RUBRIC.replace("reference.json", "none.json")).refuses("none.json: there is no such file or folder");
     run(RUBRIC.replace("\"script\": \"hotkeys.txt\",", ""))
         .refuses("bad.json: points.script is there, but script names no file");
+    run(RUBRIC.replace("\"reference\": \"reference.json\",", ""))
+        .refuses("bad.json: points.keyframe_count is there, but reference names no file");
     sandbox
         .run(&["grade", "rubric.json", "none", "-o", "out", "--no-images"])
         .refuses("none: there is no such file or folder");
     sandbox.run(&["grade", "rubric.json", "-o", "out"]).misuses();
     assert!(!sandbox.path("out").exists());
+}
+
+#[test]
+fn a_rubric_may_have_no_reference() {
+    let (sandbox, made) = course();
+    sandbox.write("all/right.json", text_of(&made, "linear"));
+    sandbox.write("rubric.json", r#"{"format": "inbetween.rubric", "version": 1, "points": {"readable": 2}}"#);
+    let graded = graded(&sandbox);
+    assert_eq!((&graded["right.json"]["points"], &graded["right.json"]["out_of"]), (&json!(2.0), &json!(2.0)));
 }
 
 #[test]
