@@ -23,7 +23,10 @@ mod samples;
 mod sequence;
 
 pub use catalogue::{Mistake, markdown, mistakes};
-pub use samples::{LARGEST_SAMPLES_BYTES, Row, SampleRows, Samples, SamplesError, Tolerances, samples_from_csv};
+pub use compare::right_rotations;
+pub use samples::{
+    LARGEST_SAMPLES_BYTES, Printed, Row, SampleRows, Samples, SamplesError, Tolerances, samples_from_csv,
+};
 pub use sequence::{Sequence, TooFewKeyframes};
 
 use catalogue::{Form, forms, is_old};

@@ -8,9 +8,10 @@ use glam::{DQuat, DVec3};
 use super::DISTANCE_OF_NO_NUMBER;
 use super::choices::Choices;
 use super::motion::{Threshold, Turning, translation};
-use super::rules::{Freezes, Moves, Rules, Timing, Turns};
+use super::rules::{Freezes, LINEAR, Moves, Rules, SPLINE, Timing, Turns};
 use super::samples::{Row, Samples, Tolerances};
-use super::sequence::{Moment, Sequence, WHOLE};
+use super::sequence::{Moment, Sequence};
+use crate::interpolation::Interpolation;
 use crate::pose::RbtIndex;
 
 /// Upper bound of a squared distance, so that residuals are finite.
@@ -51,7 +52,7 @@ impl<'a> Comparison<'a> {
     /// A comparison with samples.
     pub fn new(sequence: &'a Sequence, samples: &Samples) -> Self {
         let last_before_end = samples.last_before(sequence.last_key_time());
-        Self { sequence, tolerances: samples.tolerances, last_before_end, is_lenient: false }
+        Self { sequence, tolerances: samples.printed.tolerances(), last_before_end, is_lenient: false }
     }
 
     /// The distance of a row's translation.
@@ -65,8 +66,8 @@ impl<'a> Comparison<'a> {
                 let corners = [-1, 0, 1, 2].map(|offset| self.sequence.at(start + offset, row.node).translation);
                 let shown = translation(corners, alpha, &moves);
                 let near = |alpha| (translation(corners, alpha, &moves) - shown).abs();
-                let error = row.key_time_error;
-                let spread = if error > WHOLE { near(alpha - error).max(near(alpha + error)) } else { DVec3::ZERO };
+                let error = row.searched();
+                let spread = if error > 0.0 { near(alpha - error).max(near(alpha + error)) } else { DVec3::ZERO };
                 self.move_off_from(row, shown, spread)
             }
         };
@@ -111,8 +112,9 @@ impl<'a> Comparison<'a> {
                     loop {
                         let shown = turning.rotation(corners, alpha);
                         nearest = nearest.or(self.turn_off_from(row, shown, turns, None));
-                        if !nearest.agrees && row.key_time_error > WHOLE {
-                            let near = [-row.key_time_error, row.key_time_error].map(|error| {
+                        let searched = row.searched();
+                        if !nearest.agrees && searched > 0.0 {
+                            let near = [-searched, searched].map(|error| {
                                 let mut turning = Turning { choices: Choices::default(), ..turning };
                                 turning.rotation(corners, alpha + error)
                             });
@@ -208,6 +210,31 @@ pub(super) fn rows(sequence: &Sequence, rules: &Rules, key_times: impl Iterator<
     let nodes = |key_time| (0..sequence.nodes()).map(move |node| (key_time, RbtIndex::new(node)));
     let places = key_times.flat_map(nodes);
     places.filter_map(|(key_time, node)| comparison.row(rules, None, key_time, node)).collect()
+}
+
+/// Every rotation that right playback may show of a node at the fraction `alpha` of the interval that begins at keyframe `start` of the
+/// list: a half turn may go either way. Intervals count as equally long.
+#[must_use]
+pub fn right_rotations(
+    sequence: &Sequence,
+    (start, alpha): (usize, f64),
+    node: RbtIndex,
+    interpolation: Interpolation,
+) -> Vec<DQuat> {
+    let rules = match interpolation {
+        Interpolation::Linear => LINEAR,
+        Interpolation::CatmullRom => SPLINE,
+    };
+    let corners = [-1, 0, 1, 2].map(|offset| sequence.at(start as isize + offset, node).rotation);
+    let threshold = Threshold::known(None);
+    let mut turning = Turning { rules: &rules.turns, is_lenient: false, choices: Choices::default(), threshold };
+    let mut found = Vec::new();
+    loop {
+        found.push(turning.rotation(corners, alpha));
+        if !turning.choices.next() {
+            return found;
+        }
+    }
 }
 
 fn no_number(agrees: bool) -> Off {

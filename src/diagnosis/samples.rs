@@ -5,7 +5,7 @@ mod decimals;
 use glam::DVec3;
 use thiserror::Error;
 
-pub use decimals::Tolerances;
+pub use decimals::{Printed, Tolerances};
 
 use decimals::Decimals;
 
@@ -25,7 +25,7 @@ const MS: &str = "ms";
 pub struct Row {
     /// The key time at which it should have been shown, at least 0.
     pub key_time: f64,
-    /// How far the key time may be off, for it was printed with so many decimals: half a unit of the last.
+    /// How far the key time may be off: half a unit of its last decimal, or 0 where key times go in equal steps.
     pub key_time_error: f64,
     /// The node's index in poses.
     pub node: RbtIndex,
@@ -40,8 +40,19 @@ pub struct Row {
 pub struct Samples {
     /// The rows in file order.
     pub rows: Vec<Row>,
-    /// How far their numbers may be off.
-    pub tolerances: Tolerances,
+    /// How precisely their numbers are printed.
+    pub printed: Printed,
+}
+
+/// The largest rounding of a key time with which motion is diagnosed: with fewer than three decimals, almost any motion would agree.
+const LARGEST_KEY_TIME_ERROR: f64 = 1e-3;
+
+impl Row {
+    /// How far from its key time the diagnosis looks; 0 if the key time is taken as it stands.
+    pub(super) fn searched(&self) -> f64 {
+        let is_searched = self.key_time_error > WHOLE && self.key_time_error < LARGEST_KEY_TIME_ERROR;
+        if is_searched { self.key_time_error } else { 0.0 }
+    }
 }
 
 impl Samples {
@@ -150,7 +161,7 @@ pub struct SampleRows {
     rows: Vec<Row>,
     /// The column `ms`; empty without it.
     times_ms: Vec<f64>,
-    tolerances: Tolerances,
+    printed: Printed,
 }
 
 impl SampleRows {
@@ -178,7 +189,7 @@ impl SampleRows {
             return Err(SamplesError::NoRows);
         }
         shown.mark_key_times(&mut rows);
-        Ok(Self { rows, times_ms, tolerances: shown.tolerances() })
+        Ok(Self { rows, times_ms, printed: shown.printed() })
     }
 
     /// The samples of keyframes that are `ms_between_keyframes` milliseconds apart. It shows whether key times were counted by a clock of
@@ -187,7 +198,7 @@ impl SampleRows {
     pub fn samples(&self, ms_between_keyframes: u32) -> Samples {
         let mut rows = self.rows.clone();
         correct_key_times(&mut rows, &self.times_ms, f64::from(ms_between_keyframes));
-        Samples { rows, tolerances: self.tolerances }
+        Samples { rows, printed: self.printed }
     }
 }
 

@@ -135,7 +135,8 @@ impl<'a> PlayRange<'a> {
 
     /// The keyframe of the list where the interval around a key time begins, and the eased fraction of the interval. The key time is
     /// clamped to the range.
-    pub(super) fn interval_at(&self, key_time: f64) -> (KeyframeIndex, f32) {
+    #[must_use]
+    pub fn interval_at(&self, key_time: f64) -> (KeyframeIndex, f32) {
         #[expect(clippy::cast_precision_loss, reason = "no list has 2^52 keyframes")]
         let key_time = key_time.clamp(0.0, self.last_key_time() as f64);
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it lies in the list")]
@@ -143,6 +144,16 @@ impl<'a> PlayRange<'a> {
         #[expect(clippy::cast_possible_truncation, reason = "the fraction of a key time needs no more than f32")]
         let alpha = self.keyframes.as_slice()[start].easing.value(key_time.fract()) as f32;
         (KeyframeIndex::new(start), alpha)
+    }
+
+    /// One node's `parent_from_node` at a key time, which is clamped to [0, n − 1].
+    #[must_use]
+    pub fn node_at(&self, key_time: f64, interpolation: Interpolation, rbt: RbtIndex) -> Rbt {
+        let (start, alpha) = self.interval_at(key_time);
+        if alpha == 0.0 {
+            return self.keyframes.as_slice()[start.get()].pose.get(rbt);
+        }
+        self.rbt_at(start, alpha, interpolation, rbt)
     }
 
     /// The two ends of an interval for one node. `start` may be the last played keyframe.

@@ -4,6 +4,34 @@ use super::Row;
 
 const MOST_WHOLE_DIGITS: usize = 8;
 
+/// How precisely the numbers of samples are printed.
+///
+/// A column has as many decimals as the value that shows the most. One that shows none, as `%g` prints what rests at 0, and every column
+/// where zeros at the end were left out, has as many as the most of its kind.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Printed {
+    /// The decimals of x, y and z of translations.
+    pub translation: [usize; 3],
+    /// The decimals of w, x, y and z of rotations.
+    pub rotation: [usize; 4],
+}
+
+impl Printed {
+    /// How far each number may be off for it was rounded: of translations in scene units, and of components of rotations.
+    #[must_use]
+    pub fn rounding(&self) -> Tolerances {
+        Tolerances { translation: self.translation.map(rounding), rotation: self.rotation.map(rounding) }
+    }
+
+    /// How far each number may be off and still agree with a mistake. A kind that shows no decimals is taken as it stands.
+    #[must_use]
+    pub fn tolerances(&self) -> Tolerances {
+        let of = |decimals, least: f64| if decimals == 0 { least } else { rounding(decimals).max(least) };
+        let translation = self.translation.map(|decimals| of(decimals, 1e-4));
+        Tolerances { translation, rotation: self.rotation.map(|decimals| of(decimals, 2e-4)) }
+    }
+}
+
 /// How far each number of a sample may be off and still agree: half a unit of the decimals that its column shows, or what single
 /// precision leaves, whichever is larger.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,31 +71,31 @@ impl Decimals {
         self.rows += 1;
     }
 
-    /// How far numbers may be off.
-    pub fn tolerances(&self) -> Tolerances {
+    /// How precisely numbers are printed.
+    pub fn printed(&self) -> Printed {
         let [x, y, z, rotation @ ..] = self.of_numbers;
-        Tolerances { translation: self.of([x, y, z], 1e-4), rotation: self.of(rotation, 2e-4) }
+        Printed { translation: self.of([x, y, z]), rotation: self.of(rotation) }
     }
 
-    /// Of the columns of one kind. Where zeros are left out, a column may show fewer decimals than it has: those of its kind tell how many.
-    /// A kind that shows none is taken as it stands.
-    fn of<const N: usize>(&self, columns: [usize; N], least: f64) -> [f64; N] {
+    /// The decimals of the columns of one kind.
+    fn of<const N: usize>(&self, columns: [usize; N]) -> [usize; N] {
         let most = columns.into_iter().max().unwrap_or_default();
-        columns.map(|decimals| match if self.strips_zeros || decimals == 0 { most } else { decimals } {
-            0 => least,
-            // A fiftieth more, for what is rounded was computed in single precision.
-            decimals => (1.02 * half_unit(decimals)).max(least),
-        })
+        columns.map(|decimals| if self.strips_zeros || decimals == 0 { most } else { decimals })
     }
 
     /// Tells each row how far its key time may be off.
     pub fn mark_key_times(&self, rows: &mut [Row]) {
         if !is_regular(rows) {
             for row in rows {
-                row.key_time_error = key_time_error(self.of_key_times[whole_digits(row.key_time)]);
+                row.key_time_error = half_unit(self.of_key_times[whole_digits(row.key_time)]);
             }
         }
     }
+}
+
+/// How far a number of so many decimals may be off: a fiftieth more than half a unit, for what is rounded was computed in single precision.
+fn rounding(decimals: usize) -> f64 {
+    1.02 * half_unit(decimals)
 }
 
 /// Half a unit of the last of so many decimals.
@@ -83,13 +111,16 @@ fn decimals(field: &str) -> usize {
     usize::try_from(shown as i64 - exponent).unwrap_or_default()
 }
 
-/// How far a key time of so many decimals may be off. With fewer than three, it is taken as it stands: almost any motion would agree.
-fn key_time_error(decimals: usize) -> f64 {
-    if decimals < 3 { 0.0 } else { half_unit(decimals) }
-}
-
-/// Whether key times go in equal steps, but perhaps for the last: then they are as exact as they are printed.
+/// Whether key times go in equal steps, but perhaps for the last, and none but the last shows a node twice: then they are as exact as they
+/// are printed.
 fn is_regular(rows: &[Row]) -> bool {
+    let last = rows.iter().map(|row| row.key_time).fold(0.0, f64::max);
+    let before_last = rows.iter().filter(|row| row.key_time < last);
+    let mut shown: Vec<(u64, usize)> = before_last.map(|row| (row.key_time.to_bits(), row.node.get())).collect();
+    shown.sort_unstable();
+    if shown.windows(2).any(|pair| pair[0] == pair[1]) {
+        return false;
+    }
     let mut key_times: Vec<f64> = rows.iter().map(|row| row.key_time).collect();
     key_times.sort_by(f64::total_cmp);
     key_times.dedup();
@@ -114,22 +145,24 @@ mod tests {
         }
     }
 
-    fn tolerances(rows: &[[&str; 7]]) -> Tolerances {
+    fn printed(rows: &[[&str; 7]]) -> Printed {
         let mut seen = Decimals::default();
         for row in rows {
             seen.see(("0.1", 0.1), *row);
         }
-        seen.tolerances()
+        seen.printed()
     }
 
     #[test]
     fn each_column_has_its_own_and_zeros_that_were_left_out_do_not_count() {
-        let fixed = tolerances(&[["1.00", "0.500", "1.000000", "1.000", "nan", "0.000", "0.000"]; 2]);
-        assert_eq!(fixed.translation, [1.02 * half_unit(2), 1.02 * half_unit(3), 1e-4]);
-        assert_eq!(fixed.rotation, [1.02 * half_unit(3); 4]);
+        let fixed = printed(&[["1.00", "0.500", "1.000000", "1.000", "nan", "0.000", "0.000"]; 2]);
+        assert_eq!(fixed, Printed { translation: [2, 3, 6], rotation: [3; 4] });
+        assert_eq!(fixed.tolerances().translation, [1.02 * half_unit(2), 1.02 * half_unit(3), 1e-4]);
+        assert_eq!(fixed.tolerances().rotation, [1.02 * half_unit(3); 4]);
         let stripped =
-            tolerances(&[["1", "0.5", "0.25", "1", "0", "0", "0"], ["1", "0.5", "0.333333", "1", "0", "0", "0"]]);
-        assert_eq!(stripped.translation, [1e-4; 3]);
-        assert_eq!(stripped.rotation, [2e-4; 4]);
+            printed(&[["1", "0.5", "0.25", "1", "0", "0", "0"], ["1", "0.5", "0.333333", "1", "0", "0", "0"]]);
+        assert_eq!(stripped, Printed { translation: [6; 3], rotation: [0; 4] });
+        assert_eq!(stripped.tolerances().translation, [1e-4; 3]);
+        assert_eq!(stripped.tolerances().rotation, [2e-4; 4]);
     }
 }
