@@ -85,12 +85,6 @@ struct Place {
 }
 
 impl Candidate {
-    /// Whether it plays another range of keyframes than it should: it begins at another keyframe, or leaves out the end.
-    #[must_use]
-    pub fn is_about_range(&self) -> bool {
-        self.mistakes.iter().any(|mistake| mistake.is_about_range())
-    }
-
     /// The interpolation in which it is made.
     #[must_use]
     pub fn interpolation(&self) -> Interpolation {

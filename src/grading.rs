@@ -12,20 +12,27 @@
 //! order in which the submissions were named, and nothing in them depends on time. Nothing in a submission is trusted: work is bounded
 //! by counts, not by a clock, so that results are the same on every machine.
 
+mod alignment;
 mod archive;
 mod content;
+mod coverage;
 mod folder;
 mod gather;
 mod item;
+mod judgement;
 mod marks;
 mod names;
+mod off;
 mod parsed;
 mod pictures;
 mod place;
+mod range;
 mod report;
+mod right;
 mod rubric;
 mod samples;
 mod shown;
+mod shown_playback;
 mod submission;
 mod tables;
 mod trace;
@@ -35,11 +42,11 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 pub use gather::{Found, Naming, PassedOver, find};
 pub use item::{Evidence, Item, ItemKind, Verdict};
-pub use marks::Marks;
+pub use marks::{Marks, PlaybackEvidence, evidence_counts};
 pub use parsed::Parsed;
 pub use pictures::{ReportPicture, SIZE as PICTURE_SIZE, pictures_of};
 pub use report::html;
-pub use rubric::{Reference, Rubric};
+pub use rubric::{Band, Credit, Reference, Rubric};
 pub use samples::SampleDiagnosis;
 pub use submission::Submission;
 pub use tables::{csv, json};

@@ -56,6 +56,9 @@ pub fn run(arguments: &GradeArguments, named_scene: Option<&Path>) -> Result<(),
     files::write(&report, grading::html(&marks, &passed_over, &rubric, &pictures).as_bytes())?;
     let submissions = counted(marks.len(), "submission");
     let mut text = format!("{submissions} graded: {}\n", report.display());
+    if let Some(counts) = grading::evidence_counts(&marks) {
+        let _ = writeln!(text, "{counts}");
+    }
     for PassedOver { name, reason } in &passed_over {
         let _ = writeln!(text, "passed over: {name} ({reason})");
     }

@@ -87,20 +87,6 @@ impl Mistake {
         self.change.is_empty()
     }
 
-    /// Whether it plays another range of keyframes than it should: it begins at another keyframe, or leaves out the end.
-    #[must_use]
-    pub fn is_about_range(&self) -> bool {
-        let right = LINEAR.timing;
-        let timings = self.linear.iter().map(|change| {
-            let mut rules = LINEAR;
-            change(&mut rules);
-            rules.timing
-        });
-        timings
-            .into_iter()
-            .any(|timing| timing.first_keyframe != right.first_keyframe || timing.shows_end != right.shows_end)
-    }
-
     fn playback(&self) -> &'static str {
         match (self.linear.is_empty(), self.spline.is_empty()) {
             (false, false) => "Linear and Catmull-Rom playback.",

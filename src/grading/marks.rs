@@ -1,13 +1,44 @@
 //! The marks of a submission: points with reasons, and the diagnosis of its samples.
 
-use super::item::{Item, ItemKind};
+use super::item::{Evidence, Item, ItemKind};
 use super::parsed::Parsed;
 use super::rubric::Rubric;
 use super::samples::{SampleDiagnosis, note_of_too_many, sample_diagnoses};
 use super::submission::Submission;
-use super::verdicts::Marker;
+use super::verdicts::{ComparedKeyframes, Marker};
 use crate::keyframe::KeyframeList;
 use crate::scene::SceneGraph;
+use crate::text::counted;
+
+/// What verdicts on playback rest on. What says more of the student's program is greater.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum PlaybackEvidence {
+    /// Nothing: there are no samples, and the rubric asks for some.
+    None,
+    /// How this program plays the submitted keyframes.
+    Assumed,
+    /// Samples of what the student's program showed.
+    Samples,
+}
+
+/// How many submissions showed their playback: `12 of 15 submissions: playback shown by samples; 3 assumed`. `None` if playback is not graded.
+#[must_use]
+pub fn evidence_counts(marks: &[Marks]) -> Option<String> {
+    let found: Vec<PlaybackEvidence> = marks.iter().filter_map(Marks::playback_evidence).collect();
+    if found.is_empty() {
+        return None;
+    }
+    let count = |evidence| found.iter().filter(|one| **one == evidence).count();
+    let all = counted(marks.len(), "submission");
+    let mut text = format!("{} of {all}: playback shown by samples", count(PlaybackEvidence::Samples));
+    for (evidence, what) in [(PlaybackEvidence::Assumed, "assumed"), (PlaybackEvidence::None, "not shown")] {
+        let count = count(evidence);
+        if count > 0 {
+            text.push_str(&format!("; {count} {what}"));
+        }
+    }
+    Some(text)
+}
 
 /// All marks of a submission.
 #[derive(Clone, Debug)]
@@ -45,8 +76,11 @@ impl Marks {
         }
         notes.extend(note_of_too_many(parsed));
         notes.extend(parsed.notes.iter().cloned());
-        let samples = sample_diagnoses(parsed, rubric);
-        let marker = Marker { rubric, scene, parsed, samples: &samples };
+        let list = parsed.keyframes.as_ref().ok().map(|read| &read.list);
+        let keyframes = ComparedKeyframes::new(list, rubric, scene);
+        let follows_through = rubric.credit.follow_through && keyframes.have_lost();
+        let samples = sample_diagnoses(parsed, rubric, follows_through);
+        let marker = Marker { rubric, scene, parsed, keyframes: &keyframes, samples: &samples, follows_through };
         let items = rubric.items().map(|(kind, out_of)| Item::new(kind, out_of, marker.verdict(kind))).collect();
         let read = parsed.keyframes.as_ref().ok();
         let keyframe_file = read.map(|read| read.file.clone());
@@ -73,6 +107,40 @@ impl Marks {
     #[must_use]
     pub fn out_of(&self) -> f64 {
         self.items.iter().map(|item| item.out_of).sum()
+    }
+
+    /// What the verdicts on playback rest on, in one word: what was handed in if any of them rests on it. `None` if playback is not graded.
+    #[must_use]
+    pub fn playback_evidence(&self) -> Option<PlaybackEvidence> {
+        let is_playback = |item: &&Item| matches!(item.kind, ItemKind::Playback(_) | ItemKind::RangeAndEnd);
+        let of_items = self.items.iter().filter(is_playback).map(|item| match item.evidence {
+            Some(Evidence::Samples) => PlaybackEvidence::Samples,
+            Some(_) => PlaybackEvidence::Assumed,
+            None => PlaybackEvidence::None,
+        });
+        of_items.max()
+    }
+
+    /// What the verdict on the script rests on. `None` if no script is graded or nothing could be looked at.
+    #[must_use]
+    pub fn script_evidence(&self) -> Option<Evidence> {
+        self.item(ItemKind::Script)?.evidence
+    }
+
+    /// What the verdicts rest on, in words: `playback by samples, script assumed`.
+    #[must_use]
+    pub fn evidence(&self) -> String {
+        let playback = self.playback_evidence().map(|evidence| match evidence {
+            PlaybackEvidence::Samples => "playback by samples",
+            PlaybackEvidence::Assumed => "playback assumed",
+            PlaybackEvidence::None => "playback not shown",
+        });
+        let script = self.script_evidence().map(|evidence| match evidence {
+            Evidence::Trace => "script by trace",
+            Evidence::Script => "own script run",
+            Evidence::Samples | Evidence::Assumed => "script assumed",
+        });
+        playback.into_iter().chain(script).collect::<Vec<_>>().join(", ")
     }
 
     /// The item of a kind, where it is graded.

@@ -2,7 +2,7 @@
 
 use num_rational::BigRational;
 
-use super::item::{Item, ItemKind};
+use super::item::ItemKind;
 use super::marks::Marks;
 use super::rubric::{Reference, Rubric};
 use super::shown::{FRAMES, ShownPose, ShownPoses, farthest};
@@ -61,8 +61,11 @@ fn shown_playbacks(marks: &Marks, rubric: &Rubric) -> Vec<Interpolation> {
         _ => None,
     });
     let graded: Vec<Interpolation> = graded.collect();
-    let has_lost =
-        |interpolation: &Interpolation| marks.item(ItemKind::Playback(*interpolation)).is_some_and(Item::has_lost);
+    // Where nothing was shown, there is nothing to see of what was lost.
+    let has_lost = |interpolation: &Interpolation| {
+        let item = marks.item(ItemKind::Playback(*interpolation));
+        item.is_some_and(|item| item.has_lost() && item.evidence.is_some())
+    };
     let wrong: Vec<Interpolation> = graded.iter().copied().filter(has_lost).collect();
     if wrong.is_empty() { vec![graded.last().copied().unwrap_or(Interpolation::CatmullRom)] } else { wrong }
 }

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::gather::PassedOver;
-use super::item::{Item, ItemKind};
+use super::item::{Evidence, Item, ItemKind};
 use super::marks::Marks;
 use super::pictures::ReportPicture;
 use super::rubric::Rubric;
@@ -19,7 +19,7 @@ table{border-collapse:collapse;width:100%}
 section{background:#fff;border:1px solid #dddfe4;border-radius:10px;margin:1.2rem 0;padding:1rem 1.2rem}
 h2{font-size:1.1rem;margin:0 0 .6rem;overflow-wrap:anywhere}h2 span{float:right;font-variant-numeric:tabular-nums}
 .items td{padding:.2rem .6rem;vertical-align:top;border-bottom:1px solid #eef0f3;overflow-wrap:anywhere}
-.items td:first-child{white-space:nowrap;width:10rem}.items td.n{width:4.5rem}
+.items td:first-child{white-space:nowrap;width:10rem}.items td.n{width:4.5rem}.items td.by{width:5rem;white-space:nowrap}
 .lost{color:#a3262a}.full{color:#20693c}.note{background:#fff4d6;border-radius:6px;padding:.4rem .7rem}
 .pictures{display:flex;flex-wrap:wrap;gap:1rem;margin-top:.9rem}
 figure{margin:0;width:200px}figcaption{font-size:.8rem;color:#5b6472}img{display:block;border-radius:6px;background:#e8eaee}
@@ -48,7 +48,7 @@ pub fn html(marks: &[Marks], passed_over: &[PassedOver], rubric: &Rubric, pictur
     let _ = writeln!(
         text,
         "<p class=\"sum\">{} submissions, {} points on average out of {}.</p>\n<section><table class=\"overview\">\
-         <tr><th>submission</th>{}<th>points</th><th></th><th>samples show</th></tr>",
+         <tr><th>submission</th>{}<th>points</th><th></th><th>evidence</th><th>samples show</th></tr>",
         marks.len(),
         number((mean * 100.0).round() / 100.0),
         number(out_of),
@@ -61,10 +61,11 @@ pub fn html(marks: &[Marks], passed_over: &[PassedOver], rubric: &Rubric, pictur
         let _ = writeln!(
             text,
             "<tr><td><a href=\"#s{index}\">{}</a></td>{of_student}<td class=\"n\">{} / {}</td>\
-             <td><span class=\"bar\"><i style=\"width:{share:.0}%\"></i></span></td><td>{}</td></tr>",
+             <td><span class=\"bar\"><i style=\"width:{share:.0}%\"></i></span></td><td>{}</td><td>{}</td></tr>",
             escaped(&marks.name),
             number(marks.points()),
             number(marks.out_of()),
+            escaped(&marks.evidence()),
             escaped(&diagnoses(marks).join(", "))
         );
     }
@@ -88,6 +89,8 @@ struct Row {
     points: f64,
     out_of: f64,
     has_lost: bool,
+    /// A word on what the verdict rests on; empty for items about keyframes alone.
+    evidence: &'static str,
     reason: String,
 }
 
@@ -108,8 +111,9 @@ fn rows(items: &[Item]) -> Vec<Row> {
             continue;
         }
         first = index;
-        let Item { kind, points, out_of, reason, .. } = item.clone();
-        rows.push(Row { title: kind.title(), points, out_of, has_lost: item.has_lost(), reason });
+        let Item { kind, points, out_of, reason, evidence } = item.clone();
+        let evidence = evidence.map_or("", Evidence::id);
+        rows.push(Row { title: kind.title(), points, out_of, has_lost: item.has_lost(), evidence, reason });
     }
     rows
 }
@@ -145,10 +149,11 @@ fn push_submission(text: &mut String, index: usize, marks: &Marks, pictures: &[R
         let class = if row.has_lost { "lost" } else { "full" };
         let _ = writeln!(
             text,
-            "<tr><td>{}</td><td class=\"n {class}\">{} / {}</td><td>{}</td></tr>",
+            "<tr><td>{}</td><td class=\"n {class}\">{} / {}</td><td class=\"by\">{}</td><td>{}</td></tr>",
             escaped(&row.title),
             number(row.points),
             number(row.out_of),
+            row.evidence,
             escaped(&row.reason)
         );
     }

@@ -1,15 +1,17 @@
 //! The rubric: graded items and their points, as JSON or TOML.
 
+mod credit;
 mod points;
 mod reference;
 mod text;
 
 use std::path::{Path, PathBuf};
 
+pub use credit::{Band, Credit};
 pub use points::Points;
 pub use reference::Reference;
 
-use text::{TolerancesText, parse};
+use text::{PlaybackText, parse};
 
 use super::folder::{self, Traced};
 use super::item::ItemKind;
@@ -32,7 +34,13 @@ pub struct Rubric {
     pub points: Points,
     /// The tolerances.
     pub tolerances: Tolerances,
-    /// Frames a second at which playback is compared.
+    /// How errors become shares of the points.
+    pub credit: Credit,
+    /// Whether submissions without samples earn points for playback by how this program plays their keyframes.
+    pub assumes_playback: bool,
+    /// How many samples of each node are asked in each interval between keyframes; 0 if none are.
+    pub samples_per_interval: usize,
+    /// Frames a second at which playback is compared that is played by this program.
     pub fps: u32,
     /// The right keyframes, where submissions are compared with some.
     pub reference: Option<Reference>,
@@ -101,11 +109,20 @@ impl Rubric {
         let bytes = reference.as_ref().map(|reference| reference.bytes.as_slice());
         let script =
             lines.map(|lines| RubricScript { expected: folder::run(&lines, scene, bytes).map(|ran| ran.trace), lines });
-        let TolerancesText { translation, rotation_degrees } = text.tolerances;
+        let tolerances = text.tolerances.tolerances();
+        let credit = Credit {
+            share_of_frames: text.share_of_frames,
+            follow_through: text.follow_through,
+            align_keyframes: text.align_keyframes,
+            ..Credit::new(tolerances, text.bands())
+        };
         Ok(Self {
             title: text.title,
             points: text.points,
-            tolerances: Tolerances { translation, rotation_degrees },
+            tolerances,
+            credit,
+            assumes_playback: text.playback == PlaybackText::Assumed,
+            samples_per_interval: text.samples_per_interval as usize,
             fps: text.fps,
             reference,
             keyframe_file,

@@ -1,44 +1,95 @@
-//! Diagnosis of a submission's samples.
+//! A submission's files of samples: which playback each is of, how it is judged, and its diagnosis.
 
 use super::parsed::{MOST_SAMPLES, Parsed, ParsedFile};
+use super::right::Right;
 use super::rubric::Rubric;
 use super::shown::{ShownPoses, thinned};
-use crate::diagnosis::{Diagnosis, EQUAL_RESIDUALS, Listing, SampleRows, Sequence, diagnose};
+use super::shown_playback::ShownPlayback;
+use crate::diagnosis::{Diagnosis, EQUAL_RESIDUALS, Listing, SampleRows, diagnose};
 use crate::interpolation::Interpolation;
 
-/// The diagnosis of one file of samples.
+/// One file of samples.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SampleDiagnosis {
     /// The file.
     pub file: String,
     /// Which playback they are of.
     pub interpolation: Interpolation,
-    /// The explanation, or why there is none.
+    /// The verdict by the rubric's tolerances, or why there is none.
+    pub(super) playback: Result<ShownPlayback, String>,
+    /// The explanation, or why there is none. It earns and costs no points.
     pub diagnosis: Result<Diagnosis, String>,
+    /// Whether the explanation is of the submission's own keyframes, and not of the reference.
+    pub explains_own: bool,
     /// The poses that pictures are of.
     pub shown: Option<ShownPoses>,
 }
 
-/// Diagnoses the samples of a submission.
-pub fn sample_diagnoses(parsed: &Parsed, rubric: &Rubric) -> Vec<SampleDiagnosis> {
-    // A program may have played its own keyframes or the reference's: try both.
-    let own = parsed.keyframes.as_ref().ok();
-    let own_sequence = own.and_then(|own| Some((Sequence::new(own.list.as_slice()).ok()?, own.ms_between_keyframes)));
-    let reference = rubric.reference.as_ref();
-    let right = reference.map(|right| (&right.list, right.ms_between_keyframes));
-    let right = right.or_else(|| own.map(|own| (&own.list, own.ms_between_keyframes)));
-    let reference =
-        reference.and_then(|right| Some((Sequence::new(right.list.as_slice()).ok()?, right.ms_between_keyframes)));
-    let sequences: Vec<(Sequence, u32)> = own_sequence.into_iter().chain(reference).collect();
+/// What samples are compared with: the reference, and the submission's own keyframes, where each can be played.
+pub struct Rights<'a> {
+    reference: Option<Right<'a>>,
+    own: Result<Right<'a>, String>,
+    /// Whether the submission's own keyframes are right too.
+    own_counts: bool,
+}
+
+impl<'a> Rights<'a> {
+    /// `follows_through` says whether playback is judged by the submission's own keyframes too. It is where there is no reference.
+    pub fn new(parsed: &'a Parsed, rubric: &'a Rubric, follows_through: bool) -> Self {
+        let own = match &parsed.keyframes {
+            Ok(own) => Right::own(&own.list, own.ms_between_keyframes),
+            Err(_) => Err("there are no keyframes to compare with".to_owned()),
+        };
+        let reference = Right::reference(rubric);
+        Self { own_counts: follows_through || reference.is_none(), reference, own }
+    }
+
+    /// Those by which points are given, the reference first.
+    ///
+    /// # Errors
+    /// There are none: a sentence.
+    fn of_points(&self) -> Result<Vec<&Right<'a>>, String> {
+        let own = self.own.as_ref().ok().filter(|_| self.own_counts);
+        let found: Vec<&Right<'a>> = self.reference.iter().chain(own).collect();
+        match &self.own {
+            Err(problem) if found.is_empty() => Err(problem.clone()),
+            _ => Ok(found),
+        }
+    }
+
+    /// Those by which samples are explained: a program may have played its own keyframes or the reference's.
+    fn of_explanations(&self) -> impl Iterator<Item = &Right<'a>> {
+        self.own.iter().chain(&self.reference)
+    }
+}
+
+/// Judges and diagnoses the samples of a submission.
+pub fn sample_diagnoses(parsed: &Parsed, rubric: &Rubric, follows_through: bool) -> Vec<SampleDiagnosis> {
+    let rights = Rights::new(parsed, rubric, follows_through);
+    let usual = parsed.keyframes.as_ref().map_or_else(|_| Interpolation::default(), |own| own.interpolation);
     let one = |ParsedFile { name, content }: &ParsedFile<SampleRows>| {
-        let interpolation =
-            playback_named(name).unwrap_or_else(|| own.map_or_else(Interpolation::default, |own| own.interpolation));
-        let diagnosis = content.as_ref().map_err(Clone::clone).and_then(|rows| nearest(rows, &sequences));
-        let shown = match (content, &diagnosis, right) {
-            (Ok(rows), Ok(_), Some((list, ms))) => thinned(&rows.samples(ms), interpolation, list, rubric.tolerances),
+        let named = playback_named(name);
+        let rows = content.as_ref().map_err(Clone::clone);
+        let (diagnosis, explains_own) = match rows.clone().and_then(|rows| nearest(rows, &rights)) {
+            Ok((diagnosis, is_own)) => (Ok(diagnosis), is_own),
+            Err(problem) => (Err(problem), false),
+        };
+        // Samples that fit neither playback may still show a known mistake of one.
+        let explained = diagnosis.as_ref().ok().filter(|diagnosis| diagnosis.is_explained());
+        let usual = explained.map_or(usual, |diagnosis| diagnosis.best().interpolation());
+        let judged = rows.clone().and_then(|rows| judged(rows, named, usual, &rights, rubric));
+        let (interpolation, playback) = match judged {
+            Ok((interpolation, playback)) => (interpolation, Ok(playback)),
+            Err(problem) => (named.unwrap_or(usual), Err(problem)),
+        };
+        let shown = match (rows, rights.of_points()) {
+            (Ok(rows), Ok(rights)) => rights.first().and_then(|right| {
+                let samples = rows.samples(right.ms_between_keyframes);
+                thinned(&samples, interpolation, right.list, rubric.tolerances)
+            }),
             _ => None,
         };
-        SampleDiagnosis { file: name.clone(), interpolation, diagnosis, shown }
+        SampleDiagnosis { file: name.clone(), interpolation, playback, diagnosis, explains_own, shown }
     };
     parsed.samples.iter().map(one).collect()
 }
@@ -49,23 +100,53 @@ pub fn note_of_too_many(parsed: &Parsed) -> Option<String> {
     (count > MOST_SAMPLES).then(|| format!("{count} files of samples, and only the first {MOST_SAMPLES} are looked at"))
 }
 
-/// The interpolation that a file's name suggests.
-fn playback_named(name: &str) -> Option<Interpolation> {
-    let name = name.to_ascii_lowercase();
-    if name.contains("catmull") || name.contains("spline") {
-        Some(Interpolation::CatmullRom)
-    } else {
-        name.contains("linear").then_some(Interpolation::Linear)
+/// The interpolation that a file's own name suggests; `None` if it suggests none, or both.
+fn playback_named(path: &str) -> Option<Interpolation> {
+    let name = path.rsplit('/').next().unwrap_or(path).to_ascii_lowercase();
+    match (name.contains("linear"), name.contains("catmull") || name.contains("spline")) {
+        (true, false) => Some(Interpolation::Linear),
+        (false, true) => Some(Interpolation::CatmullRom),
+        _ => None,
     }
 }
 
-/// The diagnosis against the sequence of keyframes that explains the samples best; the first of those that do equally well.
-fn nearest(rows: &SampleRows, sequences: &[(Sequence, u32)]) -> Result<Diagnosis, String> {
-    let diagnoses =
-        sequences.iter().map(|(sequence, ms)| diagnose(sequence, &rows.samples(*ms), Listing::Explanations));
-    let nearer = |one: Diagnosis, other: Diagnosis| {
-        let (is_explained, is_other_explained) = (one.is_explained(), other.is_explained());
-        let is_nearer = other.best().residual < one.best().residual - EQUAL_RESIDUALS;
+/// The verdict on samples: by the keyframes that earn most, and as the playback that is named or, without a name, that they fit clearly
+/// better; otherwise as the usual one.
+fn judged(
+    rows: &SampleRows,
+    named: Option<Interpolation>,
+    usual: Interpolation,
+    rights: &Rights<'_>,
+    rubric: &Rubric,
+) -> Result<(Interpolation, ShownPlayback), String> {
+    let mut best: Option<(Interpolation, ShownPlayback)> = None;
+    for right in rights.of_points()? {
+        let samples = rows.samples(right.ms_between_keyframes);
+        let judge = |interpolation| ShownPlayback::of(&samples, right, interpolation, rubric);
+        let candidates = named.map_or_else(|| vec![usual, usual.next()], |named| vec![named]);
+        let of_right = candidates
+            .into_iter()
+            .map(|interpolation| (interpolation, judge(interpolation)))
+            .reduce(|one, other| if other.1.fits_better_than(&one.1) { other } else { one });
+        let is_better = |found: &(Interpolation, ShownPlayback)| {
+            let rank = |found: &(Interpolation, ShownPlayback)| (found.1.share(rubric), found.1.ends.share);
+            best.as_ref().is_none_or(|best| rank(found) > rank(best))
+        };
+        best = of_right.filter(is_better).or(best);
+    }
+    best.ok_or_else(|| "there are no keyframes to compare with".to_owned())
+}
+
+/// The diagnosis against the keyframes that explain the samples best, and whether these are the submission's own; the first of those that
+/// do equally well.
+fn nearest(rows: &SampleRows, rights: &Rights<'_>) -> Result<(Diagnosis, bool), String> {
+    let diagnoses = rights.of_explanations().map(|right| {
+        let samples = rows.samples(right.ms_between_keyframes);
+        (diagnose(&right.sequence, &samples, Listing::Explanations), right.is_own)
+    });
+    let nearer = |one: (Diagnosis, bool), other: (Diagnosis, bool)| {
+        let (is_explained, is_other_explained) = (one.0.is_explained(), other.0.is_explained());
+        let is_nearer = other.0.best().residual < one.0.best().residual - EQUAL_RESIDUALS;
         if (is_other_explained && !is_explained) || (is_other_explained == is_explained && is_nearer) {
             other
         } else {

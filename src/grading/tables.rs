@@ -3,6 +3,7 @@
 use serde_json::{Value, json};
 
 use super::gather::PassedOver;
+use super::item::Evidence;
 use super::marks::Marks;
 use super::rubric::Rubric;
 
@@ -12,7 +13,7 @@ use super::rubric::Rubric;
 /// cells at semicolons.
 #[must_use]
 pub fn csv(marks: &[Marks]) -> String {
-    let first = ["submission", "student", "id", "late", "points", "out_of", "diagnosis"];
+    let first = ["submission", "student", "id", "late", "points", "out_of", "evidence", "diagnosis"];
     let mut header: Vec<String> = first.map(str::to_owned).into();
     // Every submission has the same items.
     header.extend(marks.iter().take(1).flat_map(|marks| &marks.items).map(|item| item.kind.id()));
@@ -27,6 +28,7 @@ pub fn csv(marks: &[Marks]) -> String {
             late.to_owned(),
             number(marks.points()),
             number(marks.out_of()),
+            marks.evidence(),
             diagnoses(marks).join("; "),
         ];
         cells.extend(marks.items.iter().map(|item| number(item.points)));
@@ -78,7 +80,10 @@ pub fn json(marks: &[Marks], passed_over: &[PassedOver], rubric: &Rubric) -> Str
         let items: Vec<Value> = marks
             .items
             .iter()
-            .map(|item| json!({"item": item.kind.id(), "points": item.points, "out_of": item.out_of, "reason": item.reason}))
+            .map(|item| {
+                let evidence = item.evidence.map(Evidence::id);
+                json!({"item": item.kind.id(), "points": item.points, "out_of": item.out_of, "evidence": evidence, "reason": item.reason})
+            })
             .collect();
         let samples: Vec<Value> = marks
             .samples

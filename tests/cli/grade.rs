@@ -9,7 +9,7 @@ use crate::sandbox::Sandbox;
 use crate::student::{LINEAR, Placed, SPLINE, Student, file, varied_keyframes};
 
 const RUBRIC: &str = r#"{"format": "inbetween.rubric", "version": 1, "title": "<b>Six</b>", "reference": "reference.json",
-    "script": "hotkeys.txt", "tolerances": {"translation": 0.001, "rotation_degrees": 0.1},
+    "script": "hotkeys.txt", "playback": "assumed", "tolerances": {"translation": 0.001, "rotation_degrees": 0.1},
     "points": {"readable": 2, "keyframe_count": 1, "each_keyframe": 1, "linear_playback": 5, "catmull_rom_playback": 5,
     "range_and_end": 2, "script": 3}}"#;
 
@@ -355,7 +355,7 @@ fn a_bad_rubric_is_bad_input() {
         sandbox.run(&["grade", "bad.json", "all", "-o", "out", "--no-images"])
     };
     run(RUBRIC.replace("\"title\"", "\"tittle\"")).refuses(
-        "bad.json: line 1 column 53: unknown field \"tittle\", expected format, version, title, reference, script, keyframe_file, tolerances, fps or points",
+        "bad.json: line 1 column 53: unknown field \"tittle\", expected format, version, title, reference, script, keyframe_file, tolerances, fps, playback, samples_per_interval, bands, share_of_frames, follow_through, align_keyframes or points",
     );
     run(RUBRIC.replace("\"readable\": 2", "\"readable\": -2"))
         .refuses("bad.json: points.readable is -2, expected 0 to 1000000");
@@ -398,14 +398,14 @@ fn a_rubric_in_toml_is_the_same() {
         (
             "title =",
             "tittle =",
-            "line 4 column 1: unknown field \"tittle\", expected format, version, title, reference, script, keyframe_file, tolerances, fps or points",
+            "line 4 column 1: unknown field \"tittle\", expected format, version, title, reference, script, keyframe_file, tolerances, fps, playback, samples_per_interval, bands, share_of_frames, follow_through, align_keyframes or points",
         ),
         ("readable = 10", "readable = -2", "points.readable is -2, expected 0 to 1000000"),
         ("readable = 10", "readable = nan", "points.readable is NaN, expected 0 to 1000000"),
-        ("fps = 10", "fps = \"ten\"", "line 7 column 7: found the text \"ten\", expected a whole number"),
-        ("version = 1\n", "", "line 20 column 1: version is missing"),
-        ("[points]", "[tolerances]", "line 13 column 2: this name is there twice"),
-        ("script = 5", "script = ", "line 20 column 10: a text needs double quotes"),
+        ("fps = 10", "fps = \"ten\"", "line 9 column 7: found the text \"ten\", expected a whole number"),
+        ("version = 1\n", "", "line 27 column 1: version is missing"),
+        ("[points]", "[tolerances]", "line 20 column 2: this name is there twice"),
+        ("script = 5", "script = ", "line 27 column 10: a text needs double quotes"),
     ] {
         let text = toml.replacen(from, to, 1);
         assert_ne!(text, toml);
@@ -422,23 +422,36 @@ fn a_rubric_in_toml_is_the_same() {
 }
 
 #[test]
-fn the_example_gives_its_reference_all_points_and_pictures() {
+fn the_example_gives_right_samples_all_points_and_pictures() {
     let sandbox = Sandbox::new();
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/grading");
     let rubric = folder.join("rubric.json");
-    let reference = folder.join("reference.json");
-    let mut other: Value = serde_json::from_str(&std::fs::read_to_string(&reference).unwrap()).unwrap();
-    other["keyframes"][3]["pose"][3]["rotation"] = json!([0, 0, 0, 1]);
-    sandbox.write("other.json", other.to_string());
-    let arguments = ["grade", rubric.to_str().unwrap(), reference.to_str().unwrap(), "other.json", "-o", "out"];
+    let mut keyframes: Value =
+        serde_json::from_str(&std::fs::read_to_string(folder.join("reference.json")).unwrap()).unwrap();
+    std::fs::create_dir(sandbox.path("right")).unwrap();
+    for interpolation in ["linear", "catmull-rom"] {
+        keyframes["interpolation"] = json!(interpolation);
+        sandbox.write("right/keys.json", keyframes.to_string());
+        let samples = sandbox.run(&["sample", "right/keys.json", "--fps", "10", "--format", "csv"]).succeeds();
+        sandbox.write(&format!("right/{interpolation}.csv"), samples);
+    }
+    keyframes["interpolation"] = json!("linear");
+    sandbox.write("right/keys.json", keyframes.to_string());
+    sandbox.write("alone.json", keyframes.to_string());
+    keyframes["keyframes"][3]["pose"][3]["rotation"] = json!([0, 0, 0, 1]);
+    sandbox.write("other.json", keyframes.to_string());
+    let arguments = ["grade", rubric.to_str().unwrap(), "right", "alone.json", "other.json", "-o", "out"];
     sandbox.run(&arguments).succeeds();
     let grades = sandbox.json("out/grades.json");
-    assert_eq!(
-        (&grades["submissions"][0]["points"], &grades["submissions"][1]["points"]),
-        (&json!(100.0), &json!(55.0))
-    );
+    let points: Vec<&Value> =
+        grades["submissions"].as_array().unwrap().iter().map(|graded| &graded["points"]).collect();
+    assert_eq!(points, [&json!(100.0), &json!(55.0), &json!(50.0)]);
     let html = sandbox.read("out/report.html");
-    // One animation for what is right; for both playbacks that are wrong one each, and two moments of three pictures.
-    assert_eq!(html.matches("<img src=\"data:image/png;base64,").count(), 1 + 2 * (1 + 2 * 3));
-    assert!(html.contains("Linear, as its keyframes play") && html.contains("Catmull-Rom, key time "), "captions");
+    // One animation each, and of what is wrong two moments of three pictures.
+    assert_eq!(html.matches("<img src=\"data:image/png;base64,").count(), 3 + 2 * 3);
+    assert!(
+        html.contains("Catmull-Rom, as catmull-rom.csv shows it")
+            && html.contains("Catmull-Rom, as its keyframes play")
+    );
+    assert!(html.contains("Catmull-Rom, key time "), "captions");
 }

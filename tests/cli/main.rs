@@ -14,6 +14,7 @@ mod frames;
 mod grade;
 mod help;
 mod journal;
+mod marks;
 mod other_files;
 mod places;
 mod playback;

@@ -5,6 +5,7 @@ use std::path::Path;
 use serde::Deserialize;
 
 use super::Points;
+use super::credit::{self, Band};
 use crate::animation_diff::Tolerances;
 use crate::decode::{self, DecodeError};
 
@@ -25,7 +26,38 @@ pub(super) struct RubricText {
     pub tolerances: TolerancesText,
     #[serde(default = "default_fps")]
     pub fps: u32,
+    #[serde(default)]
+    pub playback: PlaybackText,
+    #[serde(default = "default_samples_per_interval")]
+    pub samples_per_interval: u32,
+    #[serde(default)]
+    pub bands: Vec<BandText>,
+    #[serde(default)]
+    pub share_of_frames: bool,
+    #[serde(default)]
+    pub follow_through: bool,
+    #[serde(default)]
+    pub align_keyframes: bool,
     pub points: Points,
+}
+
+/// What earns points for playback where no samples were handed in.
+#[derive(Clone, Copy, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum PlaybackText {
+    /// Nothing.
+    #[default]
+    Samples,
+    /// How this program plays the submitted keyframes.
+    Assumed,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct BandText {
+    translation: f64,
+    rotation_degrees: f64,
+    share: f64,
 }
 
 #[derive(Deserialize)]
@@ -42,6 +74,16 @@ impl Default for TolerancesText {
     }
 }
 
+impl TolerancesText {
+    pub fn tolerances(&self) -> Tolerances {
+        Tolerances { translation: self.translation, rotation_degrees: self.rotation_degrees }
+    }
+}
+
+const fn default_samples_per_interval() -> u32 {
+    4
+}
+
 const fn default_fps() -> u32 {
     10
 }
@@ -53,6 +95,15 @@ pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<RubricText, DecodeError
 }
 
 impl RubricText {
+    /// The wider bands.
+    pub fn bands(&self) -> Vec<Band> {
+        let band = |band: &BandText| Band {
+            tolerances: Tolerances { translation: band.translation, rotation_degrees: band.rotation_degrees },
+            share: band.share,
+        };
+        self.bands.iter().map(band).collect()
+    }
+
     /// The first invalid value of the rubric, as a sentence.
     pub fn problem(&self) -> Option<String> {
         if self.format != "inbetween.rubric" {
@@ -63,6 +114,10 @@ impl RubricText {
         }
         if !(1..=1000).contains(&self.fps) {
             return Some(format!("fps is {}, expected a whole number from 1 to 1000", self.fps));
+        }
+        if self.samples_per_interval > 1000 {
+            let count = self.samples_per_interval;
+            return Some(format!("samples_per_interval is {count}, expected a whole number from 0 to 1000"));
         }
         // Destructured, so that a new field cannot be forgotten.
         let Points {
@@ -91,14 +146,17 @@ impl RubricText {
         let needs_reference = [
             ("points.keyframe_count", keyframe_count),
             ("points.each_keyframe", each_keyframe),
-            ("points.linear_playback", linear_playback),
-            ("points.catmull_rom_playback", catmull_rom_playback),
-            ("points.range_and_end", range_and_end),
             ("points.script", script),
         ];
         let needing = needs_reference.into_iter().find(|(_, points)| *points > 0.0 && self.reference.is_none());
         if let Some((name, _)) = needing {
             return Some(format!("{name} is there, but reference names no file"));
+        }
+        if self.playback == PlaybackText::Assumed && self.reference.is_none() {
+            return Some("playback is \"assumed\", but reference names no file to compare with".to_owned());
+        }
+        if let Some(problem) = credit::problem(self.tolerances.tolerances(), &self.bands()) {
+            return Some(problem);
         }
         let has_no_script = script > 0.0 && self.script.is_none();
         has_no_script.then(|| "points.script is there, but script names no file".to_owned())
