@@ -6,7 +6,11 @@
 //! ```
 //!
 //! `gather` uses `place` and `archive` (files on the disk and in archives); `parsed` uses `content` (what a file is) and `names` (which
-//! of several files is meant). `Marks::of` uses `item` and `verdicts` (graded items), `samples` and `shown` (diagnoses), `folder` (runs scripts in memory) and `trace`.
+//! of several files is meant). `Marks::of` uses `item` and `verdicts` (graded items), `alignment` (keyframes with keyframes), `samples`,
+//! `folder` (runs scripts in memory) and `trace`.
+//!
+//! `samples` diagnoses samples and judges them by `shown_playback`: `right` is what they should show, `off` how far a row is from that,
+//! `judgement` sums up the rows, `coverage` counts them, and `range` looks at both ends. `shown` chooses the poses of pictures.
 //!
 //! A submission is gathered, sorted and parsed once. Submissions are marked on all cores, each apart from the others; results are in the
 //! order in which the submissions were named, and nothing in them depends on time. Nothing in a submission is trusted: work is bounded

@@ -220,7 +220,22 @@ fn rubrics() {
     assert!(validator.is_valid(&sample));
     let toml: Value = toml::from_str(&asset("grading/rubric.toml")).unwrap();
     assert_eq!(toml, sample);
-    let broken: [(&str, Value); 8] = [
+    let mut partial = sample.clone();
+    partial["bands"] = json!([{"translation": 0.01, "rotation_degrees": 1, "share": 0.5}]);
+    for switch in ["share_of_frames", "follow_through", "align_keyframes"] {
+        partial[switch] = json!(true);
+    }
+    assert!(validator.is_valid(&partial));
+    partial["bands"][0]["share"] = json!(1);
+    assert!(!validator.is_valid(&partial));
+    let free = json!({"format": "inbetween.rubric", "version": 1, "points": {"linear_playback": 1}});
+    assert!(validator.is_valid(&free));
+    let mut assumed = free.clone();
+    assumed["playback"] = json!("assumed");
+    assert!(!validator.is_valid(&assumed));
+    let broken: [(&str, Value); 10] = [
+        ("/playback", json!("played")),
+        ("/samples_per_interval", json!(-1)),
         ("/format", json!("inbetween.rubrics")),
         ("/version", json!(2)),
         ("/fps", json!(0)),

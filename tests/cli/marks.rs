@@ -279,8 +279,8 @@ fn playback_is_shown_or_assumed() {
     let graded = course.graded(&fields("samples"), &points);
     assert!(course.said.contains("\n1 of 3 submissions: playback shown by samples; 2 not shown\n"), "{}", course.said);
     check(&graded["shown"], LINEAR, 20.0, &["linear.csv: all 21 frames are"]);
-    check(&graded["not"], LINEAR, 0.0, &["There are no samples of Linear playback: hand in", "playback = \"assumed\""]);
-    check(&graded["not"], "range_and_end", 0.0, &["There are no samples: hand in"]);
+    check(&graded["not"], LINEAR, 0.0, &["No samples show linear playback: hand in", "playback = \"assumed\""]);
+    check(&graded["not"], "range_and_end", 0.0, &["No samples show where playback begins and ends: hand in"]);
     assert_eq!(evidence(&graded["shown"], LINEAR), "samples");
     assert_eq!(evidence(&graded["shown"], "catmull_rom_playback"), Value::Null);
     assert_eq!(evidence(&graded["shown"], "range_and_end"), "samples");

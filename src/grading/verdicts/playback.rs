@@ -3,7 +3,7 @@
 use super::{MOST_FRAMES, Marker, NO_REFERENCE, UNREADABLE};
 use crate::animation_diff::{Played, frame_times_ms};
 use crate::diagnosis::{Candidate, Diagnosis, Mistake};
-use crate::grading::item::{Evidence, Verdict};
+use crate::grading::item::{Evidence, ItemKind, Verdict};
 use crate::grading::judgement::Judgement;
 use crate::grading::off::Off;
 use crate::grading::samples::SampleDiagnosis;
@@ -11,8 +11,7 @@ use crate::interpolation::Interpolation;
 use crate::keyframe::PlayRange;
 use crate::pose::RbtIndex;
 
-const HAND_IN: &str = "hand in what the program showed as a CSV file with the header key_time,rbt_ind,tx,ty,tz,rw,rx,ry,rz. \
-    (If the rubric says playback = \"assumed\", keyframes without samples are played by Inbetween instead.)";
+const HAND_IN: &str = "hand in a CSV file of them, as for diagnose. The rubric may also say playback = \"assumed\".";
 
 impl Marker<'_> {
     /// Samples of that playback decide; of several files that which earns the most.
@@ -22,10 +21,10 @@ impl Marker<'_> {
         match verdicts.reduce(|one, other| if other.share > one.share { other } else { one }) {
             Some(verdict) => verdict.by(Evidence::Samples),
             None if self.rubric.assumes_playback => self.playback_of_keyframes(interpolation).by(Evidence::Assumed),
-            None => Verdict::unmet(format!(
-                "There are no samples of {} playback: {HAND_IN}",
-                interpolation.title().to_string()
-            )),
+            None => {
+                let playback = ItemKind::Playback(interpolation).title();
+                Verdict::unmet(format!("No samples show {playback}: {HAND_IN}"))
+            }
         }
     }
 
@@ -88,7 +87,7 @@ impl Marker<'_> {
         match verdicts.reduce(|one, other| if other.share < one.share { other } else { one }) {
             Some(verdict) => verdict.by(Evidence::Samples),
             None if self.rubric.assumes_playback => self.range_of_keyframes().by(Evidence::Assumed),
-            None => Verdict::unmet(format!("There are no samples: {HAND_IN}")),
+            None => Verdict::unmet(format!("No samples show where playback begins and ends: {HAND_IN}")),
         }
     }
 
