@@ -29,15 +29,15 @@ pub fn evidence_counts(marks: &[Marks]) -> Option<String> {
         return None;
     }
     let count = |evidence| found.iter().filter(|one| **one == evidence).count();
-    let all = counted(marks.len(), "submission");
-    let mut text = format!("{} of {all}: playback shown by samples", count(PlaybackEvidence::Samples));
+    let shown = count(PlaybackEvidence::Samples);
+    let mut parts = vec![format!("{shown} of {}: playback shown by samples", counted(marks.len(), "submission"))];
     for (evidence, what) in [(PlaybackEvidence::Assumed, "assumed"), (PlaybackEvidence::None, "not shown")] {
         let count = count(evidence);
         if count > 0 {
-            text.push_str(&format!("; {count} {what}"));
+            parts.push(format!("{count} {what}"));
         }
     }
-    Some(text)
+    Some(parts.join("; "))
 }
 
 /// All marks of a submission.
