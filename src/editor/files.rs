@@ -133,7 +133,20 @@ impl Editor {
     /// # Errors
     /// Why nothing was imported; the list is as it was then.
     pub fn keyframes_read(&mut self, path: &Path, bytes: Result<Vec<u8>, Message>) -> Result<(), CommandError> {
-        let outcome = self.import(path, bytes);
+        let read = bytes.map(|bytes| import(&bytes, &self.document.scene, &Options::of_keyframes()));
+        self.keyframes_parsed(path, read)
+    }
+
+    /// Like [`Self::keyframes_read`], of a file that was already parsed for this scene with the usual options.
+    ///
+    /// # Errors
+    /// Why nothing was imported; the list is as it was then.
+    pub fn keyframes_parsed(
+        &mut self,
+        path: &Path,
+        read: Result<Result<Imported, ImportError>, Message>,
+    ) -> Result<(), CommandError> {
+        let outcome = self.import(path, read);
         match &outcome {
             Ok(message) => self.say_outcome(message.clone()),
             Err(error) => self.say_error(error),
@@ -141,11 +154,15 @@ impl Editor {
         outcome.map(|_| ())
     }
 
-    fn import(&mut self, path: &Path, bytes: Result<Vec<u8>, Message>) -> Result<Message, CommandError> {
+    fn import(
+        &mut self,
+        path: &Path,
+        read: Result<Result<Imported, ImportError>, Message>,
+    ) -> Result<Message, CommandError> {
         self.refuse_while_playing(texts::ACT_IMPORT)?;
         let path = path.to_owned();
-        let bytes = bytes.map_err(|reason| CommandError::Read { path: path.clone(), reason })?;
-        let (file, report) = match import(&bytes, &self.document.scene, &Options::of_keyframes()) {
+        let imported = read.map_err(|reason| CommandError::Read { path: path.clone(), reason })?;
+        let (file, report) = match imported {
             Ok(Imported::KeyframeFile(file)) => (file, None),
             Ok(Imported::Text(file, report)) => (file, Some(report)),
             Ok(Imported::Scene(..)) => return Err(CommandError::HoldsScene { path }),

@@ -98,6 +98,15 @@ pub trait Host {
     /// Only where the host cannot go on; a file that cannot be read is an outcome.
     fn read(&mut self, access: FileAccess, path: &Path) -> Result<FileOutcome<Vec<u8>>, Self::Stop>;
 
+    /// Reads a file of keyframes, and tells the editor. A host may do so without parsing what it has parsed before.
+    ///
+    /// # Errors
+    /// Only where the host cannot go on; what the editor made of the file is the outcome.
+    fn read_keyframes(&mut self, path: &Path) -> Result<Result<(), CommandError>, Self::Stop> {
+        let bytes = self.read(FileAccess::KeyframesRead, path)?;
+        Ok(self.editor().keyframes_read(path, bytes))
+    }
+
     /// Writes a file. `None`: the user is asked first, and nothing is told to the editor.
     ///
     /// # Errors
@@ -131,8 +140,7 @@ pub trait Host {
     fn perform(&mut self, effect: Effect) -> Result<(), Self::Stop> {
         match effect {
             Effect::ReadKeyframes { path } => {
-                let bytes = self.read(FileAccess::KeyframesRead, &path)?;
-                let told = self.editor().keyframes_read(&path, bytes);
+                let told = self.read_keyframes(&path)?;
                 return self.told(FileAccess::KeyframesRead, &path, told);
             }
             Effect::ReadScene { path } => {

@@ -13,6 +13,7 @@ use crate::editor::{CommandError, Editor, FileAccess, FileOutcome, Host, WindowH
 use crate::keyframe::keyframes_to_json;
 use crate::scene::SceneGraph;
 use crate::script::{self, Action, Line, NoWindow, Runner, State, Windowless};
+use crate::text_layouts::{ImportError, Imported, Options, import};
 use crate::words::texts;
 
 /// The most lines of a script that is run while grading.
@@ -75,7 +76,8 @@ impl Ran {
 pub fn run(lines: &[Line], scene: &SceneGraph, keyframes: Option<&[u8]>) -> Result<Ran, String> {
     let editor = Editor::new(Arc::new(scene.clone()), PathBuf::from(KEYFRAME_FILE));
     let files = keyframes.map(|bytes| (KEYFRAME_FILE.to_owned(), bytes.to_owned())).into_iter().collect();
-    let mut runner = Runner::new(Folder { editor, files, read: 0, written: 0, no_window: NoWindow::default() });
+    let folder = Folder { editor, files, parsed: None, read: 0, written: 0, no_window: NoWindow::default() };
+    let mut runner = Runner::new(folder);
     let mut waited = Duration::ZERO;
     let mut trace = Vec::with_capacity(lines.len());
     for line in lines {
@@ -109,11 +111,31 @@ pub fn run(lines: &[Line], scene: &SceneGraph, keyframes: Option<&[u8]>) -> Resu
 struct Folder {
     editor: Editor,
     files: BTreeMap<String, Vec<u8>>,
+    /// The file of keyframes that was parsed last, unless it was written since.
+    parsed: Option<LastParsed>,
     /// Bytes that were read, all in all.
     read: usize,
     /// Bytes that were written, all in all.
     written: usize,
     no_window: NoWindow,
+}
+
+/// A file of keyframes that was parsed.
+struct LastParsed {
+    name: String,
+    scene: Arc<SceneGraph>,
+    content: Result<Imported, ImportError>,
+}
+
+impl Folder {
+    /// Counts bytes that are read.
+    fn count_read(&mut self, bytes: usize) -> Result<(), String> {
+        self.read += bytes;
+        if self.read > MOST_READ_BYTES {
+            return Err(format!("it reads more than {MOST_READ_BYTES} bytes"));
+        }
+        Ok(())
+    }
 }
 
 impl Windowless for Folder {
@@ -131,11 +153,26 @@ impl Host for Folder {
 
     fn read(&mut self, _access: FileAccess, path: &Path) -> Result<FileOutcome<Vec<u8>>, String> {
         let bytes = self.files.get(&plain_name(path)?).cloned();
-        self.read += bytes.as_ref().map_or(0, Vec::len);
-        if self.read > MOST_READ_BYTES {
-            return Err(format!("it reads more than {MOST_READ_BYTES} bytes"));
-        }
+        self.count_read(bytes.as_ref().map_or(0, Vec::len))?;
         Ok(bytes.ok_or_else(|| texts::STORAGE_NOT_FOUND.into()))
+    }
+
+    fn read_keyframes(&mut self, path: &Path) -> Result<Result<(), CommandError>, String> {
+        let name = plain_name(path)?;
+        let Some(length) = self.files.get(&name).map(Vec::len) else {
+            return Ok(self.editor.keyframes_read(path, Err(texts::STORAGE_NOT_FOUND.into())));
+        };
+        self.count_read(length)?;
+        let scene = &self.editor.document().scene;
+        // A script may import one file at every line.
+        let is_known = |parsed: &&LastParsed| parsed.name == name && Arc::ptr_eq(&parsed.scene, scene);
+        let content = match self.parsed.as_ref().filter(is_known) {
+            Some(parsed) => parsed.content.clone(),
+            None => import(&self.files[&name], scene, &Options::of_keyframes()),
+        };
+        let scene = Arc::clone(scene);
+        self.parsed = Some(LastParsed { name, scene, content: content.clone() });
+        Ok(self.editor.keyframes_parsed(path, Ok(content)))
     }
 
     fn write(&mut self, writing: Writing<'_>) -> Result<Option<FileOutcome<Written>>, String> {
@@ -145,6 +182,7 @@ impl Host for Folder {
         if self.written > MOST_WRITTEN_BYTES {
             return Err(format!("it writes more than {MOST_WRITTEN_BYTES} bytes"));
         }
+        self.parsed = self.parsed.take().filter(|parsed| parsed.name != name);
         self.files.insert(name, bytes);
         Ok(Some(Ok(Written::default())))
     }
@@ -204,6 +242,20 @@ mod tests {
         assert_eq!(ran.editor.message_text(), "Wrote the scene to here.json.");
         let refused = run("key n\nsave-scene ../out.json\n").err().expect("it leads out");
         assert!(refused.starts_with("line 2: ../out.json: a script that is graded"), "{refused}");
+    }
+
+    #[test]
+    fn keyframes_that_a_script_wrote_are_read_anew() {
+        let scene = built_in_scene(DEFAULT_SCENE).expect("it is built in");
+        let run = |script: &str, keyframes: Option<&[u8]>| {
+            let lines = read_script(script.as_bytes(), &scene).expect("it is a script");
+            run(&lines, &scene, keyframes).expect("it is within the bounds")
+        };
+        let two = run("key n\nkey n\n", None).keyframe_file();
+        let ran = run("key i\nkey i\nkey n\nkey n\nkey w\nkey d\nkey d\nkey i\nopen none.json\nkey i\n", Some(&two));
+        let counts: Vec<usize> = ran.trace.iter().map(|traced| traced.state.keyframes).collect();
+        assert_eq!(counts, [2, 2, 3, 4, 4, 3, 2, 4, 4, 4]);
+        assert_eq!(ran.editor.document().keyframes.len(), 4);
     }
 
     #[test]
