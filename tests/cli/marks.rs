@@ -272,12 +272,13 @@ fn playback_is_shown_or_assumed() {
     course.hand_in("shown", &[("linear.csv", &course.right("linear")), ("trace.jsonl", &trace)]);
     course.hand_in("not", &[]);
     course.hand_in("script", &[("script.txt", "key i\nkey >\nkey n\n")]);
+    course.sandbox.write("all/broken.json", "{");
     let points = json!({"readable": 1, LINEAR: 20, "catmull_rom_playback": 10, "range_and_end": 5, "script": 2});
     let fields = |playback: &str| json!({"script": "hotkeys.txt", "playback": playback});
     let evidence = |graded: &Value, name: &str| item(graded, name)["evidence"].clone();
 
     let graded = course.graded(&fields("samples"), &points);
-    assert!(course.said.contains("\n1 of 3 submissions: playback shown by samples; 2 not shown\n"), "{}", course.said);
+    assert!(course.said.contains("\n1 of 4 submissions: playback shown by samples; 3 not shown\n"), "{}", course.said);
     check(&graded["shown"], LINEAR, 20.0, &["linear.csv: all 21 frames are"]);
     check(&graded["not"], LINEAR, 0.0, &["No samples show linear playback: hand in", "playback = \"assumed\""]);
     check(&graded["not"], "range_and_end", 0.0, &["No samples show where playback begins and ends: hand in"]);
@@ -297,7 +298,11 @@ fn playback_is_shown_or_assumed() {
     assert!(report.contains("<td class=\"by\">samples</td>") && report.contains("<td class=\"by\">assumed</td>"));
 
     let graded = course.graded(&fields("assumed"), &points);
-    assert!(course.said.contains("\n1 of 3 submissions: playback shown by samples; 2 assumed\n"), "{}", course.said);
+    assert!(
+        course.said.contains("\n1 of 4 submissions: playback shown by samples; 2 assumed; 1 not shown\n"),
+        "{}",
+        course.said
+    );
     check(&graded["not"], LINEAR, 20.0, &["Its keyframes, played by Inbetween: all 101 frames are within"]);
     assert_eq!(evidence(&graded["not"], LINEAR), "assumed");
     assert_eq!(evidence(&graded["not"], "range_and_end"), "assumed");

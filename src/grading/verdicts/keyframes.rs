@@ -90,13 +90,18 @@ impl<'a> ComparedKeyframes<'a> {
 
     fn same_pose(&self, found: &Pose, expected: &Pose) -> Verdict {
         let credit = &self.rubric.credit;
-        let offs = found.iter().zip(expected.iter()).map(|(found, expected)| Off::between(found, expected));
-        let beyond = offs.zip(self.scene.rbt_paths()).filter(|(off, _)| off.share(credit) < 1.0);
-        let worst = beyond.reduce(|one, other| if other.0.is_worse_than(&one.0, credit) { other } else { one });
-        let Some((off, path)) = worst else { return Verdict::met("As in the reference.") };
         // The worst error in units of the tolerances need not be the one of the lowest band.
-        let offs = found.iter().zip(expected.iter()).map(|(found, expected)| Off::between(found, expected));
-        let share = offs.map(|off| off.share(credit)).fold(1.0, f64::min);
+        let mut share = 1.0_f64;
+        let mut worst: Option<(Off, &str)> = None;
+        for ((found, expected), path) in found.iter().zip(expected.iter()).zip(self.scene.rbt_paths()) {
+            let off = Off::between(found, expected);
+            let of_node = off.share(credit);
+            if of_node < 1.0 && worst.is_none_or(|(worst, _)| off.is_worse_than(&worst, credit)) {
+                worst = Some((off, path));
+            }
+            share = share.min(of_node);
+        }
+        let Some((off, path)) = worst else { return Verdict::met("As in the reference.") };
         let part = if off.is_turn(credit) { "rotation" } else { "translation" };
         Verdict::share(share, format!("The {part} of {path} is {} off.", off.amount(credit)))
     }

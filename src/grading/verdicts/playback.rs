@@ -20,12 +20,17 @@ impl Marker<'_> {
         let verdicts = shown.map(|show| self.playback_shown(show));
         match verdicts.reduce(|one, other| if other.share > one.share { other } else { one }) {
             Some(verdict) => verdict.by(Evidence::Samples),
-            None if self.rubric.assumes_playback => self.playback_of_keyframes(interpolation).by(Evidence::Assumed),
+            None if self.rubric.assumes_playback => self.assumed(self.playback_of_keyframes(interpolation)),
             None => {
                 let playback = ItemKind::Playback(interpolation).title();
                 Verdict::unmet(format!("No samples show {playback}: {HAND_IN}"))
             }
         }
+    }
+
+    /// A verdict on keyframes in place of samples. It rests on nothing if they cannot be read.
+    fn assumed(&self, verdict: Verdict) -> Verdict {
+        if self.list().is_some() { verdict.by(Evidence::Assumed) } else { verdict }
     }
 
     fn playback_shown(&self, show: &SampleDiagnosis) -> Verdict {
@@ -86,7 +91,7 @@ impl Marker<'_> {
         let verdicts = self.samples.iter().map(of_file);
         match verdicts.reduce(|one, other| if other.share < one.share { other } else { one }) {
             Some(verdict) => verdict.by(Evidence::Samples),
-            None if self.rubric.assumes_playback => self.range_of_keyframes().by(Evidence::Assumed),
+            None if self.rubric.assumes_playback => self.assumed(self.range_of_keyframes()),
             None => Verdict::unmet(format!("No samples show where playback begins and ends: {HAND_IN}")),
         }
     }
