@@ -27,6 +27,8 @@ pub struct Judgement {
     shares: f64,
     least_share: Option<f64>,
     worst: Option<Worst>,
+    /// The largest errors in scene units and in degrees.
+    largest: (f64, f64),
     /// The sum of all errors in units of the tolerances.
     weights: f64,
 }
@@ -43,6 +45,7 @@ impl Judgement {
             }
         }
         let weight = off.weight(credit);
+        self.largest = (self.largest.0.max(off.units), self.largest.1.max(off.degrees));
         self.weights += weight.min(LARGEST_WEIGHT);
         let is_worse = self.worst.is_none_or(|worst| off.is_worse_than(&worst.off, credit));
         if is_worse {
@@ -99,6 +102,10 @@ impl Judgement {
             format!("{} of {} {verb}", self.frames_within, counted(self.frames, "frame"))
         };
         let error = match off.fault {
+            // Which of the errors of rounding is the largest, is rounding too.
+            None if self.largest.0 < 1e-4 && self.largest.1 < 1e-3 => {
+                "no error reaches 0.0001 units or 0.001 degrees".to_owned()
+            }
             None => format!("the largest error is {} of {path} at key time {key_time:.3}", off.amount(credit)),
             Some(Fault::NoNumber) => format!("{path} has numbers that are NaN or infinite at key time {key_time:.3}"),
             Some(Fault::Length(length)) => {
