@@ -18,12 +18,14 @@ mod choices;
 mod compare;
 mod judge;
 mod motion;
+mod reveals;
 mod rules;
 mod samples;
 mod sequence;
 
 pub use catalogue::{Mistake, markdown, mistakes};
 pub use compare::right_rotations;
+pub use reveals::{ChangeKind, Hidden, Judged, KeyframeChange, change_that_reveals, revealing};
 pub use samples::{
     LARGEST_SAMPLES_BYTES, Printed, Row, SampleRows, Samples, SamplesError, Tolerances, samples_from_csv,
 };

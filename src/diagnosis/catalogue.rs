@@ -30,6 +30,8 @@ pub struct Mistake {
     pub looks: &'static str,
     /// The line of code to look for.
     pub line: &'static str,
+    /// Which keyframes reveal it; empty for right playback.
+    pub revealed_by: &'static str,
     /// The ways to make it in linear playback, as changes of right playback; often none or one.
     linear: &'static [Change],
     /// The ways to make it in Catmull-Rom playback.
@@ -123,7 +125,7 @@ pub fn markdown() -> String {
         let _ = write!(
             text,
             "\n## {}\n\n{}\n\n* In: {}\n* Wrong: `{}`\n* Right: `{}`\n* What it looks like: {}\n* The line to look for: `{}`\n* What to \
-             change: {}\n",
+             change: {}\n* Keyframes that reveal it: {}\n",
             mistake.name,
             mistake.what,
             mistake.playback(),
@@ -131,7 +133,8 @@ pub fn markdown() -> String {
             mistake.right,
             mistake.looks,
             mistake.line,
-            mistake.change
+            mistake.change,
+            mistake.revealed_by
         );
     }
     text.push('\n');
@@ -151,7 +154,8 @@ mod tests {
         let names: BTreeSet<_> = mistakes().map(|mistake| mistake.name).collect();
         assert_eq!(names.len(), mistakes().count());
         for mistake in mistakes().skip(2) {
-            for text in [mistake.what, mistake.change, mistake.wrong, mistake.right, mistake.looks, mistake.line] {
+            let Mistake { what, change, wrong, right, looks, line, revealed_by, .. } = mistake;
+            for text in [what, change, wrong, right, looks, line, revealed_by] {
                 assert!(!text.is_empty(), "{}", mistake.name);
             }
         }

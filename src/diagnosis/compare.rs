@@ -159,7 +159,7 @@ impl<'a> Comparison<'a> {
     }
 
     /// What rules show of a node, as samples would.
-    fn row(&self, rules: &Rules, threshold: Option<f64>, key_time: f64, node: RbtIndex) -> Option<Row> {
+    pub fn row(&self, rules: &Rules, threshold: Option<f64>, key_time: f64, node: RbtIndex) -> Option<Row> {
         let is_spline = rules.moves.spline.is_some();
         let moment = self.sequence.moments(&rules.timing, key_time, self.last_before_end, is_spline).next()?;
         let (translation, rotation) = match moment {

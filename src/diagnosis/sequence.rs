@@ -65,6 +65,21 @@ impl Sequence {
         self.keyframes[0].len()
     }
 
+    /// The number of keyframes.
+    pub(super) fn keyframes(&self) -> usize {
+        self.keyframes.len()
+    }
+
+    /// A sequence of one node alone, after a change of its transforms by the index of the keyframe.
+    pub(super) fn of_node(&self, node: RbtIndex, change: impl Fn(usize, &mut Transform)) -> Self {
+        let changed = |(index, pose): (usize, &Vec<Transform>)| {
+            let mut transform = pose[node.get()];
+            change(index, &mut transform);
+            vec![transform]
+        };
+        Self { keyframes: self.keyframes.iter().enumerate().map(changed).collect() }
+    }
+
     /// One node of a keyframe. The index is clamped to the list.
     pub(super) fn at(&self, index: isize, node: RbtIndex) -> &Transform {
         let last = self.keyframes.len() as isize - 1;

@@ -12,6 +12,7 @@ pub(super) const ROWS: [Mistake; 11] = [
         right: "d_i = cn(c_(i+1) * inv(c_(i-1)))^(1/6) * c_i",
         looks: "Bodies move smoothly, and limbs stop at every keyframe.",
         line: "d = pow(cn(c[i+1] * inv(c[i-1])), 1/6) * c[i];",
+        revealed_by: "A turn over three keyframes.",
         linear: &[],
         spline: &[|rules| rules.control_points_of_turns(|points| points.share = 0.0)],
     },
@@ -23,6 +24,7 @@ pub(super) const ROWS: [Mistake; 11] = [
         right: "d_i = (c_(i+1) - c_(i-1))/6 + c_i",
         looks: "Limbs turn smoothly, and bodies stop at every keyframe.",
         line: "d = (c[i+1] - c[i-1]) * (1/6) + c[i];",
+        revealed_by: "A move over three keyframes.",
         linear: &[],
         spline: &[|rules| rules.control_points_of_moves(|points| points.share = 0.0)],
     },
@@ -34,6 +36,7 @@ pub(super) const ROWS: [Mistake; 11] = [
         right: "slerp(q0, q1, a) = cn(q1 * inv(q0))^a * q0",
         looks: "Slow turns stand still and jump once at every keyframe; large turns are right.",
         line: "if (dot > 0.9995) return q0;",
+        revealed_by: "A turn of less than 3.6 degrees, and more than the tolerance, between two keyframes.",
         linear: &[|rules| rules.turns.freezes = Freezes::Blends],
         spline: &[|rules| rules.turns.freezes = Freezes::Blends, |rules| rules.turns.freezes = Freezes::Powers],
     },
@@ -45,6 +48,7 @@ pub(super) const ROWS: [Mistake; 11] = [
         right: "cn(q1 * inv(q0))^a * q0",
         looks: "Limbs that turn about one axis are right; others leave their path in the middle of the interval.",
         line: "return pow(q0, 1 - a) * pow(q1, a);",
+        revealed_by: "A turn about one axis from a rotation about another.",
         linear: &[
             |rules| rules.turns.blend = Blend::Powers { shortened: false },
             |rules| rules.turns.blend = Blend::Powers { shortened: true },
@@ -62,6 +66,7 @@ pub(super) const ROWS: [Mistake; 11] = [
         right: "cn(w, v) = (-w, -v) if w < 0",
         looks: "Some limbs turn the wrong way and jump at the next keyframe. Other intervals are right.",
         line: "if (q[0] < 0) q[0] = -q[0];",
+        revealed_by: "A turn between two keyframes whose stored quaternions have opposite signs, so that q1 * inv(q0) has a negative w.",
         linear: &[|rules| rules.turns.cn_in_blends = Negation::OnlyW],
         spline: &[|rules| {
             rules.turns.cn_in_blends = Negation::OnlyW;
@@ -76,6 +81,7 @@ pub(super) const ROWS: [Mistake; 11] = [
         right: "sin(phi) = |v|",
         looks: "Limbs that turn about their y or z axis vanish, and all that hangs on them.",
         line: "s = q[1] / k[0];",
+        revealed_by: "A turn about the y or z axis.",
         linear: &[|rules| rules.turns.divides_by = Divisor::X, |rules| rules.turns.divides_by = Divisor::EachComponent],
         spline: &[|rules| rules.turns.divides_by = Divisor::X, |rules| rules.turns.divides_by = Divisor::EachComponent],
     },
@@ -87,6 +93,7 @@ pub(super) const ROWS: [Mistake; 11] = [
         right: "e_i = -(c_(i+2) - c_i)/6 + c_(i+1)",
         looks: "Bodies hesitate after each keyframe, then hurry to the next and stop there with a jerk. Limbs turn rightly.",
         line: "e = (c[i+2] - c[i]) * (-1.0/6) + c[i];",
+        revealed_by: "A move between two keyframes.",
         linear: &[],
         spline: &[|rules| rules.control_points_of_moves(|points| points.second_base = 1)],
     },
@@ -98,6 +105,7 @@ pub(super) const ROWS: [Mistake; 11] = [
         right: "(1 - a) t0 + a t1",
         looks: "Bodies jump ahead to the next keyframe, move back and jump again. Limbs turn rightly.",
         line: "return t0 * a + t1 * (1 - a);",
+        revealed_by: "A move between two keyframes.",
         linear: &[|rules| rules.moves.swaps_weights = true],
         spline: &[|rules| rules.moves.swaps_weights = true],
     },
@@ -109,6 +117,7 @@ pub(super) const ROWS: [Mistake; 11] = [
         right: "d_i = (c_(i+1) - c_(i-1))/6 + c_i",
         looks: "Smooth within each interval, with a corner at the keyframes and about half the swing.",
         line: "d = (c[i] - c[i-1]) * (1.0/6) + c[i];",
+        revealed_by: "A move and a turn over three keyframes that change their speed or direction.",
         linear: &[],
         // In the first tangent, in both, in the second; of both parts, of rotations, of translations.
         spline: &[
@@ -146,6 +155,7 @@ pub(super) const ROWS: [Mistake; 11] = [
         right: "d_i = cn(q_(i+1) * inv(q_(i-1)))^(1/6) * q_i, and six slerps",
         looks: "Almost right where turns are small; limbs distort or spin where they are large or signs differ.",
         line: "q = catmullRom(q0, q1, q2, q3, a);",
+        revealed_by: "A turn of 60 degrees or more between two keyframes.",
         linear: &[],
         spline: &[
             |rules| rules.turns.blend = Blend::Components { aligned: false, renormalised: false },
@@ -162,6 +172,7 @@ pub(super) const ROWS: [Mistake; 11] = [
         right: "omega = acos(dot(q0, q1))",
         looks: "Limbs that turn about one axis stand still and jump at the next keyframe; others shrink in the middle.",
         line: "omega = atan2(norm(cross(v0, v1)), dot(q0, q1));",
+        revealed_by: "Any turn between two keyframes.",
         linear: BY_CROSS_PRODUCT,
         spline: BY_CROSS_PRODUCT,
     },
