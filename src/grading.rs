@@ -18,8 +18,10 @@
 
 mod alignment;
 mod archive;
+mod check;
 mod content;
 mod coverage;
+mod example;
 mod folder;
 mod gather;
 mod item;
@@ -44,6 +46,8 @@ mod verdicts;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
+pub use check::{Revealed, RubricCheck};
+pub use example::example;
 pub use gather::{Found, Naming, PassedOver, find};
 pub use item::{Evidence, Item, ItemKind, Verdict};
 pub use marks::{Marks, PlaybackEvidence, evidence_counts};

@@ -1,5 +1,7 @@
 //! `inbetween grade`: a folder of submissions, marked by a rubric.
 
+mod beginning;
+
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
@@ -20,23 +22,32 @@ use crate::words::texts;
 /// [`CliError`]: a bad rubric, a submission that is not there, no GPU adapter for the pictures, a result that cannot be written. What
 /// is wrong with a submission is no error but its marks.
 pub fn run(arguments: &GradeArguments, named_scene: Option<&Path>) -> Result<(), CliError> {
-    let folder = &arguments.output;
+    if let Some(folder) = &arguments.example {
+        return beginning::write_example(folder, named_scene);
+    }
+    let Some(rubric) = &arguments.rubric else { return Ok(()) };
+    if arguments.check {
+        return beginning::check(rubric, arguments.json, named_scene);
+    }
+    let Some(folder) = &arguments.output else { return Ok(()) };
+    let own_places = || places(rubric, &arguments.submissions, folder, named_scene);
     if storage::is_standard(folder) {
         return Err(misuse(&texts::places_no_folder("--output").to_string()));
     }
-    places(arguments, named_scene).check()?;
+    own_places().check()?;
     let painter = if arguments.no_images { None } else { Some(Painter::headless(PICTURE_SIZE, None)?) };
     let scene = scene::load(named_scene)?;
-    let rubric = Rubric::load(&arguments.rubric, &scene)?;
+    let rubric = Rubric::load(rubric, &scene)?;
     let naming = match (arguments.one, arguments.classes) {
         (true, _) => Naming::One,
         (_, true) => Naming::Classes,
         _ => Naming::Guessed,
     };
     let Found { submissions, passed_over } = grading::find(&arguments.submissions, naming, &rubric.keyframe_file)?;
-    let places = rubric.files.iter().fold(places(arguments, named_scene), |places, file| {
-        places.reads_as(storage::input_name(file), "a file of the rubric", file)
-    });
+    let places = rubric
+        .files
+        .iter()
+        .fold(own_places(), |places, file| places.reads_as(storage::input_name(file), "a file of the rubric", file));
     // Standard input is among the arguments.
     let named = submissions.iter().flat_map(|one| one.paths().map(|path| (one.name.clone(), path)));
     named.fold(places, |places, (name, path)| places.reads_as(name, "SUBMISSION", path)).check()?;
@@ -62,6 +73,9 @@ pub fn run(arguments: &GradeArguments, named_scene: Option<&Path>) -> Result<(),
     for PassedOver { name, reason } in &passed_over {
         let _ = writeln!(text, "passed over: {name} ({reason})");
     }
+    if let Some(warning) = rubric.revealed.warning() {
+        let _ = writeln!(text, "{warning}");
+    }
     output::say(&text)
 }
 
@@ -71,9 +85,9 @@ fn results(folder: &Path) -> [PathBuf; 3] {
 }
 
 /// Where it reads and writes, as far as the arguments say.
-fn places(arguments: &GradeArguments, scene: Option<&Path>) -> Places {
-    let places = Places::with_scene(scene).reads("RUBRIC", &arguments.rubric);
-    let standard = arguments.submissions.iter().filter(|path| storage::is_standard(path));
+fn places(rubric: &Path, submissions: &[PathBuf], folder: &Path, scene: Option<&Path>) -> Places {
+    let places = Places::with_scene(scene).reads("RUBRIC", rubric);
+    let standard = submissions.iter().filter(|path| storage::is_standard(path));
     let places = standard.fold(places, |places, path| places.reads("SUBMISSION", path));
-    results(&arguments.output).iter().fold(places, |places, path| places.writes_once(storage::output_name(path), path))
+    results(folder).iter().fold(places, |places, path| places.writes_once(storage::output_name(path), path))
 }

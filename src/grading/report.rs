@@ -42,6 +42,9 @@ pub fn html(marks: &[Marks], passed_over: &[PassedOver], rubric: &Rubric, pictur
          <h1>{0}</h1>\n",
         escaped(title)
     );
+    if let Some(warning) = rubric.revealed.warning() {
+        let _ = writeln!(text, "<p class=\"note\">{}</p>", escaped(&warning));
+    }
     let mean = marks.iter().map(Marks::points).sum::<f64>() / (marks.len().max(1)) as f64;
     let out_of = marks.first().map_or(0.0, Marks::out_of);
     let has_students = marks.iter().any(|marks| student(marks).is_some());

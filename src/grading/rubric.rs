@@ -13,6 +13,7 @@ pub use reference::Reference;
 
 use text::{PlaybackText, parse};
 
+use super::check::{Revealed, playbacks_of};
 use super::folder::{self, Traced};
 use super::item::ItemKind;
 use super::names::PreferredNames;
@@ -50,6 +51,8 @@ pub struct Rubric {
     pub script: Option<RubricScript>,
     /// The files that it names.
     pub files: Vec<PathBuf>,
+    /// Which known mistakes the reference reveals.
+    pub revealed: Revealed,
 }
 
 /// A hotkey script with its expected trace.
@@ -116,7 +119,7 @@ impl Rubric {
             align_keyframes: text.align_keyframes,
             ..Credit::new(tolerances, text.bands())
         };
-        Ok(Self {
+        let mut rubric = Self {
             title: text.title,
             points: text.points,
             tolerances,
@@ -128,6 +131,12 @@ impl Rubric {
             keyframe_file,
             script,
             files,
-        })
+            revealed: Revealed::default(),
+        };
+        if let Some(reference) = &rubric.reference {
+            let playbacks = playbacks_of(rubric.items());
+            rubric.revealed = Revealed::of(reference, playbacks, rubric.tolerances, rubric.fps);
+        }
+        Ok(rubric)
     }
 }

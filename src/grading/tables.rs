@@ -109,6 +109,7 @@ pub fn json(marks: &[Marks], passed_over: &[PassedOver], rubric: &Rubric) -> Str
     let value = json!({
         "format": "inbetween.grades", "version": 1, "title": rubric.title,
         "submissions": marks.iter().map(submission).collect::<Vec<_>>(),
+        "not_revealed": rubric.revealed.not_revealed(),
         "passed_over": passed_over.iter().map(passed).collect::<Vec<_>>(),
     });
     let mut text = serde_json::to_string_pretty(&value).expect("values have keys that are text");

@@ -12,6 +12,7 @@ mod diff;
 mod films;
 mod frames;
 mod grade;
+mod grade_start;
 mod help;
 mod journal;
 mod marks;

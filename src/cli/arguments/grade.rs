@@ -21,10 +21,11 @@ that waits for an hour, reads 64 MiB and writes 32 MiB. What is wrong with a sub
 /// Arguments of `grade`.
 #[derive(Debug, Args)]
 pub struct GradeArguments {
-    /// The rubric, JSON or (where its name ends in .toml) TOML, as in assets/grading.
-    pub rubric: PathBuf,
+    /// The rubric, JSON or (where its name ends in .toml) TOML, as --example writes one.
+    #[arg(required_unless_present = "example")]
+    pub rubric: Option<PathBuf>,
     /// A class: a folder or an archive of submissions. Or several submissions.
-    #[arg(required = true, value_name = "SUBMISSION")]
+    #[arg(required_unless_present_any = ["check", "example"], value_name = "SUBMISSION")]
     pub submissions: Vec<PathBuf>,
     /// Each SUBMISSION is a class: a folder or an archive of submissions.
     #[arg(long)]
@@ -33,9 +34,18 @@ pub struct GradeArguments {
     #[arg(long, conflicts_with = "classes")]
     pub one: bool,
     /// The folder for the results.
-    #[arg(short, long, value_name = "DIR")]
-    pub output: PathBuf,
+    #[arg(short, long, required_unless_present_any = ["check", "example"], value_name = "DIR")]
+    pub output: Option<PathBuf>,
     /// Draw no pictures: faster, and needs no GPU adapter.
     #[arg(long)]
     pub no_images: bool,
+    /// Grade nothing: say which known mistakes the rubric's reference reveals, and which keyframes would reveal the others.
+    #[arg(long, conflicts_with_all = ["submissions", "output", "classes", "one", "no_images"])]
+    pub check: bool,
+    /// With --check: print JSON.
+    #[arg(long, requires = "check", conflicts_with_all = ["submissions", "output"])]
+    pub json: bool,
+    /// Grade nothing: write a rubric, a reference, a script and a README to start from into this folder.
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["rubric", "submissions", "output", "classes", "one", "no_images", "check"])]
+    pub example: Option<PathBuf>,
 }
