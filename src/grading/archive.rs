@@ -1,5 +1,7 @@
 //! Archives: zip, tar, and either of what gzip packs. The content tells the kind; nothing is unpacked to the disk.
 
+mod zip_names;
+
 use std::collections::BTreeMap;
 use std::fmt;
 use std::io::{self, Cursor, Read, Seek, SeekFrom};
@@ -196,12 +198,13 @@ impl Archive {
             return Err(format!("it has {} entries, and at most {MOST_ENTRIES} are looked at", zip.len()));
         }
         let metadata = zip.metadata();
+        let names = (0..metadata.len()).filter_map(|index| metadata.entry(index).ok());
+        let are_korean = zip_names::are_korean(names.map(|entry| entry.name_raw().to_vec()));
         for index in 0..metadata.len() {
             let entry = metadata.entry(index).map_err(|error| zip_sentence(&error))?;
-            // Archives of macOS hold UTF-8 without saying so.
-            let path = match std::str::from_utf8(entry.name_raw()) {
-                Ok(path) => path.to_owned(),
-                Err(_) => entry.name().map_err(|error| zip_sentence(&error))?.into_owned(),
+            let path = match zip_names::decoded(entry.name_raw(), are_korean) {
+                Some(path) => path.into_owned(),
+                None => entry.name().map_err(|error| zip_sentence(&error))?.into_owned(),
             };
             let path = path.replace('\\', "/");
             let item = if entry.is_dir() || path.ends_with('/') {

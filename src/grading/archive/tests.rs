@@ -126,3 +126,37 @@ fn what_a_zip_cannot_give_is_said() {
     let sentence = opened(b"7z\xbc\xaf\x27\x1c", &ALL).expect_err("it is of another kind");
     assert_eq!(sentence, "it is a 7z archive, and only zip, tar and tar.gz are opened");
 }
+
+/// A zip whose names are these bytes, as programs write it that know nothing of UTF-8.
+fn zip_of_names(names: &[&[u8]]) -> Vec<u8> {
+    let mut writer = zip::ZipWriter::new(Cursor::new(Vec::new()));
+    let stand_in = |index: usize, name: &[u8]| format!("{index:\u{7e}<width$}", width = name.len());
+    for (index, name) in names.iter().enumerate() {
+        writer.start_file(stand_in(index, name), zip::write::SimpleFileOptions::default()).expect("it is in memory");
+        writer.write_all(b"text").expect("it is in memory");
+    }
+    let mut bytes = writer.finish().expect("it is in memory").into_inner();
+    for (index, name) in names.iter().enumerate() {
+        let stand_in = stand_in(index, name);
+        while let Some(at) = bytes.windows(name.len()).position(|window| window == stand_in.as_bytes()) {
+            bytes[at..at + name.len()].copy_from_slice(name);
+        }
+    }
+    bytes
+}
+
+#[test]
+fn names_of_zips_are_decoded() {
+    // 김철수/걷기.txt of Korean Windows, and a name in UTF-8.
+    let korean =
+        zip_of_names(&[b"\xb1\xe8\xc3\xb6\xbc\xf6/\xb0\xc8\xb1\xe2.txt", "이수진.txt".as_bytes(), b"plain.txt"]);
+    let archive = opened(&korean, &ALL).expect("it is right");
+    assert_eq!(archive.names(""), ["plain.txt", "김철수", "이수진.txt"]);
+    assert_eq!(archive.read("김철수/걷기.txt", 9), Ok(b"text".to_vec()));
+    // Müller.txt and élan.txt of code page 437: the second would be Korean too.
+    let western = opened(&zip_of_names(&[b"M\x81ller.txt", b"\x82lan.txt"]), &ALL).expect("it is right");
+    assert_eq!(western.names(""), ["Müller.txt", "élan.txt"]);
+    // A name that is none of code page 949, in a zip that is of it.
+    let mixed = opened(&zip_of_names(&[b"\xb0\xc8\xb1\xe2.txt", b"caf\x82.txt"]), &ALL).expect("it is right");
+    assert_eq!(mixed.names(""), ["café.txt", "걷기.txt"]);
+}
