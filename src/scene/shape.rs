@@ -117,6 +117,12 @@ impl Shape {
         self.solid().rounding()
     }
 
+    /// The farthest that it reaches along a direction, in shape space and in lengths of the direction: exact, rounded edges included.
+    #[must_use]
+    pub fn reach(&self, direction: Vec3) -> f32 {
+        self.solid().reach(direction)
+    }
+
     /// Where a ray enters it, in lengths of `direction`; origin and direction in shape space. Rounded edges of boxes are treated as sharp.
     #[must_use]
     pub fn enter(&self, origin: Vec3, direction: Vec3) -> Option<f32> {

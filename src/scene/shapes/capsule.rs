@@ -46,6 +46,10 @@ impl Solid for Capsule {
         self.radius
     }
 
+    fn reach(&self, direction: Vec3) -> f32 {
+        (self.height * 0.5 - self.radius) * direction.y.abs() + self.radius * direction.length()
+    }
+
     fn enter(&self, origin: Vec3, direction: Vec3) -> Option<f32> {
         let half = self.height * 0.5 - self.radius;
         let ball = |y: f32| enter_sphere(origin, direction, Vec3::Y * y, self.radius);

@@ -38,6 +38,11 @@ impl Solid for Cone {
         Vec3::new(self.radius, self.height * 0.5, self.radius)
     }
 
+    fn reach(&self, direction: Vec3) -> f32 {
+        let half = self.height * 0.5;
+        (half * direction.y).max(self.radius * direction.xz().length() - half * direction.y)
+    }
+
     fn enter(&self, origin: Vec3, direction: Vec3) -> Option<f32> {
         let Self { radius, height } = *self;
         let slope = radius / height;

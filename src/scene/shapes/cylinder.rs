@@ -1,6 +1,6 @@
 //! Cylinders.
 
-use glam::Vec3;
+use glam::{Vec3, Vec3Swizzles as _};
 use serde::Deserialize;
 
 use super::Solid;
@@ -37,6 +37,10 @@ impl Solid for Cylinder {
 
     fn half_extents(&self) -> Vec3 {
         Vec3::new(self.radius, self.height * 0.5, self.radius)
+    }
+
+    fn reach(&self, direction: Vec3) -> f32 {
+        self.height * 0.5 * direction.y.abs() + self.radius * direction.xz().length()
     }
 
     fn enter(&self, origin: Vec3, direction: Vec3) -> Option<f32> {

@@ -37,6 +37,10 @@ impl Solid for Plane {
         Vec3::new(self.size[0] * 0.5, 0.0, self.size[1] * 0.5)
     }
 
+    fn reach(&self, direction: Vec3) -> f32 {
+        self.half_extents().dot(direction.abs())
+    }
+
     fn enter(&self, origin: Vec3, direction: Vec3) -> Option<f32> {
         let [x, z] = self.size;
         let distance = -origin.y / direction.y;

@@ -50,6 +50,10 @@ impl Solid for RoundedBox {
         self.bevel
     }
 
+    fn reach(&self, direction: Vec3) -> f32 {
+        (self.size * 0.5 - self.bevel).dot(direction.abs()) + self.bevel * direction.length()
+    }
+
     fn enter(&self, origin: Vec3, direction: Vec3) -> Option<f32> {
         let half = self.size * 0.5;
         let (mut enter, mut leave) = (f32::NEG_INFINITY, f32::INFINITY);

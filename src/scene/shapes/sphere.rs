@@ -39,6 +39,10 @@ impl Solid for Sphere {
         self.radius
     }
 
+    fn reach(&self, direction: Vec3) -> f32 {
+        self.radius * direction.length()
+    }
+
     fn enter(&self, origin: Vec3, direction: Vec3) -> Option<f32> {
         enter_sphere(origin, direction, Vec3::ZERO, self.radius)
     }
