@@ -258,6 +258,25 @@ fn rubrics() {
 }
 
 #[test]
+fn requirements_of_rubrics() {
+    let validator = validator("rubric");
+    let rubric = |points: Value, requirements: Value| json!({"format": "inbetween.rubric", "version": 1, "points": points, "requirements": requirements});
+    let points = json!({"minimum_keyframes": 1, "minimum_nodes_moved": 1, "uses_catmull_rom": 1, "above_ground": 1, "no_jumps": 1,
+        "script_runs": 1});
+    let numbers = json!({"minimum_keyframes": 8, "minimum_nodes_moved": 4, "lowest_y": -2.05, "largest_step": 0.5,
+        "largest_step_degrees": 30});
+    assert_eq!(validator.problem(&rubric(points.clone(), numbers.clone())), None);
+    assert!(validator.is_valid(&rubric(points.clone(), json!({}))));
+    for (name, number) in numbers.as_object().unwrap() {
+        assert!(validator.is_valid(&rubric(points.clone(), json!({name: number}))), "{name}");
+        assert!(!validator.is_valid(&rubric(json!({"readable": 1}), json!({name: number}))), "{name} without points");
+        for wrong in [json!("8"), json!(1e7)] {
+            assert!(!validator.is_valid(&rubric(points.clone(), json!({name: wrong}))), "{name}: {wrong}");
+        }
+    }
+}
+
+#[test]
 fn names_are_the_programs() {
     let names = |schema: &Value, pointer: &str| -> Vec<String> {
         serde_json::from_value(schema.pointer(pointer).unwrap().clone()).unwrap()

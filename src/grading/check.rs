@@ -28,11 +28,12 @@ pub struct Revealed {
 }
 
 impl Revealed {
-    /// What a reference reveals in playbacks, within tolerances, `fps` times a second.
-    pub(super) fn of(reference: &Reference, playbacks: Vec<Interpolation>, tolerances: Tolerances, fps: u32) -> Self {
+    /// What a rubric's reference reveals; nothing without one.
+    pub(super) fn by(rubric: &Rubric) -> Self {
+        let Some(reference) = &rubric.reference else { return Self::default() };
         let Ok(sequence) = Sequence::new(reference.list.as_slice()) else { return Self::default() };
-        let key_times = key_times(reference, fps);
-        let (revealed, hidden) = revealing(&judged(&sequence, &playbacks, &key_times, tolerances));
+        let (playbacks, key_times) = (playbacks_of(rubric), key_times(reference, rubric));
+        let (revealed, hidden) = revealing(&judged(&sequence, &playbacks, &key_times, rubric.tolerances));
         Self { playbacks, revealed, hidden, key_times }
     }
 
@@ -80,24 +81,29 @@ fn judged<'a>(
     Judged { sequence, playbacks, key_times, units: translation, degrees: rotation_degrees }
 }
 
-/// The key times of the frames at which playback is compared.
-fn key_times(reference: &Reference, fps: u32) -> Vec<f64> {
+/// The key times at which playback is judged: of the fewest samples that cover it or, where it is assumed, of the frames that are played.
+fn key_times(reference: &Reference, rubric: &Rubric) -> Vec<f64> {
     let range = reference.range();
+    let evenly = |count: usize| {
+        let end = range.last_key_time() as f64;
+        (0..=count).map(|moment| end * moment as f64 / count as f64).collect()
+    };
+    let samples = rubric.samples_per_interval * range.last_key_time();
+    if !rubric.assumes_playback && samples > 0 {
+        return evenly(samples.min(MOST_MOMENTS));
+    }
     let Reference { interpolation, ms_between_keyframes, .. } = *reference;
     let played = Played { range: &range, interpolation, ms_between_keyframes };
-    match frame_times_ms(&played.length_ms(), fps, MOST_MOMENTS) {
+    match frame_times_ms(&played.length_ms(), rubric.fps, MOST_MOMENTS) {
         Some(times) => times.iter().map(|ms| played.key_time_at(ms)).collect(),
-        None => {
-            let end = range.last_key_time() as f64;
-            (0..=MOST_MOMENTS).map(|moment| end * moment as f64 / MOST_MOMENTS as f64).collect()
-        }
+        None => evenly(MOST_MOMENTS),
     }
 }
 
 /// The playbacks that get points.
-pub(super) fn playbacks_of(items: impl Iterator<Item = (ItemKind, f64)>) -> Vec<Interpolation> {
+fn playbacks_of(rubric: &Rubric) -> Vec<Interpolation> {
     let playback = |(kind, _)| if let ItemKind::Playback(playback) = kind { Some(playback) } else { None };
-    items.filter_map(playback).collect()
+    rubric.items().filter_map(playback).collect()
 }
 
 /// What `grade --check` says about a rubric.

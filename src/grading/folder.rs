@@ -9,7 +9,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use crate::clock::TICKS_PER_SECOND;
-use crate::editor::{CommandError, Editor, FileAccess, FileOutcome, Host, WindowHost, Writing, Written};
+use crate::editor::{CommandError, Editor, FileAccess, FileOutcome, Host, Severity, WindowHost, Writing, Written};
 use crate::keyframe::keyframes_to_json;
 use crate::scene::SceneGraph;
 use crate::script::{self, Action, Line, NoWindow, Runner, State, Windowless};
@@ -51,6 +51,10 @@ pub struct Traced {
     pub command: String,
     /// The state after it.
     pub state: State,
+    /// The number of its line.
+    pub line: usize,
+    /// Why it was refused, if it was.
+    pub refusal: Option<String>,
 }
 
 /// The result of a script.
@@ -99,7 +103,9 @@ pub fn run(lines: &[Line], scene: &SceneGraph, keyframes: Option<&[u8]>) -> Resu
         if state.keyframes > MOST_KEYFRAMES {
             return Err(located(format!("more than {MOST_KEYFRAMES} keyframes")));
         }
-        trace.push(Traced { command: line.text.clone(), state });
+        let said = runner.host().editor.message().filter(|_| matches!(line.action, Action::Apply(_)));
+        let refusal = said.filter(|said| said.severity() == Severity::Error).map(ToString::to_string);
+        trace.push(Traced { command: line.text.clone(), state, line: line.number, refusal });
         if step.is_last {
             break;
         }

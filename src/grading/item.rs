@@ -1,5 +1,6 @@
 //! Graded items and their verdicts.
 
+use super::requirements::Requirement;
 use crate::interpolation::Interpolation;
 
 /// One thing that a rubric gives points for.
@@ -17,6 +18,8 @@ pub enum ItemKind {
     RangeAndEnd,
     /// Whether the hotkey script leads to the right states.
     Script,
+    /// Whether a requirement is met that needs no reference.
+    Requirement(Requirement),
 }
 
 impl ItemKind {
@@ -31,6 +34,7 @@ impl ItemKind {
             Self::Playback(Interpolation::CatmullRom) => "catmull_rom_playback".to_owned(),
             Self::RangeAndEnd => "range_and_end".to_owned(),
             Self::Script => "script".to_owned(),
+            Self::Requirement(requirement) => requirement.id().to_owned(),
         }
     }
 
@@ -39,6 +43,7 @@ impl ItemKind {
     pub fn title(self) -> String {
         match self {
             Self::Playback(Interpolation::CatmullRom) => "Catmull-Rom playback".to_owned(),
+            Self::Requirement(Requirement::UsesCatmullRom) => "uses Catmull-Rom".to_owned(),
             other => other.id().replace('_', " "),
         }
     }

@@ -54,17 +54,23 @@ pub struct ParsedKeyframes {
 }
 
 impl ParsedKeyframes {
+    /// How the keyframes play: the interpolation and the milliseconds between them. What the file does not hold is as in the reference,
+    /// if there is one.
+    #[must_use]
+    pub fn pace(&self, rubric: &Rubric) -> (Interpolation, u32) {
+        let usual = rubric.reference.as_ref().map_or((self.interpolation, self.ms_between_keyframes), |reference| {
+            (reference.interpolation, reference.ms_between_keyframes)
+        });
+        (self.held.0.unwrap_or(usual.0), self.held.1.unwrap_or(usual.1))
+    }
+
     /// A keyframe file of these keyframes. What the file does not hold is as in the reference, if there is one: nobody can hand it in by such a file.
     #[must_use]
     pub fn with_pace_of(&self, rubric: &Rubric, scene: &SceneGraph) -> Cow<'_, [u8]> {
         match self.held {
             (Some(_), Some(_)) => Cow::Borrowed(&self.bytes),
-            (interpolation, ms) => {
-                let reference = rubric.reference.as_ref();
-                let of_reference = reference.map_or(self.interpolation, |reference| reference.interpolation);
-                let ms_of_reference =
-                    reference.map_or(self.ms_between_keyframes, |reference| reference.ms_between_keyframes);
-                let (interpolation, ms) = (interpolation.unwrap_or(of_reference), ms.unwrap_or(ms_of_reference));
+            _ => {
+                let (interpolation, ms) = self.pace(rubric);
                 keyframes_to_json(scene, &self.list, interpolation, ms).into_bytes().into()
             }
         }
@@ -256,6 +262,21 @@ impl Parsed {
             trace,
             notes,
         }
+    }
+}
+
+impl Parsed {
+    /// What the script that was handed in does with the keyframes that were handed in; `None` without a script.
+    #[must_use]
+    pub fn ran(&self, rubric: &Rubric, scene: &SceneGraph) -> Option<Result<folder::Ran, String>> {
+        let script = self.script.as_ref()?;
+        let read = self.keyframes.as_ref().ok();
+        let keyframes = self.first_keyframe_file.as_deref().map(|bytes| match read {
+            Some(read) => read.with_pace_of(rubric, scene),
+            None => bytes.into(),
+        });
+        let lines = script.content.as_ref().map_err(Clone::clone);
+        Some(lines.and_then(|lines| folder::run(lines, scene, keyframes.as_deref())))
     }
 }
 

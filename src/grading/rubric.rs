@@ -13,15 +13,17 @@ pub use reference::Reference;
 
 use text::{PlaybackText, parse};
 
-use super::check::{Revealed, playbacks_of};
+use super::check::Revealed;
 use super::folder::{self, Traced};
 use super::item::ItemKind;
 use super::names::PreferredNames;
+use super::requirements::{Requirement, Requirements};
 use crate::animation_diff::Tolerances;
 use crate::files::{self, FileError};
 use crate::interpolation::Interpolation;
 use crate::scene::SceneGraph;
 use crate::script::Line;
+use crate::text::counted;
 
 /// The largest rubric, and the largest of the files that it names, in bytes.
 const LARGEST_BYTES: u64 = 64 << 20;
@@ -45,6 +47,8 @@ pub struct Rubric {
     pub fps: u32,
     /// The right keyframes, where submissions are compared with some.
     pub reference: Option<Reference>,
+    /// The numbers of the requirements.
+    pub requirements: Requirements,
     /// How keyframe files are named, to choose among several.
     pub keyframe_file: PreferredNames,
     /// The hotkey script, where one is graded.
@@ -77,7 +81,9 @@ impl Rubric {
             (ItemKind::RangeAndEnd, points.range_and_end),
             (ItemKind::Script, points.script),
         ];
-        before.into_iter().chain(keyframes).chain(after).filter(|(_, out_of)| *out_of > 0.0)
+        let requirements =
+            Requirement::ALL.map(|requirement| (ItemKind::Requirement(requirement), points.of(requirement)));
+        before.into_iter().chain(keyframes).chain(after).chain(requirements).filter(|(_, out_of)| *out_of > 0.0)
     }
 }
 
@@ -92,6 +98,14 @@ impl Rubric {
             parse(path, &files::read(path, LARGEST_BYTES)?).map_err(|error| FileError::new(path.display(), error))?;
         if let Some(problem) = text.problem() {
             return Err(bad(problem));
+        }
+        let requirements = text.requirements().map_err(bad)?;
+        let (least, nodes) = (requirements.minimum_nodes_moved, scene.rbt_count());
+        if text.points.minimum_nodes_moved > 0.0 && least > nodes as u64 {
+            return Err(bad(format!(
+                "requirements.minimum_nodes_moved is {least}, and the scene has {} that keyframes move",
+                counted(nodes, "node")
+            )));
         }
         let keyframe_file =
             PreferredNames::new(&text.keyframe_file).map_err(|problem| bad(format!("keyframe_file: {problem}")))?;
@@ -128,15 +142,13 @@ impl Rubric {
             samples_per_interval: text.samples_per_interval as usize,
             fps: text.fps,
             reference,
+            requirements,
             keyframe_file,
             script,
             files,
             revealed: Revealed::default(),
         };
-        if let Some(reference) = &rubric.reference {
-            let playbacks = playbacks_of(rubric.items());
-            rubric.revealed = Revealed::of(reference, playbacks, rubric.tolerances, rubric.fps);
-        }
+        rubric.revealed = Revealed::by(&rubric);
         Ok(rubric)
     }
 }

@@ -30,7 +30,7 @@ pub fn objects_of(run: &[Traced]) -> Vec<Value> {
 /// Whether the states after each command are the expected ones; `what` says where the found ones are from.
 pub fn compared(what: &str, found: &[Value], expected: &[Traced]) -> Verdict {
     let total = expected.len();
-    for (step, Traced { command, state }) in expected.iter().enumerate() {
+    for (step, Traced { command, state, .. }) in expected.iter().enumerate() {
         let Some(found) = found.get(step) else {
             return Verdict::unmet(format!("{what}: the trace ends after {step} of {total} commands."));
         };

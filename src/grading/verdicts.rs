@@ -8,6 +8,7 @@ pub use keyframes::ComparedKeyframes;
 
 use super::item::{ItemKind, Verdict};
 use super::parsed::Parsed;
+use super::requirements::Work;
 use super::rubric::Rubric;
 use super::samples::SampleDiagnosis;
 use crate::keyframe::KeyframeList;
@@ -45,6 +46,10 @@ impl Marker<'_> {
             ItemKind::Playback(interpolation) => self.playback(interpolation),
             ItemKind::RangeAndEnd => self.range_and_end(),
             ItemKind::Script => self.script(),
+            ItemKind::Requirement(requirement) => {
+                let Self { rubric, scene, parsed, samples, .. } = *self;
+                Work { rubric, scene, parsed, samples }.verdict(requirement)
+            }
         }
     }
 

@@ -8,6 +8,7 @@ use super::Points;
 use super::credit::{self, Band};
 use crate::animation_diff::Tolerances;
 use crate::decode::{self, DecodeError};
+use crate::grading::requirements::{Requirements, RequirementsText};
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -39,6 +40,8 @@ pub(super) struct RubricText {
     #[serde(default)]
     pub align_keyframes: bool,
     pub points: Points,
+    #[serde(default)]
+    pub requirements: RequirementsText,
 }
 
 /// What earns points for playback where no samples were handed in.
@@ -104,7 +107,15 @@ impl RubricText {
         self.bands.iter().map(band).collect()
     }
 
-    /// The first invalid value of the rubric, as a sentence.
+    /// The numbers of the requirements.
+    ///
+    /// # Errors
+    /// The first invalid one, as a sentence.
+    pub fn requirements(&self) -> Result<Requirements, String> {
+        self.requirements.checked(|requirement| self.points.of(requirement) > 0.0)
+    }
+
+    /// The first invalid value of the rubric but for its requirements, as a sentence.
     pub fn problem(&self) -> Option<String> {
         if self.format != "inbetween.rubric" {
             return Some(format!("format is {:?}, expected \"inbetween.rubric\"", self.format));
@@ -128,6 +139,12 @@ impl RubricText {
             catmull_rom_playback,
             range_and_end,
             script,
+            minimum_keyframes,
+            minimum_nodes_moved,
+            uses_catmull_rom,
+            above_ground,
+            no_jumps,
+            script_runs,
         } = self.points;
         let numbers = [
             ("points.readable", readable),
@@ -137,6 +154,12 @@ impl RubricText {
             ("points.catmull_rom_playback", catmull_rom_playback),
             ("points.range_and_end", range_and_end),
             ("points.script", script),
+            ("points.minimum_keyframes", minimum_keyframes),
+            ("points.minimum_nodes_moved", minimum_nodes_moved),
+            ("points.uses_catmull_rom", uses_catmull_rom),
+            ("points.above_ground", above_ground),
+            ("points.no_jumps", no_jumps),
+            ("points.script_runs", script_runs),
             ("tolerances.translation", self.tolerances.translation),
             ("tolerances.rotation_degrees", self.tolerances.rotation_degrees),
         ];
