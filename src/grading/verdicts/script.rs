@@ -5,7 +5,6 @@ use crate::grading::folder;
 use crate::grading::item::{Evidence, Verdict};
 use crate::grading::parsed::ParsedFile;
 use crate::grading::trace;
-use crate::script::Line;
 
 impl Marker<'_> {
     /// A trace decides; without one the submission's own script, or what the rubric's script does with its keyframes.
@@ -17,14 +16,9 @@ impl Marker<'_> {
         };
         let (evidence, what, problem_at, found) = if let Some(ParsedFile { name, content }) = &self.parsed.trace {
             (Evidence::Trace, name.clone(), name, content.clone())
-        } else if let Some(ParsedFile { name, content }) = &self.parsed.script {
-            let read = self.parsed.keyframes.as_ref().ok();
-            let keyframes = self.parsed.first_keyframe_file.as_deref().map(|bytes| match read {
-                Some(read) => read.with_pace_of(self.rubric, self.scene),
-                None => bytes.into(),
-            });
-            let run = |lines: &Vec<Line>| folder::run(lines, self.scene, keyframes.as_deref());
-            let ran = content.as_ref().map_err(Clone::clone).and_then(run);
+        } else if let (Some(ParsedFile { name, .. }), Some(ran)) =
+            (&self.parsed.script, self.parsed.ran(self.rubric, self.scene))
+        {
             (Evidence::Script, name.clone(), name, ran.map(|ran| trace::objects_of(&ran.trace)))
         } else {
             let Ok(read) = &self.parsed.keyframes else { return Verdict::unmet(UNREADABLE) };
