@@ -69,6 +69,8 @@ pub enum ChangeKind {
     TurnAboutTwoAxes(u16),
     /// It is moved along its parent's x axis by this many tenths of a scene unit.
     Move(u16),
+    /// Both: it is turned about its x axis by this many degrees, and moved along its parent's x axis by one scene unit.
+    TurnAndMove(u16),
 }
 
 /// The mistakes that can be made in the playbacks: those that are revealed, and those that are not, in the catalogue's order.
@@ -153,7 +155,8 @@ fn changes(sequence: &Sequence) -> impl Iterator<Item = KeyframeChange> + use<> 
         .chain([2, 60, 120, 170].into_iter().flat_map(|degrees| axes(ChangeKind::Turn, degrees)))
         .chain(axes(ChangeKind::TurnAndOppositeSign, 60))
         .chain([ChangeKind::TurnAboutTwoAxes(60)])
-        .chain([2, 10].map(ChangeKind::Move));
+        .chain([2, 10].map(ChangeKind::Move))
+        .chain([ChangeKind::TurnAndMove(60)]);
     let kinds: Vec<ChangeKind> = kinds.collect();
     let last = sequence.keyframes() - 1;
     let places: Vec<(usize, usize)> = (1..last)
@@ -207,6 +210,10 @@ fn changed(sequence: &Sequence, change: &KeyframeChange) -> Sequence {
             ChangeKind::TurnAndOppositeSign(axis, degrees) => transform.rotation = -turned(axis, degrees),
             ChangeKind::TurnAboutTwoAxes(degrees) => {
                 transform.rotation = turned(if index == change.first { 'x' } else { 'y' }, degrees);
+            }
+            ChangeKind::TurnAndMove(degrees) => {
+                transform.rotation = turned('x', degrees);
+                transform.translation.x += 1.0;
             }
             ChangeKind::Move(tenths) => transform.translation.x += f64::from(tenths) / 10.0,
         }

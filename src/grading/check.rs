@@ -200,6 +200,9 @@ fn sentence(change: &KeyframeChange, scene: &SceneGraph) -> String {
         ChangeKind::TurnAboutTwoAxes(degrees) => format!(
             "turn {path} by {degrees} degrees about its x axis in keyframe {first} and about its y axis in keyframe {last}."
         ),
+        ChangeKind::TurnAndMove(degrees) => {
+            format!("turn {path} in {place} by {degrees} degrees about its x axis, and move it by 1 unit along x.")
+        }
         ChangeKind::Move(tenths) => {
             format!("move {path} in {place} by {} units along x.", f64::from(tenths) / 10.0)
         }

@@ -1,3 +1,5 @@
+//! Still keyframes reveal next to nothing, and each advice is followed.
+
 use std::collections::BTreeSet;
 
 use glam::{Quat, Vec3};
@@ -44,6 +46,10 @@ fn edited(mut keyframes: Vec<Keyframe>, change: &KeyframeChange) -> Vec<Keyframe
             ChangeKind::TurnAboutTwoAxes(degrees) => {
                 let axis = if index == change.first { Vec3::X } else { Vec3::Y };
                 rbt.rotation *= Quat::from_axis_angle(axis, f32::from(degrees).to_radians());
+            }
+            ChangeKind::TurnAndMove(degrees) => {
+                rbt.rotation *= Quat::from_rotation_x(f32::from(degrees).to_radians());
+                rbt.translation.x += 1.0;
             }
             ChangeKind::Move(tenths) => rbt.translation.x += f32::from(tenths) / 10.0,
         }

@@ -1,3 +1,5 @@
+//! The numbers of requirements: their defaults and bounds.
+
 use super::*;
 
 const ALL: fn(Requirement) -> bool = |_| true;
