@@ -183,19 +183,19 @@ impl<'a> RubricCheck<'a> {
 
 /// A change of keyframes as a sentence.
 fn sentence(change: &KeyframeChange, scene: &SceneGraph) -> String {
+    const REVERSED: &str = "with all four signs reversed: it is the same rotation";
     let KeyframeChange { node, first, last, kind } = *change;
     let path = scene.rbt_path(node);
     let place = if first == last { format!("keyframe {first}") } else { format!("keyframes {first} and {last}") };
-    const SAME: &str = "write all four numbers of its rotation with the opposite sign, which is the same rotation";
     match kind {
-        ChangeKind::OppositeSign => {
-            format!("of {path} in {place}, {}.", SAME.replace("its rotation", "the rotation"))
-        }
+        ChangeKind::OppositeSign => format!("write the rotation of {path} in {place} {REVERSED}."),
         ChangeKind::Turn(axis, degrees) => {
             format!("turn {path} in {place} by {degrees} degrees about its {axis} axis.")
         }
         ChangeKind::TurnAndOppositeSign(axis, degrees) => {
-            format!("turn {path} in {place} by {degrees} degrees about its {axis} axis, and {SAME}.")
+            format!(
+                "turn {path} in {place} by {degrees} degrees about its {axis} axis, and write its rotation {REVERSED}."
+            )
         }
         ChangeKind::TurnAboutTwoAxes(degrees) => format!(
             "turn {path} by {degrees} degrees about its x axis in keyframe {first} and about its y axis in keyframe {last}."

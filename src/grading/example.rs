@@ -16,7 +16,11 @@ pub fn example(scene: &SceneGraph, scene_argument: Option<&str>) -> [(&'static s
     let usual = built_in_scene(DEFAULT_SCENE).expect("it is built in");
     let reference = if scene.has_rbts_of(&usual) { REFERENCE.to_owned() } else { reference_for(scene, &usual) };
     let readme = include_str!("../../assets/grading/README.md");
-    let argument = scene_argument.map_or_else(String::new, |name| format!(" --scene {name}"));
+    let argument = match scene_argument {
+        Some(name) if name.contains(char::is_whitespace) => format!(" --scene \"{name}\""),
+        Some(name) => format!(" --scene {name}"),
+        None => String::new(),
+    };
     [
         ("rubric.toml", include_str!("../../assets/grading/rubric.toml").to_owned()),
         ("reference.json", reference),

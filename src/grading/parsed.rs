@@ -67,13 +67,11 @@ impl ParsedKeyframes {
     /// A keyframe file of these keyframes. What the file does not hold is as in the reference, if there is one: nobody can hand it in by such a file.
     #[must_use]
     pub fn with_pace_of(&self, rubric: &Rubric, scene: &SceneGraph) -> Cow<'_, [u8]> {
-        match self.held {
-            (Some(_), Some(_)) => Cow::Borrowed(&self.bytes),
-            _ => {
-                let (interpolation, ms) = self.pace(rubric);
-                keyframes_to_json(scene, &self.list, interpolation, ms).into_bytes().into()
-            }
+        if let (Some(_), Some(_)) = self.held {
+            return Cow::Borrowed(&self.bytes);
         }
+        let (interpolation, ms) = self.pace(rubric);
+        keyframes_to_json(scene, &self.list, interpolation, ms).into_bytes().into()
     }
 }
 
