@@ -12,6 +12,9 @@
 //! `samples` diagnoses samples and judges them by `shown_playback`: `right` is what they should show, `off` how far a row is from that,
 //! `judgement` sums up the rows, `coverage` counts them, and `range` looks at both ends. `shown` chooses the poses of pictures.
 //!
+//! `check` says what a rubric's reference reveals, `requirements` judges animations without a reference, and `example` is what a rubric
+//! begins with.
+//!
 //! A submission is gathered, sorted and parsed once. Submissions are marked on all cores, each apart from the others; results are in the
 //! order in which the submissions were named, and nothing in them depends on time. Nothing in a submission is trusted: work is bounded
 //! by counts, not by a clock, so that results are the same on every machine.

@@ -105,6 +105,7 @@ fn a_rubric_that_judges_no_playback_says_so() {
     for wrong in [
         &["grade", "--check"][..],
         &["grade", "none.json", "--json"],
+        &["grade", "none.json", "reference.json", "-o", "out", "--json"],
         &["grade", "--check", "none.json", "reference.json"],
         &["grade", "--check", "none.json", "-o", "out"],
         &["grade", "--example", "new", "none.json"],
