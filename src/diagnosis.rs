@@ -23,7 +23,7 @@ mod rules;
 mod samples;
 mod sequence;
 
-pub use catalogue::{Mistake, markdown, mistakes};
+pub use catalogue::{Fact, Mistake, markdown, mistakes};
 pub use compare::right_rotations;
 pub use reveals::{ChangeKind, Hidden, Judged, KeyframeChange, change_that_reveals, revealing};
 pub use samples::{

@@ -45,6 +45,17 @@ impl PartialEq for Mistake {
     }
 }
 
+/// Something that people are told about a mistake.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Fact {
+    /// What it is about.
+    pub title: &'static str,
+    /// A sentence or two, or a line of code or of a formula.
+    pub text: &'static str,
+    /// Whether it is such a line.
+    pub is_code: bool,
+}
+
 /// A mistake with its place in the order of answers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Entry {
@@ -89,6 +100,25 @@ impl Mistake {
         self.change.is_empty()
     }
 
+    /// What people are told about it after [`Mistake::what`], in the order in which it is told; for right playback, nothing.
+    #[must_use]
+    pub fn facts(&self) -> Vec<Fact> {
+        if self.is_right() {
+            return Vec::new();
+        }
+        let words = |title, text| Fact { title, text, is_code: false };
+        let code = |title, text| Fact { title, text, is_code: true };
+        vec![
+            words("In", self.playback()),
+            code("Wrong", self.wrong),
+            code("Right", self.right),
+            words("What it looks like", self.looks),
+            code("The line to look for", self.line),
+            words("What to change", self.change),
+            words("Keyframes that reveal it", self.revealed_by),
+        ]
+    }
+
     fn playback(&self) -> &'static str {
         match (self.linear.is_empty(), self.spline.is_empty()) {
             (false, false) => "Linear and Catmull-Rom playback.",
@@ -122,20 +152,11 @@ pub(super) fn forms() -> impl Iterator<Item = Form> {
 pub fn markdown() -> String {
     let mut text = String::new();
     for mistake in mistakes().filter(|mistake| !mistake.is_right()) {
-        let _ = write!(
-            text,
-            "\n## {}\n\n{}\n\n* In: {}\n* Wrong: `{}`\n* Right: `{}`\n* What it looks like: {}\n* The line to look for: `{}`\n* What to \
-             change: {}\n* Keyframes that reveal it: {}\n",
-            mistake.name,
-            mistake.what,
-            mistake.playback(),
-            mistake.wrong,
-            mistake.right,
-            mistake.looks,
-            mistake.line,
-            mistake.change,
-            mistake.revealed_by
-        );
+        let _ = write!(text, "\n## {}\n\n{}\n\n", mistake.name, mistake.what);
+        for Fact { title, text: fact, is_code } in mistake.facts() {
+            let mark = if is_code { "`" } else { "" };
+            let _ = writeln!(text, "* {title}: {mark}{fact}{mark}");
+        }
     }
     text.push('\n');
     text
