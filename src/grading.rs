@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! paths ─ gather ─► submissions ─ read ─► members ─ parsed ─► Parsed ─ Marks::of(rubric) ─► Marks ─┬─ tables ─► grades.csv, grades.json
-//!                                                                                └─ pictures ─ report ─► report.html
+//!                                                                                └─ pictures, film ─ report ─► report.html
 //! ```
 //!
 //! `gather` uses `place` and `archive` (files on the disk and in archives); `parsed` uses `content` (what a file is) and `names` (which
@@ -11,6 +11,7 @@
 //!
 //! `samples` diagnoses samples and judges them by `shown_playback`: `right` is what they should show, `off` how far a row is from that,
 //! `judgement` sums up the rows, `coverage` counts them, and `range` looks at both ends. `shown` chooses the poses of pictures.
+//! Tables and report share `rows` (items as people read them) and `note`.
 //!
 //! `check` says what a rubric's reference reveals, `requirements` judges animations without a reference, and `example` is what a rubric
 //! begins with.
@@ -25,12 +26,14 @@ mod check;
 mod content;
 mod coverage;
 mod example;
+mod film;
 mod folder;
 mod gather;
 mod item;
 mod judgement;
 mod marks;
 mod names;
+mod note;
 mod off;
 mod parsed;
 mod pictures;
@@ -39,6 +42,7 @@ mod range;
 mod report;
 mod requirements;
 mod right;
+mod rows;
 mod rubric;
 mod samples;
 mod shown;
@@ -52,12 +56,14 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 pub use check::{Revealed, RubricCheck};
 pub use example::example;
+pub use film::film_of;
 pub use gather::{Found, Naming, PassedOver, find};
 pub use item::{Evidence, Item, ItemKind, Verdict};
 pub use marks::{Marks, PlaybackEvidence, evidence_counts};
+pub use note::Note;
 pub use parsed::Parsed;
 pub use pictures::{ReportPicture, SIZE as PICTURE_SIZE, pictures_of};
-pub use report::html;
+pub use report::{ReportPictures, ShownMistake, html, mistakes_shown};
 pub use requirements::{Requirement, Requirements};
 pub use rubric::{Band, Credit, Reference, Rubric};
 pub use samples::SampleDiagnosis;

@@ -11,7 +11,7 @@ use super::progress::Progress;
 use super::{CliError, misuse, output};
 use crate::export::Painter;
 use crate::files::{self, scene};
-use crate::grading::{self, Found, Naming, PICTURE_SIZE, PassedOver, Rubric};
+use crate::grading::{self, Found, Naming, PICTURE_SIZE, PassedOver, ReportPictures, Rubric};
 use crate::storage;
 use crate::text::counted;
 use crate::words::texts;
@@ -52,12 +52,16 @@ pub fn run(arguments: &GradeArguments, named_scene: Option<&Path>) -> Result<(),
     let named = submissions.iter().flat_map(|one| one.paths().map(|path| (one.name.clone(), path)));
     named.fold(places, |places, (name, path)| places.reads_as(name, "SUBMISSION", path)).check()?;
     let marks = grading::mark_all(&submissions, &rubric, &scene);
-    let mut pictures = vec![Vec::new(); marks.len()];
+    let mut pictures = ReportPictures::default();
     if let Some(mut painter) = painter {
+        let mistakes = grading::mistakes_shown(&marks);
         let mut progress = Progress::new("submission", marks.len().max(1));
-        for (marks, pictures) in marks.iter().zip(&mut pictures) {
-            *pictures = grading::pictures_of(marks, &rubric, &scene, &mut painter)?;
+        for marks in &marks {
+            pictures.of_submissions.push(grading::pictures_of(marks, &rubric, &scene, &mut painter)?);
             progress.step();
+        }
+        for mistake in &mistakes {
+            pictures.of_mistakes.push(grading::film_of(mistake, &marks, &rubric, &scene, &mut painter)?);
         }
     }
     files::create_folder(folder)?;

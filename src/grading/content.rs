@@ -2,6 +2,7 @@
 
 use serde_json::Value;
 
+use super::note::Note;
 use crate::keyframe::KeyframeFile;
 use crate::scene::SceneGraph;
 use crate::script;
@@ -16,7 +17,7 @@ const START_LINES: usize = 40;
 /// What a file is.
 pub enum Content {
     /// Keyframes, with what was inferred of a text's layout.
-    Keyframes(KeyframeFile, Option<String>),
+    Keyframes(KeyframeFile, Option<Note>),
     /// It may be meant as keyframes, and cannot be read as such: a sentence for each problem.
     Unreadable(Unreadable),
     /// Samples of playback.
@@ -57,7 +58,8 @@ pub fn content_of(bytes: &[u8], scene: &SceneGraph) -> Content {
     let (problems, is_source) = match import(bytes, scene, &Options::of_keyframes()) {
         Ok(Imported::KeyframeFile(file)) => return Content::Keyframes(file, None),
         Ok(Imported::Text(file, report)) => {
-            return Content::Keyframes(file, Some(report.to_string().replace('\n', "; ")));
+            let text = report.to_string().replace('\n', "; ");
+            return Content::Keyframes(file, Some(Note { text, wants_a_look: !report.is_sure() }));
         }
         Ok(Imported::Scene(..)) => {
             let problem = "these are the keys of a control node, not keyframes".to_owned();

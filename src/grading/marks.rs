@@ -1,6 +1,7 @@
 //! The marks of a submission: points with reasons, and the diagnosis of its samples.
 
 use super::item::{Evidence, Item, ItemKind};
+use super::note::Note;
 use super::parsed::Parsed;
 use super::rubric::Rubric;
 use super::samples::{SampleDiagnosis, note_of_too_many, sample_diagnoses};
@@ -60,18 +61,18 @@ pub struct Marks {
     /// Its keyframes, where they can be read.
     pub keyframes: Option<KeyframeList>,
     /// Notes for the report.
-    pub notes: Vec<String>,
+    pub notes: Vec<Note>,
 }
 
 impl Marks {
     /// Marks a submission by a rubric.
     #[must_use]
     pub fn of(submission: &Submission, parsed: &Parsed, rubric: &Rubric, scene: &SceneGraph) -> Self {
-        let mut notes: Vec<String> = parsed.problem.iter().cloned().collect();
+        let mut notes: Vec<Note> = parsed.problem.iter().map(Note::to_look_at).collect();
         match &parsed.keyframes {
             Ok(read) => notes.extend(read.inferred.clone()),
             // If reading is not graded, the read error becomes a note. A submission that cannot be opened has its own note.
-            Err(problem) if rubric.points.readable == 0.0 && notes.is_empty() => notes.push(problem.clone()),
+            Err(problem) if rubric.points.readable == 0.0 && notes.is_empty() => notes.push(Note::to_look_at(problem)),
             Err(_) => {}
         }
         notes.extend(note_of_too_many(parsed));

@@ -93,6 +93,12 @@ pub fn has_keyframe_ending(path: &str) -> bool {
     KEYFRAME_ENDINGS.contains(&ending(path).as_str())
 }
 
+/// Whether the ending is one of samples, of a trace or of a script.
+#[must_use]
+pub fn has_ending_of_results(path: &str) -> bool {
+    ["csv", "jsonl", "script"].contains(&ending(path).as_str())
+}
+
 /// Whether the name, without folders and ending, speaks of animation or keyframes.
 #[must_use]
 pub fn speaks_of_keyframes(path: &str) -> bool {

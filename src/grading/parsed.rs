@@ -6,9 +6,10 @@ use serde_json::Value;
 
 use super::content::{Content, Unreadable, content_of};
 use super::folder;
-use super::names::{PreferredNames, ending, has_keyframe_ending, speaks_of_keyframes};
+use super::names::{PreferredNames, ending, has_ending_of_results, has_keyframe_ending, speaks_of_keyframes};
+use super::note::Note;
 use super::rubric::Rubric;
-use super::submission::{Contents, Member, Skipped, Why, shortly, skipped_sentences};
+use super::submission::{Contents, Member, Skipped, Why, shortly, skipped_notes};
 use super::trace;
 use crate::diagnosis::SampleRows;
 use crate::interpolation::Interpolation;
@@ -42,7 +43,7 @@ pub struct ParsedKeyframes {
     /// The bytes of that file; of a script, a keyframe file of what it made.
     pub bytes: Vec<u8>,
     /// What was inferred of a text's layout.
-    pub inferred: Option<String>,
+    pub inferred: Option<Note>,
     /// The keyframes.
     pub list: KeyframeList,
     /// How the file says that they are interpolated.
@@ -92,8 +93,8 @@ pub struct Parsed {
     pub script: Option<ParsedFile<Vec<Line>>>,
     /// The likeliest trace of a script: its objects.
     pub trace: Option<ParsedFile<Vec<Value>>>,
-    /// What else was found, and what was skipped: sentences.
-    pub notes: Vec<String>,
+    /// What else was found, and what was skipped.
+    pub notes: Vec<Note>,
 }
 
 /// A file that holds no keyframes, as they may have been meant.
@@ -122,7 +123,7 @@ impl Failed {
 #[derive(Default)]
 struct Sorted {
     /// The keyframe file to grade, with what was inferred.
-    best: Option<(Member, KeyframeFile, Option<String>)>,
+    best: Option<(Member, KeyframeFile, Option<Note>)>,
     /// The place of the best's name among the rubric's.
     place: usize,
     /// Other keyframe files: their names and numbers of keyframes.
@@ -158,7 +159,7 @@ impl Sorted {
         &mut self,
         member: Member,
         file: KeyframeFile,
-        inferred: Option<String>,
+        inferred: Option<Note>,
         preferred: &PreferredNames,
     ) {
         let count = file.keyframes.len();
@@ -188,21 +189,23 @@ impl Sorted {
     }
 
     /// Sentences about what was found beside the files that are graded.
-    fn notes(&self, preferred: &PreferredNames) -> Vec<String> {
+    fn notes(&self, preferred: &PreferredNames) -> Vec<Note> {
         let mut notes = Vec::new();
         if let Some((best, ..)) = &self.best
             && !self.others.is_empty()
         {
             let others = self.others.iter().map(|(name, count)| format!("{name} ({})", counted(*count, "keyframe")));
             let others: Vec<String> = others.collect();
-            notes.push(format!("The keyframes are those of {}; also found: {}.", best.name, shortly(&others)));
+            let text = format!("The keyframes are those of {}; also found: {}.", best.name, shortly(&others));
+            notes.push(Note::to_look_at(text));
         }
         for (what, files) in [("script", &self.scripts), ("trace", &self.traces)] {
             if let [first, others @ ..] = files.as_slice()
                 && !others.is_empty()
             {
                 let others: Vec<&str> = others.iter().map(|member| member.name.as_str()).collect();
-                notes.push(format!("The {what} is {}; also found: {}.", first.name, shortly(&others)));
+                let text = format!("The {what} is {}; also found: {}.", first.name, shortly(&others));
+                notes.push(Note::to_look_at(text));
             }
         }
         if self.best.is_some() {
@@ -211,11 +214,14 @@ impl Sorted {
             if let [first, more @ ..] = alike.as_slice() {
                 let more: Vec<&str> = more.iter().map(|failed| failed.member.name.as_str()).collect();
                 let more = if more.is_empty() { String::new() } else { format!("; nor {}", shortly(&more)) };
-                notes.push(format!("{} cannot be read as keyframes: {}{more}.", first.member.name, first.why.problem));
+                let text = format!("{} cannot be read as keyframes: {}{more}.", first.member.name, first.why.problem);
+                notes.push(Note::to_look_at(text));
             }
             let others: Vec<&str> = others.iter().map(|failed| failed.member.name.as_str()).collect();
             if !others.is_empty() {
-                notes.push(format!("Neither keyframes, samples, trace nor script: {}.", shortly(&others)));
+                let wants_a_look = others.iter().any(|name| has_ending_of_results(name));
+                let text = format!("Neither keyframes, samples, trace nor script: {}.", shortly(&others));
+                notes.push(Note { text, wants_a_look });
             }
         }
         notes
@@ -229,7 +235,7 @@ impl Parsed {
         let Contents { members, skipped, problem } = contents;
         let sorted = Sorted::new(members, preferred, scene);
         let mut notes = sorted.notes(preferred);
-        notes.extend(skipped_sentences(&skipped));
+        notes.extend(skipped_notes(&skipped));
         let Sorted { best, failed, samples, scripts, traces, .. } = sorted;
         let samples_count = samples.len();
         let samples = samples.into_iter().take(MOST_SAMPLES);
@@ -286,9 +292,9 @@ fn keyframes_are_of_a_file(
     !matches!((keyframes, script), (Ok(read), Some(script)) if read.file == script.name)
 }
 
-fn graded(member: Member, file: KeyframeFile, inferred: Option<String>) -> ParsedKeyframes {
+fn graded(member: Member, file: KeyframeFile, inferred: Option<Note>) -> ParsedKeyframes {
     let Member { name, bytes } = member;
-    let inferred = inferred.map(|inferred| format!("{name}: {inferred}"));
+    let inferred = inferred.map(|Note { text, wants_a_look }| Note { text: format!("{name}: {text}"), wants_a_look });
     let held = (file.interpolation, file.ms_between_keyframes);
     let (list, interpolation, ms_between_keyframes) = file.into_parts();
     ParsedKeyframes { file: name, bytes, inferred, list, interpolation, ms_between_keyframes, held }
@@ -331,7 +337,8 @@ fn reason_for_none(failed: &[Failed], skipped: &[Skipped]) -> String {
     let others: Vec<Skipped> =
         skipped.iter().filter(|skipped| !matches!(skipped.why, Why::Problem(_))).cloned().collect();
     if looked_at.is_empty() && !others.is_empty() {
-        let sentences = skipped_sentences(&others).join(" ").replacen("Skipped", "skipped", 1);
+        let sentences: Vec<String> = skipped_notes(&others).into_iter().map(|note| note.text).collect();
+        let sentences = sentences.join(" ").replacen("Skipped", "skipped", 1);
         reason.push_str("; ");
         reason.push_str(sentences.trim_end_matches('.'));
     }

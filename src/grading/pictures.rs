@@ -30,10 +30,19 @@ pub struct ReportPicture {
     pub width: u32,
     /// Height in pixels.
     pub height: u32,
-    /// What it shows.
+    /// What it shows, for people who see it.
     pub caption: String,
+    /// What it shows, for people who do not.
+    pub alt: String,
     /// Whether a row begins with it.
     pub starts_row: bool,
+}
+
+impl ReportPicture {
+    /// A picture that begins no row.
+    pub fn new(png: &[u8], Size { width, height }: Size, caption: String, alt: String) -> Self {
+        Self { base64: base64(png), width, height, caption, alt, starts_row: false }
+    }
 }
 
 /// Draws the pictures of a submission, in the order in which they are shown; none where it cannot be played. The painter's pictures are
@@ -94,14 +103,24 @@ fn of_playback(
     if frames.is_empty() {
         return Ok(Vec::new());
     }
-    let mut pictures = vec![picture(animated(&frames)?, caption, true)];
+    let alt = format!("Film of {} pictures: {caption}", frames.len());
+    let film = ReportPicture { starts_row: true, ..ReportPicture::new(&animated(&frames)?, SIZE, caption, alt) };
+    let mut pictures = vec![film];
     for shown in &poses.moments {
         let own = painter.loose_pose(scene, &shown.pose, &shown.right)?;
         let right = painter.loose_pose(scene, &shown.right, &shown.right)?;
         let apart = apart(&own, &right);
-        pictures.push(picture(own.to_png()?, format!("{label}, key time {:.2}: submitted", shown.key_time), true));
-        pictures.push(picture(right.to_png()?, "reference".to_owned(), false));
-        pictures.push(picture(apart.to_png()?, "difference".to_owned(), false));
+        let at = format!("{label}, key time {:.2}", shown.key_time);
+        let captions = [format!("{at}: submitted"), "reference".to_owned(), "difference".to_owned()];
+        let alts = [
+            format!("The submission: {at}"),
+            format!("The reference: {at}"),
+            format!("Where both differ, bright on black: {at}"),
+        ];
+        for ((image, caption), alt) in [own, right, apart].iter().zip(captions).zip(alts) {
+            let starts_row = pictures.len() % 3 == 1;
+            pictures.push(ReportPicture { starts_row, ..ReportPicture::new(&image.to_png()?, SIZE, caption, alt) });
+        }
     }
     Ok(pictures)
 }
@@ -143,9 +162,9 @@ fn apart(a: &Image, b: &Image) -> Image {
 }
 
 /// An animated PNG of pictures of one size, of which there is at least one.
-fn animated(frames: &[Image]) -> Result<Vec<u8>, png::EncodingError> {
+pub fn animated(frames: &[Image]) -> Result<Vec<u8>, png::EncodingError> {
     let mut bytes = Vec::new();
-    let mut encoder = png::Encoder::new(&mut bytes, SIZE.width, SIZE.height);
+    let mut encoder = png::Encoder::new(&mut bytes, frames[0].width, frames[0].height);
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(png::BitDepth::Eight);
     encoder.set_animated(frames.len().max(1) as u32, 0)?;
@@ -157,8 +176,4 @@ fn animated(frames: &[Image]) -> Result<Vec<u8>, png::EncodingError> {
     }
     writer.finish()?;
     Ok(bytes)
-}
-
-fn picture(png: Vec<u8>, caption: String, starts_row: bool) -> ReportPicture {
-    ReportPicture { base64: base64(&png), width: SIZE.width, height: SIZE.height, caption, starts_row }
 }

@@ -1,5 +1,6 @@
 //! A submission's files of samples: which playback each is of, how it is judged, and its diagnosis.
 
+use super::note::Note;
 use super::parsed::{MOST_SAMPLES, Parsed, ParsedFile};
 use super::right::Right;
 use super::rubric::Rubric;
@@ -95,9 +96,10 @@ pub fn sample_diagnoses(parsed: &Parsed, rubric: &Rubric, follows_through: bool)
 }
 
 /// A note if there are more files of samples than are read.
-pub fn note_of_too_many(parsed: &Parsed) -> Option<String> {
+pub fn note_of_too_many(parsed: &Parsed) -> Option<Note> {
     let count = parsed.samples_count;
-    (count > MOST_SAMPLES).then(|| format!("{count} files of samples, and only the first {MOST_SAMPLES} are looked at"))
+    let text = || format!("{count} files of samples, and only the first {MOST_SAMPLES} are looked at");
+    (count > MOST_SAMPLES).then(|| Note::to_look_at(text()))
 }
 
 /// The interpolation that a file's own name suggests; `None` if it suggests none, or both.

@@ -38,55 +38,87 @@ pub struct ShownPoses {
     pub moments: Vec<ShownPose>,
 }
 
-/// Chooses poses of samples: evenly spread ones, and those with the largest errors. `None` where
-/// the right keyframes cannot be played.
-/// `right` are the keyframes whose playback is right.
+/// Chooses poses of samples: evenly spread ones, and those with the largest errors. `right` are the keyframes whose playback is right;
+/// `None` where they cannot be played.
 pub fn thinned(
     samples: &Samples,
     interpolation: Interpolation,
     right: &KeyframeList,
     tolerances: Tolerances,
 ) -> Option<ShownPoses> {
-    let range = PlayRange::new(right).ok()?;
-    // Key times are finite and not negative, so their bits order them as their values would.
-    let mut by_time: BTreeMap<u64, Vec<&Row>> = BTreeMap::new();
-    for row in &samples.rows {
-        by_time.entry(row.key_time.to_bits()).or_default().push(row);
+    let shown = Shown::new(&samples.rows, PlayRange::new(right).ok()?, interpolation, tolerances);
+    let count = shown.moments.len();
+    let frames = count.min(FRAMES);
+    let frames = (0..frames).filter_map(|frame| shown.pose(frame * (count - 1) / (frames - 1).max(1))).collect();
+    let moments = farthest(&shown.off()?).into_iter().filter_map(|index| shown.pose(index)).collect();
+    Some(ShownPoses { frames, moments })
+}
+
+/// The poses of at most `most` moments in a row about the one with the largest error. `None` where nothing is off.
+pub fn about_the_farthest(
+    rows: &[Row],
+    range: PlayRange<'_>,
+    interpolation: Interpolation,
+    tolerances: Tolerances,
+    most: usize,
+) -> Option<Vec<ShownPose>> {
+    let shown = Shown::new(rows, range, interpolation, tolerances);
+    let off = shown.off()?;
+    let farthest = (0..off.len()).max_by(|a, b| off[*a].total_cmp(&off[*b])).filter(|index| off[*index] > 1.0)?;
+    let first = farthest.saturating_sub(most / 2).min(off.len().saturating_sub(most));
+    (first..off.len().min(first + most)).map(|index| shown.pose(index)).collect()
+}
+
+/// Rows by time, beside what should have been shown.
+struct Shown<'a> {
+    moments: Vec<(f64, Vec<&'a Row>)>,
+    range: PlayRange<'a>,
+    interpolation: Interpolation,
+    tolerances: Tolerances,
+}
+
+impl<'a> Shown<'a> {
+    fn new(rows: &'a [Row], range: PlayRange<'a>, interpolation: Interpolation, tolerances: Tolerances) -> Self {
+        // Key times are finite and not negative, so their bits order them as their values would.
+        let mut by_time: BTreeMap<u64, Vec<&Row>> = BTreeMap::new();
+        for row in rows {
+            by_time.entry(row.key_time.to_bits()).or_default().push(row);
+        }
+        let moments = by_time.into_iter().map(|(bits, rows)| (f64::from_bits(bits), rows)).collect();
+        Self { moments, range, interpolation, tolerances }
     }
-    let times: Vec<(f64, Vec<&Row>)> = by_time.into_iter().map(|(bits, rows)| (f64::from_bits(bits), rows)).collect();
-    let right_at = |key_time: f64| {
-        let last = range.last_key_time() as f64;
-        range.pose_at(key_time.clamp(0.0, last), interpolation).ok()
-    };
-    let off: Option<Vec<f64>> = times
-        .iter()
-        .map(|(key_time, rows)| {
-            let right = right_at(*key_time)?;
+
+    fn right_at(&self, key_time: f64) -> Option<Pose> {
+        let last = self.range.last_key_time() as f64;
+        self.range.pose_at(key_time.clamp(0.0, last), self.interpolation).ok()
+    }
+
+    /// For each moment, the sum of its errors in tolerances.
+    fn off(&self) -> Option<Vec<f64>> {
+        let of_moment = |(key_time, rows): &(f64, Vec<&Row>)| {
+            let right = self.right_at(*key_time)?;
             let off = |row: &&Row| {
                 let shown = rbt(row);
                 let (translation, degrees) = distances(shown, right.get(row.node));
                 // A rotation that is not of unit length scales what it turns.
                 let length = f64::from((shown.rotation.length() - 1.0).abs());
-                let off = (translation + length) / tolerances.translation.max(1e-9)
-                    + degrees / tolerances.rotation_degrees.max(1e-9);
+                let off = self.tolerances.weight(translation + length, degrees);
                 if off.is_finite() { off.min(NOT_FINITE) } else { NOT_FINITE }
             };
             Some(rows.iter().map(off).sum())
-        })
-        .collect();
-    let shown = |index: usize| {
-        let (key_time, rows) = &times[index];
-        let right = right_at(*key_time)?;
+        };
+        self.moments.iter().map(of_moment).collect()
+    }
+
+    fn pose(&self, index: usize) -> Option<ShownPose> {
+        let (key_time, rows) = &self.moments[index];
+        let right = self.right_at(*key_time)?;
         let mut pose = right.clone();
         for row in rows {
             pose.set(row.node, rbt(row));
         }
         Some(ShownPose { key_time: *key_time, pose, right })
-    };
-    let count = times.len().min(FRAMES);
-    let frames = (0..count).filter_map(|frame| shown(frame * (times.len() - 1) / (count - 1).max(1))).collect();
-    let moments = farthest(&off?).into_iter().filter_map(shown).collect();
-    Some(ShownPoses { frames, moments })
+    }
 }
 
 fn rbt(row: &Row) -> Rbt {

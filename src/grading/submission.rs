@@ -6,6 +6,7 @@ use std::path::Path;
 
 use super::archive::{Keep, Unread};
 use super::names::{PreferredNames, is_hidden, kind_not_read};
+use super::note::Note;
 use super::place::{Entry, Place};
 use crate::storage::EntryKind;
 
@@ -255,7 +256,7 @@ impl Reading<'_> {
 
 /// Sentences that say shortly what was skipped and why; none where nothing was.
 #[must_use]
-pub fn skipped_sentences(skipped: &[Skipped]) -> Vec<String> {
+pub fn skipped_notes(skipped: &[Skipped]) -> Vec<Note> {
     let mut kinds: Vec<(&str, &str, Vec<&str>)> = Vec::new();
     let mut reasons: Vec<(String, Vec<&str>)> = Vec::new();
     for Skipped { name, why } in skipped {
@@ -285,8 +286,9 @@ pub fn skipped_sentences(skipped: &[Skipped]) -> Vec<String> {
         format!("{count} {} ({names_shortly})", if count == 1 { one } else { many })
     });
     let kinds: Vec<String> = kinds.collect();
-    let kinds = (!kinds.is_empty()).then(|| format!("Skipped: {}.", kinds.join(", ")));
-    let reasons = reasons.into_iter().map(|(reason, names)| format!("Skipped {}: {reason}.", shortly(&names)));
+    let kinds = (!kinds.is_empty()).then(|| Note::quiet(format!("Skipped: {}.", kinds.join(", "))));
+    let reasons =
+        reasons.into_iter().map(|(reason, names)| Note::to_look_at(format!("Skipped {}: {reason}.", shortly(&names))));
     kinds.into_iter().chain(reasons).collect()
 }
 

@@ -5,6 +5,7 @@ use serde_json::{Value, json};
 use super::gather::PassedOver;
 use super::item::Evidence;
 use super::marks::Marks;
+use super::rows::rows;
 use super::rubric::Rubric;
 
 /// A row for each submission, a column for each item. Safe to open in a spreadsheet: no cell is a formula.
@@ -32,11 +33,12 @@ pub fn csv(marks: &[Marks]) -> String {
             diagnoses(marks).join("; "),
         ];
         cells.extend(marks.items.iter().map(|item| number(item.points)));
-        let lost = marks.items.iter().filter(|item| item.has_lost());
-        let reasons: Vec<String> = lost.map(|item| format!("{}: {}", item.kind.id(), item.reason)).collect();
+        let rows = rows(&marks.items);
+        let lost = rows.iter().filter(|row| row.has_lost);
+        let reasons: Vec<String> = lost.map(|row| format!("{}: {}", row.ids(), row.reason)).collect();
         cells.push(marks.keyframe_file.clone().unwrap_or_default());
         cells.push(reasons.join(" "));
-        cells.push(marks.notes.join(" "));
+        cells.push(marks.notes.iter().map(|note| note.text.as_str()).collect::<Vec<_>>().join(" "));
         text.push_str(&row(&cells));
     }
     text
@@ -102,7 +104,7 @@ pub fn json(marks: &[Marks], passed_over: &[PassedOver], rubric: &Rubric) -> Str
             .collect();
         json!({
             "name": marks.name, "student": marks.student, "id": marks.id, "late": marks.is_late, "points": marks.points(), "out_of": marks.out_of(), "keyframe_file": marks.keyframe_file,
-            "items": items, "samples": samples, "notes": marks.notes,
+            "items": items, "samples": samples, "notes": marks.notes.iter().map(|note| &note.text).collect::<Vec<_>>(),
         })
     };
     let passed = |passed: &PassedOver| json!({"name": passed.name, "reason": passed.reason});

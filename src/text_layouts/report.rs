@@ -57,6 +57,13 @@ impl Report {
         self.findings.push(Finding { certainty, text: text.into() });
     }
 
+    /// Whether no other reading of the text is possible.
+    #[must_use]
+    pub fn is_sure(&self) -> bool {
+        let is_sure = |finding: &Finding| matches!(finding.certainty, Certainty::Sure | Certainty::Note);
+        self.findings.iter().all(is_sure)
+    }
+
     /// Whether a person should check any finding.
     #[must_use]
     pub fn has_warnings(&self) -> bool {

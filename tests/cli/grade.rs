@@ -22,7 +22,7 @@ pub fn text_of(keyframes: &[Vec<Placed>], interpolation: &str) -> String {
 }
 
 /// A rubric, its reference, and an empty folder `all`.
-fn course() -> (Sandbox, Vec<Vec<Placed>>) {
+pub fn course() -> (Sandbox, Vec<Vec<Placed>>) {
     let sandbox = Sandbox::new();
     let made = varied_keyframes(11, 8, 22);
     sandbox.write("rubric.json", RUBRIC);

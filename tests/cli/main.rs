@@ -20,6 +20,7 @@ mod other_files;
 mod places;
 mod playback;
 mod render;
+mod report;
 mod requirements;
 mod sample;
 mod sandbox;

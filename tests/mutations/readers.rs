@@ -67,7 +67,7 @@ pub fn all() -> Vec<Reader> {
         let marks = Marks::of(&submission, &parsed, rubric, scene);
         assert!(marks.points() >= 0.0 && marks.points() <= marks.out_of(), "{marks:?}");
         marks.items.iter().for_each(|item| check_sentence(&item.reason));
-        marks.notes.iter().for_each(|note| check_sentence(note));
+        marks.notes.iter().for_each(|note| check_sentence(&note.text));
     };
     let script = |bytes: &[u8], scene: &SceneGraph| match script::parse(bytes, scene) {
         Ok(lines) => assert!(lines.len() <= bytes.split(|&byte| byte == b'\n').count()),

@@ -1,0 +1,71 @@
+//! The film of a known mistake: right playback beside what a program shows that makes it.
+
+use super::marks::Marks;
+use super::pictures::{ReportPicture, animated};
+use super::report::ShownMistake;
+use super::rubric::Rubric;
+use super::shown::about_the_farthest;
+use crate::diagnosis::{Sequence, played};
+use crate::export::{ExportError, Painter, Size};
+use crate::film::{Cell, Grid, contact_sheet};
+use crate::keyframe::{KeyframeList, PlayRange};
+use crate::scene::SceneGraph;
+
+/// The frames of a film: somewhat more than an interval.
+const FRAMES: usize = 16;
+
+/// Draws the film of a mistake on the rubric's reference, if it has one, about the moment at which it shows most; where it does not show there, on the
+/// keyframes of the first submission that shows it. `None` where it shows on neither.
+///
+/// # Errors
+/// [`ExportError`]: the GPU fails.
+pub fn film_of(
+    shown: &ShownMistake,
+    marks: &[Marks],
+    rubric: &Rubric,
+    scene: &SceneGraph,
+    painter: &mut Painter,
+) -> Result<Option<ReportPicture>, ExportError> {
+    let of_first = shown.shown_by.first().map(|index| &marks[*index]);
+    let own = of_first.and_then(|marks| Some((marks.keyframes.as_ref()?, marks.name.as_str())));
+    let reference = rubric.reference.as_ref().map(|reference| (&reference.list, "the reference"));
+    for (list, name) in reference.into_iter().chain(own) {
+        if let Some(film) = film_on(list, name, shown, rubric, scene, painter)? {
+            return Ok(Some(film));
+        }
+    }
+    Ok(None)
+}
+
+fn film_on(
+    list: &KeyframeList,
+    name: &str,
+    shown: &ShownMistake,
+    rubric: &Rubric,
+    scene: &SceneGraph,
+    painter: &mut Painter,
+) -> Result<Option<ReportPicture>, ExportError> {
+    let (Ok(sequence), Ok(range)) = (Sequence::new(list.as_slice()), PlayRange::new(list)) else { return Ok(None) };
+    let mistake = shown.mistake.name;
+    let Some((interpolation, rows)) = played(&sequence, mistake, shown.interpolation) else { return Ok(None) };
+    let Some(poses) = about_the_farthest(&rows, range, interpolation, rubric.tolerances, FRAMES) else {
+        return Ok(None);
+    };
+    let mut frames = Vec::with_capacity(poses.len());
+    for pose in &poses {
+        let cell = |picture, caption: &str| Cell { picture, caption: vec![caption.to_owned()] };
+        let cells = [
+            cell(painter.loose_pose(scene, &pose.right, &pose.right)?, "right"),
+            cell(painter.loose_pose(scene, &pose.pose, &pose.right)?, mistake),
+        ];
+        frames.push(contact_sheet(Grid { columns: 2, rows: 1 }, &cells));
+    }
+    let (first, last) = (poses[0].key_time, poses[poses.len() - 1].key_time);
+    let caption = format!(
+        "{} playback of {name}, key time {first:.2} to {last:.2}: right on the left, {mistake} on the right",
+        interpolation.title()
+    );
+    let alt = format!("Film of {} pictures. {caption}", frames.len());
+    let size = Size { width: frames[0].width, height: frames[0].height };
+    Ok(Some(ReportPicture::new(&animated(&frames)?, size, caption, alt)))
+}

@@ -1,0 +1,16 @@
+//! Pictures as HTML.
+
+use super::super::pictures::ReportPicture;
+use crate::markup::escaped;
+
+/// A picture with its caption.
+pub fn figure(picture: &ReportPicture) -> String {
+    format!(
+        "<figure><img src=\"data:image/png;base64,{}\" width=\"{}\" height=\"{}\" alt=\"{}\"><figcaption>{}</figcaption></figure>\n",
+        picture.base64,
+        picture.width,
+        picture.height,
+        escaped(&picture.alt),
+        escaped(&picture.caption)
+    )
+}

@@ -1,0 +1,98 @@
+//! What the report tells about the known mistakes that its class shows, each once.
+
+use std::fmt::Write as _;
+
+use super::super::marks::Marks;
+use super::super::pictures::ReportPicture;
+use super::super::samples::SampleDiagnosis;
+use super::html::figure;
+use crate::diagnosis::{Candidate, Diagnosis, Fact, Mistake};
+use crate::interpolation::Interpolation;
+use crate::markup::escaped;
+use crate::text::counted;
+
+/// A known mistake that submissions show.
+#[derive(Clone, Debug)]
+pub struct ShownMistake {
+    /// The mistake.
+    pub mistake: &'static Mistake,
+    /// The playback in which the first of them shows it.
+    pub interpolation: Interpolation,
+    /// The indices of the submissions that show it, ascending, at least one.
+    pub shown_by: Vec<usize>,
+}
+
+/// The known mistakes that samples show, if they are explained.
+pub fn named(samples: &SampleDiagnosis) -> Vec<&'static Mistake> {
+    let mistakes = explanation(samples).into_iter().flat_map(|best| best.mistakes.iter().copied());
+    mistakes.filter(|mistake| !mistake.is_right()).collect()
+}
+
+fn explanation(samples: &SampleDiagnosis) -> Option<&Candidate> {
+    samples.diagnosis.as_ref().ok().filter(|diagnosis| diagnosis.is_explained()).map(Diagnosis::best)
+}
+
+/// The known mistakes of a class, the commonest first.
+#[must_use]
+pub fn shown(all: &[Marks]) -> Vec<ShownMistake> {
+    let mut found: Vec<ShownMistake> = Vec::new();
+    for (index, marks) in all.iter().enumerate() {
+        for samples in &marks.samples {
+            let Some(best) = explanation(samples) else { continue };
+            for mistake in named(samples) {
+                match found.iter_mut().find(|known| known.mistake == mistake) {
+                    Some(known) if known.shown_by.last() == Some(&index) => {}
+                    Some(known) => known.shown_by.push(index),
+                    None => {
+                        found.push(ShownMistake { mistake, interpolation: best.interpolation(), shown_by: vec![index] })
+                    }
+                }
+            }
+        }
+    }
+    found.sort_by(|one, other| (other.shown_by.len(), one.mistake.name).cmp(&(one.shown_by.len(), other.mistake.name)));
+    found
+}
+
+/// A link to the section of a mistake.
+pub fn link(mistake: &Mistake) -> String {
+    format!("<a href=\"#{0}\">{0}</a>", mistake.name)
+}
+
+/// The mistakes with the numbers of submissions that show them: a sentence with links.
+pub fn list(found: &[ShownMistake]) -> String {
+    let name = |shown: &ShownMistake| format!("{} ({})", link(shown.mistake), shown.shown_by.len());
+    let names: Vec<String> = found.iter().map(name).collect();
+    format!("<p class=\"sum\">Known mistakes that samples show: {}.</p>\n", names.join(", "))
+}
+
+/// A section for each mistake, with its film where there is one.
+pub fn sections(all: &[Marks], found: &[ShownMistake], films: &[Option<ReportPicture>]) -> String {
+    let mut text = String::from("<div class=\"mistakes\">\n");
+    for (number, ShownMistake { mistake, shown_by, .. }) in found.iter().enumerate() {
+        let _ = writeln!(
+            text,
+            "<section class=\"mistake\" id=\"{0}\"><h2>{0} <span>{1}</span></h2>\n<p>{2}</p>",
+            mistake.name,
+            counted(shown_by.len(), "submission"),
+            escaped(mistake.what)
+        );
+        if let Some(film) = films.get(number).and_then(Option::as_ref) {
+            text.push_str(&figure(film));
+        }
+        text.push_str("<dl>");
+        for Fact { title, text: fact, is_code } in mistake.facts() {
+            let fact = if is_code { format!("<code>{}</code>", escaped(fact)) } else { escaped(fact) };
+            let _ = write!(text, "<dt>{title}</dt><dd>{fact}</dd>");
+        }
+        let by = |index: &usize| format!("<a href=\"#s{index}\">{}</a>", escaped(&all[*index].name));
+        let by: Vec<String> = shown_by.iter().map(by).collect();
+        let _ = writeln!(
+            text,
+            "<dt>Shown by</dt><dd>{}</dd></dl>\n<nav><a href=\"#top\">↑ overview</a></nav></section>",
+            by.join(", ")
+        );
+    }
+    text.push_str("</div>\n");
+    text
+}

@@ -1,0 +1,94 @@
+//! What the report says of one submission.
+
+use std::fmt::Write as _;
+
+use super::super::item::Evidence;
+use super::super::marks::Marks;
+use super::super::pictures::ReportPicture;
+use super::super::rows::rows;
+use super::super::tables::number;
+use super::html::figure;
+use super::mistakes;
+use crate::markup::escaped;
+
+/// What the course system says of the student, where it says more than the submission's name.
+pub fn student(marks: &Marks) -> Option<String> {
+    let id = marks.id.as_ref().map(|id| format!("id {id}"));
+    let late = marks.is_late.then(|| "late".to_owned());
+    if id.is_none() && late.is_none() {
+        return None;
+    }
+    let parts: Vec<String> = [marks.student.clone(), id, late].into_iter().flatten().collect();
+    Some(parts.join(", "))
+}
+
+/// The section of the submission of an index among all: points with reasons, notes and pictures.
+pub fn section(all: &[Marks], index: usize, pictures: &[ReportPicture]) -> String {
+    let marks = &all[index];
+    let mut text = format!(
+        "<section class=\"student\" id=\"s{index}\"><h2>{} <span>{} / {}</span></h2>\n",
+        escaped(&marks.name),
+        number(marks.points()),
+        number(marks.out_of())
+    );
+    if let Some(student) = student(marks) {
+        let _ = writeln!(text, "<p class=\"sum\">{}</p>", escaped(&student));
+    }
+    // Skip notes that repeat an item's reason.
+    for note in marks.notes.iter().filter(|note| marks.items.iter().all(|item| item.reason != note.text)) {
+        let class = if note.wants_a_look { "note" } else { "quiet" };
+        let _ = writeln!(text, "<p class=\"{class}\">{}</p>", escaped(&note.text));
+    }
+    text.push_str("<table class=\"items\">\n");
+    for row in rows(&marks.items) {
+        let class = if row.has_lost { "lost" } else { "full" };
+        let _ = writeln!(
+            text,
+            "<tr><td>{}</td><td class=\"n {class}\">{} / {}</td><td class=\"by\">{}</td><td>{}</td></tr>",
+            escaped(&row.title()),
+            number(row.points),
+            number(row.out_of),
+            row.evidence.map_or("", Evidence::id),
+            escaped(row.reason)
+        );
+    }
+    text.push_str("</table>\n");
+    for samples in &marks.samples {
+        let named = mistakes::named(samples);
+        if !named.is_empty() {
+            let links: Vec<String> = named.iter().map(|mistake| mistakes::link(mistake)).collect();
+            let _ = writeln!(
+                text,
+                "<p class=\"quiet\">More about what {} shows: {}.</p>",
+                escaped(&samples.file),
+                links.join(" and ")
+            );
+        }
+    }
+    if !pictures.is_empty() {
+        text.push_str("<div class=\"pictures\">\n");
+        for picture in pictures {
+            if picture.starts_row {
+                text.push_str("</div><div class=\"pictures\">\n");
+            }
+            text.push_str(&figure(picture));
+        }
+        text.push_str("</div>\n");
+    }
+    text.push_str(&neighbours(all, index));
+    text.push_str("</section>\n");
+    text
+}
+
+/// Links to the submissions before and after one, and to the overview.
+fn neighbours(all: &[Marks], index: usize) -> String {
+    let link = |sign: [&str; 2], index: usize| {
+        let name = all.get(index).map(|marks| escaped(&marks.name))?;
+        Some(format!("<a href=\"#s{index}\">{}{name}{}</a>", sign[0], sign[1]))
+    };
+    let before = index.checked_sub(1).and_then(|before| link(["← ", ""], before));
+    let after = link(["", " →"], index + 1);
+    let top = "<a href=\"#top\">↑ overview</a>".to_owned();
+    let links: Vec<String> = [before, Some(top), after].into_iter().flatten().collect();
+    format!("<nav>{}</nav>\n", links.join(" "))
+}
