@@ -153,6 +153,8 @@ pub struct Diagnosis {
     pub rows: usize,
     /// How far before the end the samples end, in key time; `None` if they reach it.
     pub ends_before: Option<f64>,
+    /// The work: how many transforms were computed.
+    pub computed: usize,
 }
 
 impl Diagnosis {
@@ -221,7 +223,7 @@ pub fn diagnose(sequence: &Sequence, samples: &Samples, listing: Listing) -> Dia
     let least = candidates[0].residual;
     let nearest = candidates.iter().take_while(|candidate| candidate.residual <= least + EQUAL_RESIDUALS).count();
     let equals = if equals == 0 { nearest } else { equals };
-    Diagnosis { candidates, equals, rows: samples.rows.len(), ends_before }
+    Diagnosis { candidates, equals, rows: samples.rows.len(), ends_before, computed: judge.computed() }
 }
 
 /// What a program shows that makes a mistake, in an interpolation if it can be made there, and the interpolation; `None` without such a

@@ -24,14 +24,20 @@ pub(super) struct Off {
     pub squared: f64,
     /// Whether it is within the tolerances.
     pub agrees: bool,
+    /// How many transforms were computed to find out.
+    pub computed: usize,
 }
 
 impl Off {
-    const FAR: Self = Self { squared: LARGEST_SQUARE, agrees: false };
+    const FAR: Self = Self { squared: LARGEST_SQUARE, agrees: false, computed: 0 };
 
     /// The nearer of two.
     fn or(self, other: Self) -> Self {
-        Self { squared: self.squared.min(other.squared), agrees: self.agrees || other.agrees }
+        Self {
+            squared: self.squared.min(other.squared),
+            agrees: self.agrees || other.agrees,
+            computed: self.computed + other.computed,
+        }
     }
 }
 
@@ -80,6 +86,7 @@ impl<'a> Comparison<'a> {
             (true, true) => Off {
                 squared: row.translation.distance_squared(shown).min(LARGEST_SQUARE),
                 agrees: (row.translation - shown).abs().cmple(DVec3::from(self.tolerances.translation) + spread).all(),
+                computed: 1,
             },
             (is_number, is_shown) => no_number(is_number == is_shown),
         }
@@ -139,7 +146,7 @@ impl<'a> Comparison<'a> {
         match (is_number(&row.rotation_wxyz), is_number(&printed)) {
             (true, true) => {
                 let from = |sign: f64| {
-                    let mut off = Off { squared: 0.0, agrees: true };
+                    let mut off = Off { squared: 0.0, agrees: true, computed: 0 };
                     for (component, tolerance) in self.tolerances.rotation.into_iter().enumerate() {
                         let far = row.rotation_wxyz[component] - sign * printed[component];
                         let spread = near.map_or(0.0, |near| {
@@ -152,7 +159,7 @@ impl<'a> Comparison<'a> {
                     off.squared = off.squared.min(LARGEST_SQUARE);
                     off
                 };
-                from(1.0).or(from(-1.0))
+                Off { computed: 1, ..from(1.0).or(from(-1.0)) }
             }
             (is_number, is_shown) => no_number(is_number == is_shown),
         }
@@ -238,7 +245,7 @@ pub fn right_rotations(
 }
 
 fn no_number(agrees: bool) -> Off {
-    Off { squared: if agrees { 0.0 } else { DISTANCE_OF_NO_NUMBER.powi(2) }, agrees }
+    Off { squared: if agrees { 0.0 } else { DISTANCE_OF_NO_NUMBER.powi(2) }, agrees, computed: 1 }
 }
 
 /// A rotation of the keyframe file as a program reads it.

@@ -3,6 +3,8 @@
 //! Translations and rotations are judged apart and remembered, so that a pair of mistakes of which one concerns translations and the other
 //! rotations costs nothing. Rows at which right playback disagrees come first: what they do not agree with is rejected at once.
 
+use std::sync::atomic::{AtomicUsize, Ordering};
+
 use super::compare::{Comparison, Off};
 use super::motion::Threshold;
 use super::rules::{Freezes, LINEAR, Moves, Rules, SPLINE, Timing, Turns};
@@ -12,6 +14,9 @@ use crate::parallel::map_in_order;
 
 /// Half the angle of the largest turn that counts as small, in radians: 40 degrees.
 const LARGEST_SMALL_TURN: f64 = 0.35;
+
+/// By so many rows the interpolation is chosen to which the samples are nearer.
+const COMPARED_FIRST: usize = 500;
 
 /// How rules agree with every row.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,6 +32,8 @@ pub(super) struct Judge<'a> {
     samples: &'a Samples,
     comparison: Comparison<'a>,
     right_agrees: bool,
+    /// How many transforms were computed so far.
+    computed: AtomicUsize,
     /// The rows in the order in which translations are judged, and rotations.
     orders: [Vec<usize>; 2],
     moves: Vec<((Timing, Moves), bool)>,
@@ -41,32 +48,56 @@ impl<'a> Judge<'a> {
             samples,
             comparison: Comparison::new(sequence, samples),
             right_agrees: true,
+            computed: AtomicUsize::new(0),
             orders: [Vec::new(), Vec::new()],
             moves: Vec::new(),
             turns: Vec::new(),
             sums_of_moves: Vec::new(),
             sums_of_turns: Vec::new(),
         };
-        let [linear, spline] = [LINEAR, SPLINE].map(|right| judge.offs(&right));
-        let sum = |offs: &[[Off; 2]]| offs.iter().flatten().map(|off| off.squared).sum::<f64>();
-        let agrees = |offs: &[[Off; 2]]| offs.iter().flatten().all(|off| off.agrees);
-        judge.right_agrees = agrees(&linear) || agrees(&spline);
+        let leaps = leaps(samples.rows.len());
+        let sum = |rules: &Rules| {
+            leaps.iter().take(COMPARED_FIRST).map(|index| judge.squared_off(*index, rules)).sum::<f64>()
+        };
+        let [nearest, other] = if sum(&LINEAR) <= sum(&SPLINE) { [LINEAR, SPLINE] } else { [SPLINE, LINEAR] };
+        let offs = judge.offs(&nearest);
+        let agrees = |part: usize| offs.iter().all(|off| off[part].agrees);
+        let [moves_agree, turns_agree] = [0, 1].map(agrees);
+        judge.orders = [0, 1].map(|part| order(&leaps, &offs, part));
+        let sums = [0, 1].map(|part| offs.iter().map(|off| off[part].squared).sum::<f64>());
+        judge.moves.push(((nearest.timing, nearest.moves), moves_agree));
+        judge.sums_of_moves.push(((nearest.timing, nearest.moves), sums[0]));
+        let agreement = turns_agree.then_some(Agreement { threshold: None, is_exact: true });
+        judge.turns.push(((nearest.timing, nearest.turns), agreement));
+        judge.sums_of_turns.push(((nearest.timing, nearest.turns), sums[1]));
+        judge.right_agrees = (moves_agree && turns_agree) || judge.agreement(&other).is_some();
         judge.comparison.is_lenient = !judge.right_agrees;
-        let nearest = if sum(&linear) <= sum(&spline) { &linear } else { &spline };
-        judge.orders = [0, 1].map(|part| order(nearest, part));
         judge
     }
 
-    /// The distances of every row from right playback: of translation, of rotation.
+    fn squared_off(&self, index: usize, rules: &Rules) -> f64 {
+        self.off(&self.samples.rows[index], rules).map(|off| off.squared).iter().sum()
+    }
+
+    /// How many transforms were computed so far: what the work is.
+    pub fn computed(&self) -> usize {
+        self.computed.load(Ordering::Relaxed)
+    }
+
+    fn counted(&self, off: Off) -> Off {
+        self.computed.fetch_add(off.computed, Ordering::Relaxed);
+        off
+    }
+
+    /// The distances of every row from right playback.
     fn offs(&self, right: &Rules) -> Vec<[Off; 2]> {
-        let rows = self.samples.rows.iter();
-        rows.map(|row| {
-            [
-                self.comparison.move_off(row, right.timing, right.moves),
-                self.comparison.turn_off(row, right.timing, &right.turns),
-            ]
-        })
-        .collect()
+        self.samples.rows.iter().map(|row| self.off(row, right)).collect()
+    }
+
+    /// The distances of a row: of translation, of rotation.
+    fn off(&self, row: &Row, rules: &Rules) -> [Off; 2] {
+        let moves = self.comparison.move_off(row, rules.timing, rules.moves);
+        [moves, self.comparison.turn_off(row, rules.timing, &rules.turns)].map(|off| self.counted(off))
     }
 
     /// Whether every row agrees with the rules, beyond what right playback explains.
@@ -89,32 +120,46 @@ impl<'a> Judge<'a> {
         if let Some((_, known)) = self.moves.iter().find(|(known, _)| *known == key) {
             return *known;
         }
-        let mut rows = self.orders[0].iter().map(|index| &self.samples.rows[*index]);
-        let found = rows.all(|row| self.comparison.move_off(row, key.0, key.1).agrees);
-        self.moves.push((key, found));
-        found
+        let sum = self.sum_if_all_agree(0, |row| self.comparison.move_off(row, key.0, key.1));
+        self.sums_of_moves.extend(sum.map(|sum| (key, sum)));
+        self.moves.push((key, sum.is_some()));
+        sum.is_some()
     }
 
-    fn turns_agree(&self, timing: Timing, turns: &Turns) -> Option<Agreement> {
-        let mut rows = self.orders[1].iter().map(|index| &self.samples.rows[*index]);
-        if turns.freezes == Freezes::Nowhere {
-            let agree = |comparison: Comparison| rows.clone().all(|row| comparison.turn_off(row, timing, turns).agrees);
-            return agree(self.comparison).then(|| {
-                let is_lenient = self.comparison.is_lenient && turns.rounding_decides();
-                let is_exact = !is_lenient || agree(Comparison { is_lenient: false, ..self.comparison });
-                Agreement { threshold: None, is_exact }
-            });
+    /// The sum of the squared distances of all rows; `None` if one does not agree. Rows are judged in the order of a part.
+    fn sum_if_all_agree(&self, part: usize, off: impl Fn(&Row) -> Off) -> Option<f64> {
+        let mut squared = vec![0.0; self.samples.rows.len()];
+        for index in &self.orders[part] {
+            let off = self.counted(off(&self.samples.rows[*index]));
+            if !off.agrees {
+                return None;
+            }
+            squared[*index] = off.squared;
         }
+        Some(squared.iter().sum())
+    }
+
+    fn turns_agree(&mut self, timing: Timing, turns: &Turns) -> Option<Agreement> {
+        if turns.freezes == Freezes::Nowhere {
+            let agree =
+                |comparison: Comparison| self.sum_if_all_agree(1, |row| comparison.turn_off(row, timing, turns));
+            let sum = agree(self.comparison)?;
+            let is_lenient = self.comparison.is_lenient && turns.rounding_decides();
+            let is_exact = !is_lenient || agree(Comparison { is_lenient: false, ..self.comparison }).is_some();
+            self.sums_of_turns.push(((timing, *turns), sum));
+            return Some(Agreement { threshold: None, is_exact });
+        }
+        let mut rows = self.orders[1].iter().map(|index| &self.samples.rows[*index]);
         if self.right_agrees {
             // Any threshold is possible that no turn is below: the usual one tells.
-            let agrees = rows.all(|row| self.comparison.turn_off(row, timing, turns).agrees);
+            let agrees = rows.all(|row| self.counted(self.comparison.turn_off(row, timing, turns)).agrees);
             return agrees.then_some(Agreement { threshold: None, is_exact: true });
         }
         // The thresholds with which every row so far agrees, as spans: above the first number, up to the second.
         let mut feasible = vec![(0.0, LARGEST_SMALL_TURN)];
         for row in rows {
-            let lowest = feasible.first()?.0;
-            let of_row = self.thresholds(row, timing, turns, lowest);
+            let within = (feasible.first()?.0, feasible.last()?.1);
+            let of_row = self.thresholds(row, timing, turns, within);
             let both = |(low, high): (f64, f64)| {
                 of_row.iter().map(move |span| (low.max(span.0), high.min(span.1))).filter(|span| span.0 < span.1)
             };
@@ -124,15 +169,15 @@ impl<'a> Judge<'a> {
         Some(Agreement { threshold: Some(f64::midpoint(low, high)), is_exact: true })
     }
 
-    /// The thresholds above `lowest` with which a row agrees.
-    fn thresholds(&self, row: &Row, timing: Timing, turns: &Turns, lowest: f64) -> Vec<(f64, f64)> {
+    /// The thresholds above the first number, up to the second, with which a row agrees.
+    fn thresholds(&self, row: &Row, timing: Timing, turns: &Turns, within: (f64, f64)) -> Vec<(f64, f64)> {
         let mut spans = Vec::new();
-        let mut low = lowest;
-        while low < LARGEST_SMALL_TURN {
+        let (mut low, highest) = within;
+        while low < highest {
             // The result is the same for every threshold above `low` and up to the next half angle that is met.
             let mut threshold = Threshold::at(low.next_up());
-            let off = self.comparison.turn_off_at(row, timing, turns, &mut threshold);
-            let high = threshold.next.min(LARGEST_SMALL_TURN).max(low.next_up());
+            let off = self.counted(self.comparison.turn_off_at(row, timing, turns, &mut threshold));
+            let high = threshold.next.min(highest).max(low.next_up());
             if off.agrees {
                 spans.push((low, high));
             }
@@ -161,7 +206,10 @@ impl<'a> Judge<'a> {
     /// The sum of the squared distances of rotations.
     fn sum_of_turns(&self, (timing, turns): (Timing, Turns), agreement: Option<Agreement>) -> f64 {
         let threshold = Threshold::known(agreement.and_then(|agreement| agreement.threshold));
-        let of_row = |row| self.comparison.turn_off_at(row, timing, &turns, &mut threshold.clone()).squared;
+        let of_row = |row| {
+            let off = self.comparison.turn_off_at(row, timing, &turns, &mut threshold.clone());
+            self.counted(off).squared
+        };
         self.samples.rows.iter().map(of_row).sum()
     }
 
@@ -170,7 +218,8 @@ impl<'a> Judge<'a> {
         let key = (rules.timing, rules.moves);
         let known = self.sums_of_moves.iter().find(|(known, _)| *known == key).map(|(_, sum)| *sum);
         let moves = known.unwrap_or_else(|| {
-            let sum = self.samples.rows.iter().map(|row| self.comparison.move_off(row, key.0, key.1).squared).sum();
+            let of_row = |row| self.counted(self.comparison.move_off(row, key.0, key.1)).squared;
+            let sum = self.samples.rows.iter().map(of_row).sum();
             self.sums_of_moves.push((key, sum));
             sum
         });
@@ -185,9 +234,8 @@ impl<'a> Judge<'a> {
     }
 }
 
-/// The rows at which a part of right playback disagrees, then the others, both in leaps over nodes and key times.
-fn order(offs: &[[Off; 2]], part: usize) -> Vec<usize> {
-    let count = offs.len();
+/// So many indices, in leaps over nodes and key times.
+fn leaps(count: usize) -> Vec<usize> {
     let is_coprime = |step: &usize| {
         let (mut a, mut b) = (*step, count);
         while b != 0 {
@@ -197,7 +245,11 @@ fn order(offs: &[[Off; 2]], part: usize) -> Vec<usize> {
     };
     let golden = (count as f64 * 0.618) as usize;
     let step = (golden.max(1)..).find(is_coprime).unwrap_or(1);
-    let leaps: Vec<usize> = (0..count).map(|index| index * step % count).collect();
-    let (agreeing, disagreeing): (Vec<_>, Vec<_>) = leaps.into_iter().partition(|index| offs[*index][part].agrees);
+    (0..count).map(|index| index * step % count).collect()
+}
+
+/// The rows at which a part of right playback disagrees, then the others, both in leaps.
+fn order(leaps: &[usize], offs: &[[Off; 2]], part: usize) -> Vec<usize> {
+    let (agreeing, disagreeing): (Vec<_>, Vec<_>) = leaps.iter().partition(|index| offs[**index][part].agrees);
     disagreeing.into_iter().chain(agreeing).collect()
 }

@@ -1,4 +1,6 @@
+use inbetween::diagnosis::{Listing, Sequence, diagnose, samples_from_csv};
 use inbetween::scene::{DEFAULT_SCENE, built_in_scene};
+use inbetween::text_layouts::read_keyframes;
 use serde_json::Value;
 
 use crate::sandbox::{Sandbox, keyframe_file};
@@ -90,6 +92,43 @@ fn every_pair_is_named() {
             let decimals = if index % 3 == 2 { 3 } else { 6 };
             Check { seed, decimals, is_single, ..plain(pair, plays_splines) }.passes();
         }
+    }
+}
+
+#[test]
+fn the_work_is_bounded_by_rows_and_not_by_candidates() {
+    let scene = built_in_scene(DEFAULT_SCENE).unwrap();
+    let made = varied_keyframes(11, 8, 22);
+    let keys = file(&made, &paths(), "two-robots", "linear", 2000);
+    let keys = read_keyframes(keys.as_bytes(), &scene).unwrap().file.keyframes;
+    let sequence = Sequence::new(&keys).unwrap();
+    // Transforms computed for each row: right playback of a part, each mistake that shows, and what tells them apart.
+    let computed = |mistake: &str, plays_splines: bool, expected: &str, for_each_row: usize| {
+        let student = Student { mistake, plays_splines, keyframes: &made };
+        let mut text = student.samples(30.0, 2000.0, false, 6);
+        if expected == "none" {
+            text = text.replace("00,5,", "00,6,");
+        }
+        let samples = samples_from_csv(text.as_bytes(), 22, 2000).unwrap();
+        assert!(samples.rows.len() >= 300 * 22, "{}", samples.rows.len());
+        let found = diagnose(&sequence, &samples, Listing::Explanations);
+        assert_eq!(if found.is_explained() { &found.best().name } else { "none" }, expected);
+        let most = for_each_row * samples.rows.len();
+        assert!(found.computed <= most, "{mistake}: {} transforms, expected at most {most}", found.computed);
+    };
+    for plays_splines in [false, true] {
+        let right = if plays_splines { "correct-catmull-rom" } else { "correct" };
+        computed("correct", plays_splines, right, 4);
+        computed("nlerp-for-slerp", plays_splines, "nlerp-for-slerp", 6);
+        computed("correct", plays_splines, "none", 6);
+    }
+    for (pair, plays_splines, for_each_row) in [
+        ("no-conditional-negation + last-sample-missing", false, 8),
+        ("nan-when-equal + nan-where-the-axis-has-no-x", true, 12),
+        ("angle-not-halved + sixth-in-integers-in-translations", true, 12),
+        ("small-turns-frozen + second-control-point-on-wrong-keyframe-in-translations", true, 30),
+    ] {
+        computed(pair, plays_splines, pair, for_each_row);
     }
 }
 
