@@ -21,7 +21,7 @@ pub use format::{
     StillFormat,
 };
 pub use formats::{
-    APNG, FORMATS, GIF, MOST_FRAMES_PER_SECOND, MP4, NOT_WRITTEN, PNG, Palette, Y4M, films, format_of_ending,
+    APNG, FORMATS, GIF, MOST_FRAMES_PER_SECOND, MP4, NOT_WRITTEN, PNG, Palette, SmallPng, Y4M, films, format_of_ending,
     format_of_path, opaque, still_names, stills, translucent, written_endings,
 };
 pub use numbers::{FrameNumbers, FrameNumbersError};

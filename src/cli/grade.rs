@@ -11,7 +11,7 @@ use super::progress::Progress;
 use super::{CliError, misuse, output};
 use crate::export::Painter;
 use crate::files::{self, scene};
-use crate::grading::{self, Found, Naming, PICTURE_SIZE, PassedOver, ReportPictures, Rubric};
+use crate::grading::{self, Found, Naming, PICTURE_SIZE, PassedOver, ReportPictures, Rubric, Studio};
 use crate::storage;
 use crate::text::counted;
 use crate::words::texts;
@@ -53,15 +53,16 @@ pub fn run(arguments: &GradeArguments, named_scene: Option<&Path>) -> Result<(),
     named.fold(places, |places, (name, path)| places.reads_as(name, "SUBMISSION", path)).check()?;
     let marks = grading::mark_all(&submissions, &rubric, &scene);
     let mut pictures = ReportPictures::default();
-    if let Some(mut painter) = painter {
+    if let Some(painter) = painter {
+        let mut studio = Studio::new(painter, &rubric, &scene)?;
         let mistakes = grading::mistakes_shown(&marks);
         let mut progress = Progress::new("submission", marks.len().max(1));
         for marks in &marks {
-            pictures.of_submissions.push(grading::pictures_of(marks, &rubric, &scene, &mut painter)?);
+            pictures.of_submissions.push(grading::pictures_of(marks, &rubric, &scene, &mut studio)?);
             progress.step();
         }
         for mistake in &mistakes {
-            pictures.of_mistakes.push(grading::film_of(mistake, &marks, &rubric, &scene, &mut painter)?);
+            pictures.of_mistakes.push(grading::film_of(mistake, &marks, &rubric, &scene, &mut studio)?);
         }
     }
     files::create_folder(folder)?;

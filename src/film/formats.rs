@@ -1,10 +1,12 @@
 //! The table of formats: one file and one row each.
 
 mod apng;
+mod changes;
 mod gif;
 mod mp4;
 mod palette;
 mod png;
+mod small_png;
 mod webp;
 mod y4m;
 
@@ -18,6 +20,7 @@ pub use gif::GIF;
 pub use mp4::MP4;
 pub use palette::Palette;
 pub use png::PNG;
+pub use small_png::SmallPng;
 pub use y4m::Y4M;
 
 /// All formats, in the order of the Export dialog: films, then single pictures.

@@ -1,12 +1,12 @@
 //! The film of a known mistake: right playback beside what a program shows that makes it.
 
 use super::marks::Marks;
-use super::pictures::{ReportPicture, animated};
 use super::report::ShownMistake;
 use super::rubric::Rubric;
 use super::shown::about_the_farthest;
+use super::studio::{ReportPicture, Studio};
 use crate::diagnosis::{Sequence, played};
-use crate::export::{ExportError, Painter, Size};
+use crate::export::ExportError;
 use crate::film::{Cell, Grid, contact_sheet};
 use crate::keyframe::{KeyframeList, PlayRange};
 use crate::scene::SceneGraph;
@@ -24,13 +24,13 @@ pub fn film_of(
     marks: &[Marks],
     rubric: &Rubric,
     scene: &SceneGraph,
-    painter: &mut Painter,
+    studio: &mut Studio,
 ) -> Result<Option<ReportPicture>, ExportError> {
     let of_first = shown.shown_by.first().map(|index| &marks[*index]);
     let own = of_first.and_then(|marks| Some((marks.keyframes.as_ref()?, marks.name.as_str())));
     let reference = rubric.reference.as_ref().map(|reference| (&reference.list, "the reference"));
     for (list, name) in reference.into_iter().chain(own) {
-        if let Some(film) = film_on(list, name, shown, rubric, scene, painter)? {
+        if let Some(film) = film_on(list, name, shown, rubric, scene, studio)? {
             return Ok(Some(film));
         }
     }
@@ -43,7 +43,7 @@ fn film_on(
     shown: &ShownMistake,
     rubric: &Rubric,
     scene: &SceneGraph,
-    painter: &mut Painter,
+    studio: &mut Studio,
 ) -> Result<Option<ReportPicture>, ExportError> {
     let (Ok(sequence), Ok(range)) = (Sequence::new(list.as_slice()), PlayRange::new(list)) else { return Ok(None) };
     let mistake = shown.mistake.name;
@@ -55,8 +55,8 @@ fn film_on(
     for pose in &poses {
         let cell = |picture, caption: &str| Cell { picture, caption: vec![caption.to_owned()] };
         let cells = [
-            cell(painter.loose_pose(scene, &pose.right, &pose.right)?, "right"),
-            cell(painter.loose_pose(scene, &pose.pose, &pose.right)?, mistake),
+            cell(studio.draw(scene, &pose.right, &pose.right)?, "right"),
+            cell(studio.draw(scene, &pose.pose, &pose.right)?, mistake),
         ];
         frames.push(contact_sheet(Grid { columns: 2, rows: 1 }, &cells));
     }
@@ -65,7 +65,5 @@ fn film_on(
         "{} playback of {name}, key time {first:.2} to {last:.2}: right on the left, {mistake} on the right",
         interpolation.title()
     );
-    let alt = format!("Film of {} pictures. {caption}", frames.len());
-    let size = Size { width: frames[0].width, height: frames[0].height };
-    Ok(Some(ReportPicture::new(&animated(&frames)?, size, caption, alt)))
+    Ok(Some(studio.picture(&frames, caption)?))
 }

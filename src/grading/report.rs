@@ -10,8 +10,8 @@ pub use mistakes::{ShownMistake, shown as mistakes_shown};
 
 use super::gather::PassedOver;
 use super::marks::Marks;
-use super::pictures::ReportPicture;
 use super::rubric::Rubric;
+use super::studio::ReportPicture;
 use super::tables::{diagnoses, number};
 use crate::markup::escaped;
 

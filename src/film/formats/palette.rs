@@ -99,14 +99,26 @@ impl Palette {
 /// A cached mapping of colours to palette indices.
 pub struct Mapping {
     palette: Palette,
+    /// The largest change of a dithered channel, in levels of 256.
+    dither_levels: i32,
     /// For each cell, the index of the colour nearest to its middle, plus one; 0 if not computed yet.
     table: Vec<u16>,
 }
 
 impl Mapping {
-    /// An empty cache.
+    /// A mapping that dithers, unless the palette has all colours.
     pub fn new(palette: Palette) -> Self {
-        Self { palette, table: vec![0; 1 << (3 * TABLE_BITS)] }
+        Self { palette, dither_levels: DITHER_LEVELS, table: vec![0; 1 << (3 * TABLE_BITS)] }
+    }
+
+    /// A mapping to the nearest colours: pictures show bands, and are packed to half the size.
+    pub fn undithered(palette: Palette) -> Self {
+        Self { dither_levels: 0, ..Self::new(palette) }
+    }
+
+    /// The palette.
+    pub const fn palette(&self) -> &Palette {
+        &self.palette
     }
 
     /// The palette indices of a picture's pixels; [`MOST_COLOURS`] for pixels with less than half opacity.
@@ -132,7 +144,7 @@ impl Mapping {
         {
             return index.to_le_bytes()[0];
         }
-        let moved = (2 * i32::from(threshold) - 63) * DITHER_LEVELS / 126;
+        let moved = (2 * i32::from(threshold) - 63) * self.dither_levels / 126;
         let shift = 8 - TABLE_BITS;
         let cells = colour.map(|channel| (i32::from(channel) + moved).clamp(0, 255) >> shift);
         let cell = cells.iter().fold(0, |cell, &part| (cell << TABLE_BITS) | part.unsigned_abs() as usize);

@@ -1,6 +1,6 @@
 //! Pictures as HTML.
 
-use super::super::pictures::ReportPicture;
+use super::super::studio::ReportPicture;
 use crate::markup::escaped;
 
 /// A picture with its caption.

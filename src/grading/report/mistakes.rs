@@ -3,8 +3,8 @@
 use std::fmt::Write as _;
 
 use super::super::marks::Marks;
-use super::super::pictures::ReportPicture;
 use super::super::samples::SampleDiagnosis;
+use super::super::studio::ReportPicture;
 use super::html::figure;
 use crate::diagnosis::{Candidate, Diagnosis, Fact, Mistake};
 use crate::interpolation::Interpolation;
