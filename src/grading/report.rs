@@ -77,6 +77,8 @@ fn overview(all: &[Marks], found: &[ShownMistake], passed_over: &[PassedOver]) -
     for (index, marks) in all.iter().enumerate() {
         let of_student = escaped(&student::student(marks).unwrap_or_default());
         let of_student = if has_students { format!("<td>{of_student}</td>") } else { String::new() };
+        let mut shown = diagnoses(marks);
+        shown.dedup();
         let share = if marks.out_of() > 0.0 { 100.0 * marks.points() / marks.out_of() } else { 0.0 };
         let _ = writeln!(
             text,
@@ -86,7 +88,7 @@ fn overview(all: &[Marks], found: &[ShownMistake], passed_over: &[PassedOver]) -
             number(marks.points()),
             number(marks.out_of()),
             escaped(&marks.evidence()),
-            escaped(&diagnoses(marks).join(", "))
+            escaped(&shown.join(", "))
         );
     }
     text.push_str("</table>\n");

@@ -72,7 +72,7 @@ pub fn sections(all: &[Marks], found: &[ShownMistake], films: &[Option<ReportPic
     for (number, ShownMistake { mistake, shown_by, .. }) in found.iter().enumerate() {
         let _ = writeln!(
             text,
-            "<section class=\"mistake\" id=\"{0}\"><h2>{0} <span>{1}</span></h2>\n<p>{2}</p>",
+            "<section class=\"mistake\" id=\"{0}\"><h2><span>{1}</span> {0}</h2>\n<p>{2}</p>",
             mistake.name,
             counted(shown_by.len(), "submission"),
             escaped(mistake.what)

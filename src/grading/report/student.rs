@@ -26,10 +26,10 @@ pub fn student(marks: &Marks) -> Option<String> {
 pub fn section(all: &[Marks], index: usize, pictures: &[ReportPicture]) -> String {
     let marks = &all[index];
     let mut text = format!(
-        "<section class=\"student\" id=\"s{index}\"><h2>{} <span>{} / {}</span></h2>\n",
-        escaped(&marks.name),
+        "<section class=\"student\" id=\"s{index}\"><h2><span>{} / {}</span> {}</h2>\n",
         number(marks.points()),
-        number(marks.out_of())
+        number(marks.out_of()),
+        escaped(&marks.name)
     );
     if let Some(student) = student(marks) {
         let _ = writeln!(text, "<p class=\"sum\">{}</p>", escaped(&student));
@@ -53,17 +53,15 @@ pub fn section(all: &[Marks], index: usize, pictures: &[ReportPicture]) -> Strin
         );
     }
     text.push_str("</table>\n");
-    for samples in &marks.samples {
-        let named = mistakes::named(samples);
-        if !named.is_empty() {
-            let links: Vec<String> = named.iter().map(|mistake| mistakes::link(mistake)).collect();
-            let _ = writeln!(
-                text,
-                "<p class=\"quiet\">More about what {} shows: {}.</p>",
-                escaped(&samples.file),
-                links.join(" and ")
-            );
+    let mut links: Vec<String> = Vec::new();
+    for mistake in marks.samples.iter().flat_map(mistakes::named) {
+        let link = mistakes::link(mistake);
+        if !links.contains(&link) {
+            links.push(link);
         }
+    }
+    if !links.is_empty() {
+        let _ = writeln!(text, "<p class=\"quiet\">What it is and how to mend it: {}.</p>", links.join(", "));
     }
     if !pictures.is_empty() {
         text.push_str("<div class=\"pictures\">\n");
