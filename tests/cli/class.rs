@@ -11,7 +11,7 @@ use crate::grade::{follows, item, text_of, zipped};
 use crate::sandbox::Sandbox;
 use crate::student::{Placed, keyframes};
 
-type Files = Vec<(String, Vec<u8>)>;
+pub type Files = Vec<(String, Vec<u8>)>;
 
 const RUBRIC: &str = r#"{"format": "inbetween.rubric", "version": 1, "reference": "reference.json",
     "points": {"readable": 2, "keyframe_count": 1, "each_keyframe": 1}}"#;
@@ -36,17 +36,17 @@ const STUDENTS: [&str; 15] = [
 ];
 
 /// What a student handed in, and what it is worth.
-struct HandIn {
-    files: Files,
-    points: f64,
-    keyframe_file: Option<&'static str>,
+pub struct HandIn {
+    pub files: Files,
+    pub points: f64,
+    pub keyframe_file: Option<&'static str>,
     /// What the reason for `readable` contains.
-    reason: &'static str,
+    pub reason: &'static str,
     /// What the notes contain.
-    notes: &'static [&'static str],
+    pub notes: &'static [&'static str],
 }
 
-fn files(files: &[(&str, &[u8])]) -> Files {
+pub fn files(files: &[(&str, &[u8])]) -> Files {
     files.iter().map(|(name, bytes)| ((*name).to_owned(), bytes.to_vec())).collect()
 }
 
@@ -76,7 +76,7 @@ fn locked(name: &str, bytes: &[u8]) -> Vec<u8> {
 }
 
 /// The keyframes as rows of translation and rotation, after a header.
-fn as_text(keyframes: &[Vec<Placed>]) -> Vec<u8> {
+pub fn as_text(keyframes: &[Vec<Placed>]) -> Vec<u8> {
     let mut text = format!("{} {}\n", keyframes.len(), keyframes[0].len());
     for ([x, y, z], [w, i, j, k]) in keyframes.iter().flatten() {
         writeln!(text, "{x} {y} {z} {w} {i} {j} {k}").unwrap();
@@ -85,7 +85,7 @@ fn as_text(keyframes: &[Vec<Placed>]) -> Vec<u8> {
 }
 
 /// Fifteen hand-ins: right, packed, beside other things, wrong and unreadable.
-fn hand_ins(made: &[Vec<Placed>]) -> Vec<HandIn> {
+pub fn hand_ins(made: &[Vec<Placed>]) -> Vec<HandIn> {
     let right = as_text(made);
     let json = text_of(made, "linear").into_bytes();
     let mut off = made.to_vec();
@@ -172,10 +172,10 @@ fn hand_ins(made: &[Vec<Placed>]) -> Vec<HandIn> {
 }
 
 /// A row: the name, student, id and whether it is late.
-type Row = (String, String, String, bool);
+pub type Row = (String, String, String, bool);
 
 /// The files of a class in the form of a course system, with its rows in the order of the hand-ins.
-fn exported(form: &str, hand_ins: &[HandIn]) -> (Files, Vec<Row>) {
+pub fn exported(form: &str, hand_ins: &[HandIn]) -> (Files, Vec<Row>) {
     let mut class = Files::new();
     let mut rows = Vec::new();
     let mut metadata = String::from("---\n");
@@ -219,7 +219,7 @@ fn exported(form: &str, hand_ins: &[HandIn]) -> (Files, Vec<Row>) {
     (class, rows)
 }
 
-fn write_all(sandbox: &Sandbox, folder: &str, files: &Files) {
+pub fn write_all(sandbox: &Sandbox, folder: &str, files: &Files) {
     for (name, bytes) in files {
         let path = sandbox.path(folder).join(name);
         std::fs::create_dir_all(path.parent().unwrap()).unwrap();
@@ -232,7 +232,7 @@ fn borrowed(files: &Files) -> Vec<(&str, &[u8])> {
 }
 
 /// Grades, checks the schema and returns the submissions by name, and what was passed over.
-fn graded(sandbox: &Sandbox, arguments: &[&str]) -> (BTreeMap<String, Value>, Vec<String>) {
+pub fn graded(sandbox: &Sandbox, arguments: &[&str]) -> (BTreeMap<String, Value>, Vec<String>) {
     let all: Vec<&str> =
         ["grade", "rubric.json"].iter().chain(arguments).chain(&["-o", "out", "--no-images"]).copied().collect();
     sandbox.run(&all).succeeds();

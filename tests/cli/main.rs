@@ -5,6 +5,7 @@ mod action;
 mod bounds;
 mod check;
 mod class;
+mod class_mistakes;
 mod compare;
 mod convert;
 mod diagnose;
