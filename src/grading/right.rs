@@ -50,6 +50,12 @@ impl<'a> Right<'a> {
         Ok(Self { list, range, sequence, ms_between_keyframes, is_own })
     }
 
+    /// Whether the same is shown at each key time, and in each millisecond.
+    pub fn plays_like(&self, other: &Self) -> bool {
+        let poses = |right: &Self| right.list.as_slice().iter().map(|keyframe| keyframe.pose.clone());
+        self.ms_between_keyframes == other.ms_between_keyframes && poses(self).eq(poses(other))
+    }
+
     /// The last key time.
     pub fn end(&self) -> f64 {
         self.range.last_key_time() as f64

@@ -37,11 +37,16 @@ pub struct Rights<'a> {
 impl<'a> Rights<'a> {
     /// `follows_through` says whether playback is judged by the submission's own keyframes too. It is where there is no reference.
     pub fn new(parsed: &'a Parsed, rubric: &'a Rubric, follows_through: bool) -> Self {
+        let reference = Right::reference(rubric);
         let own = match &parsed.keyframes {
-            Ok(own) => Right::own(&own.list, own.ms_between_keyframes),
+            Ok(own) => {
+                // A text holds no pace.
+                let of_reference = reference.as_ref().map(|reference| reference.ms_between_keyframes);
+                let ms = own.held.1.or(of_reference).unwrap_or(own.ms_between_keyframes);
+                Right::own(&own.list, ms)
+            }
             Err(_) => Err("there are no keyframes to compare with".to_owned()),
         };
-        let reference = Right::reference(rubric);
         Self { own_counts: follows_through || reference.is_none(), reference, own }
     }
 
@@ -58,9 +63,11 @@ impl<'a> Rights<'a> {
         }
     }
 
-    /// Those by which samples are explained: a program may have played its own keyframes or the reference's.
+    /// Those by which samples are explained: a program may have played its own keyframes or the reference's. Where these are the same, once.
     fn of_explanations(&self) -> impl Iterator<Item = &Right<'a>> {
-        self.own.iter().chain(&self.reference)
+        let own = self.own.as_ref().ok();
+        own.into_iter()
+            .chain(self.reference.iter().filter(move |reference| own.is_none_or(|own| !own.plays_like(reference))))
     }
 }
 
