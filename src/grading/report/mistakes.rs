@@ -28,6 +28,16 @@ pub fn named(samples: &SampleDiagnosis) -> Vec<&'static Mistake> {
     mistakes.filter(|mistake| !mistake.is_right()).collect()
 }
 
+/// What else explains samples that show a mistake.
+pub fn also(samples: &SampleDiagnosis) -> impl Iterator<Item = &Candidate> {
+    let wrong = explanation(samples).filter(|best| !best.is_right());
+    let diagnosis = samples.diagnosis.as_ref().ok().filter(|_| wrong.is_some());
+    diagnosis.into_iter().flat_map(Diagnosis::also).filter(move |other| {
+        // Samples that end early agree with the same without an early end, which says nothing more.
+        wrong.is_none_or(|best| !best.mistakes.starts_with(&other.mistakes) && !other.is_right())
+    })
+}
+
 fn explanation(samples: &SampleDiagnosis) -> Option<&Candidate> {
     samples.diagnosis.as_ref().ok().filter(|diagnosis| diagnosis.is_explained()).map(Diagnosis::best)
 }
@@ -44,7 +54,11 @@ pub fn shown(all: &[Marks]) -> Vec<ShownMistake> {
                     Some(known) if known.shown_by.last() == Some(&index) => {}
                     Some(known) => known.shown_by.push(index),
                     None => {
-                        found.push(ShownMistake { mistake, interpolation: best.interpolation(), shown_by: vec![index] })
+                        found.push(ShownMistake {
+                            mistake,
+                            interpolation: best.interpolation(),
+                            shown_by: vec![index],
+                        });
                     }
                 }
             }

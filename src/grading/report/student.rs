@@ -53,6 +53,13 @@ pub fn section(all: &[Marks], index: usize, pictures: &[ReportPicture]) -> Strin
         );
     }
     text.push_str("</table>\n");
+    for samples in &marks.samples {
+        let also: Vec<&str> = mistakes::also(samples).map(|candidate| candidate.name.as_str()).collect();
+        if !also.is_empty() {
+            let file = escaped(&samples.file);
+            let _ = writeln!(text, "<p class=\"quiet\">{file} agrees as well with: {}.</p>", also.join(", "));
+        }
+    }
     let mut links: Vec<String> = Vec::new();
     for mistake in marks.samples.iter().flat_map(mistakes::named) {
         let link = mistakes::link(mistake);

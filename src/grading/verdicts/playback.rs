@@ -2,7 +2,7 @@
 
 use super::{MOST_FRAMES, Marker, NO_REFERENCE, UNREADABLE};
 use crate::animation_diff::{Played, frame_times_ms};
-use crate::diagnosis::{Candidate, Diagnosis, Mistake};
+use crate::diagnosis::{Diagnosis, Mistake};
 use crate::grading::item::{Evidence, ItemKind, Verdict};
 use crate::grading::judgement::Judgement;
 use crate::grading::off::Off;
@@ -108,8 +108,7 @@ impl Marker<'_> {
 fn explanation(diagnosis: &Diagnosis, explains_own: bool) -> String {
     let best = diagnosis.best();
     if !diagnosis.is_explained() {
-        let Candidate { name, residual, .. } = best;
-        return format!("None of the known mistakes explains it; {name} is nearest, residual {residual:.2e}.");
+        return "None of the known mistakes explains it.".to_owned();
     }
     if best.is_right() {
         let whose = if explains_own { "the submission's own keyframes" } else { "the reference" };
