@@ -130,17 +130,19 @@ fn written(case: &Case, folder: &Path) -> String {
             let _ = writeln!(text, "# {name}");
             continue;
         }
+        let is_report = name.ends_with("report.html");
+        let bytes = if is_report { without_pictures(&bytes) } else { bytes };
         let _ = writeln!(text, "# {name} {}", hash(&bytes));
         let name = Path::new(&name);
         if name.file_name().is_some_and(|name| name == "grades.csv") {
             text += &marked(&String::from_utf8_lossy(&bytes), "= ");
         } else if name.file_name().is_some_and(|name| name == "grades.json") {
             text += &marked(&reasons(&bytes), "= ");
-        } else if name.file_name().is_some_and(|name| name == "report.html") {
+        } else if is_report {
             let report = String::from_utf8_lossy(&bytes);
             text += &report
                 .lines()
-                .filter(|line| line.contains("class=\"note\""))
+                .filter(|line| ["<p class=\"note\"", "<p class=\"quiet\""].iter().any(|start| line.starts_with(start)))
                 .map(|note| format!("= {note}\n"))
                 .collect::<String>();
         } else if name.extension().is_some_and(|ending| ending == "csv") && bytes.len() <= LONGEST {
@@ -148,6 +150,15 @@ fn written(case: &Case, folder: &Path) -> String {
         }
     }
     text
+}
+
+/// A page without the bytes of its pictures.
+fn without_pictures(page: &[u8]) -> Vec<u8> {
+    let page = String::from_utf8_lossy(page);
+    let mut parts = page.split("base64,");
+    let first = parts.next().unwrap_or_default().to_owned();
+    let rest = parts.map(|part| part.find('"').map_or(part, |end| &part[end..]));
+    rest.fold(first, |text, part| text + "base64," + part).into_bytes()
 }
 
 fn is_picture(name: &str) -> bool {
