@@ -57,6 +57,14 @@ pub fn content_of(bytes: &[u8], scene: &SceneGraph) -> Content {
     }
     let (problems, is_source) = match import(bytes, scene, &Options::of_keyframes()) {
         Ok(Imported::KeyframeFile(file)) => return Content::Keyframes(file, None),
+        Ok(Imported::Text(file, _)) if file.keyframes.is_empty() => {
+            let is_alike = is_alike(&start, bytes);
+            return Content::Unreadable(Unreadable {
+                problem: "it holds no keyframes".to_owned(),
+                is_empty: false,
+                is_alike,
+            });
+        }
         Ok(Imported::Text(file, report)) => {
             let text = report.to_string().replace('\n', "; ");
             return Content::Keyframes(file, Some(Note { text, wants_a_look: !report.is_sure() }));
@@ -150,6 +158,7 @@ mod tests {
             ("rbt_ind\tkey_time\ttx", "samples"),
             ("float key_time = 0; // of rbt_ind", "other"),
             ("time,node,x\n0,sky,1\n", "other"),
+            ("time,node\n0,1\n", "other"),
             ("{\"line\": 1, \"command\": \"key n\", \"keyframes\": 1, \"playing\": false}\n", "trace"),
             ("{\"format\": \"inbetween.keyframes\", \"command\": 1}", "alike"),
             ("{\"step\": 1}\n{\"step\": 2}\n", "trace"),
