@@ -63,6 +63,7 @@ pub fn content_of(bytes: &[u8], scene: &SceneGraph) -> Content {
                 problem: "it holds no keyframes".to_owned(),
                 is_empty: false,
                 is_alike,
+                is_source: false,
             });
         }
         Ok(Imported::Text(file, report)) => {
