@@ -64,6 +64,7 @@ fn of_length(structure: &Structure, skip: usize, width: usize, counts: &Counts) 
     };
     if let [(0, 0), (1, nodes)] = values.as_slice()
         && body == 0
+        && (*nodes == 0 || counts.accept(*nodes))
     {
         return Some(header(0, *nodes, [Some(0), Some(1)]));
     }

@@ -75,7 +75,9 @@ impl<'a> Lexer<'a> {
             let line = line(rest).trim_ascii_end();
             return (line.len(), Token::Mark(line));
         }
-        let kind = MarkKind::of(run);
+        // Nothing but a number begins as one does.
+        let begins_number = is_plain(&run[0]) && !run[0].is_ascii_alphabetic();
+        let kind = if begins_number { MarkKind::Other } else { MarkKind::of(&run[..run.len().min(LONGEST_WORD)]) };
         if kind == MarkKind::Frame && !self.is_line_start {
             let line = line(rest).trim_ascii_end();
             return (line.len(), Token::Mark(line));
@@ -111,8 +113,8 @@ impl<'a> Lexer<'a> {
         let label = &run[..length];
         let stands_before = matches!(run.get(length), Some(b'(' | b'[' | b'{' | b':' | b'='));
         let is_all = length == run.len();
-        let ends_line =
-            is_all && line(&rest[length..]).iter().all(|&byte| is_blank(byte) || matches!(byte, b',' | b';'));
+        let behind = rest[length..].iter().take_while(|&&byte| byte != b'\n');
+        let ends_line = is_all && behind.copied().all(|byte| is_blank(byte) || matches!(byte, b',' | b';'));
         let is_text = std::str::from_utf8(label).is_ok();
         (is_text && (stands_before || is_all && (self.is_line_start || ends_line))).then_some(label)
     }
@@ -165,10 +167,22 @@ pub(super) fn not_a_number(bytes: &[u8], piece: Piece<'_>, expected: Phrase) -> 
     TextError::new(bytes, piece.at, problem)
 }
 
-/// The bytes up to the next blank, separator or line end.
+/// A run is looked at so far behind the signs of numbers that it begins with: more would be looked at again and again.
+const LONGEST_RUN: usize = 100;
+/// The words of marks stand within so many bytes.
+const LONGEST_WORD: usize = 40;
+
+/// The bytes up to the next blank, separator or line end, or as many as are looked at.
 fn run(rest: &[u8]) -> &[u8] {
+    let plain = rest.iter().position(|byte| !is_plain(byte)).unwrap_or(rest.len());
+    let longest = &rest[..rest.len().min(plain + LONGEST_RUN)];
     let is_end = |&byte: &u8| is_blank(byte) || matches!(byte, b'\n' | b',' | b';');
-    &rest[..rest.iter().position(is_end).unwrap_or(rest.len())]
+    &rest[..longest.iter().position(is_end).unwrap_or(longest.len())]
+}
+
+/// Whether numbers may be written with a byte.
+fn is_plain(byte: &u8) -> bool {
+    matches!(byte, b'0'..=b'9' | b'+' | b'-' | b'.' | b'e' | b'E')
 }
 
 /// The rest of a line, without its end.
@@ -216,8 +230,7 @@ fn is_sign(byte: u8) -> bool {
 
 fn number(run: &[u8]) -> Option<f32> {
     // The standard library also accepts `inf` and `nan`.
-    let is_plain = run.iter().all(|byte| matches!(byte, b'0'..=b'9' | b'+' | b'-' | b'.' | b'e' | b'E'));
-    if is_plain { std::str::from_utf8(run).ok()?.parse().ok() } else { None }
+    if run.iter().all(is_plain) { std::str::from_utf8(run).ok()?.parse().ok() } else { None }
 }
 
 /// The output of C and C++ programs for NaN and infinity: `nan`, `-nan(ind)`, `inf`, `1.#QNAN`, `-1.#IND`.

@@ -43,10 +43,10 @@ fn a_keyframe_that_is_too_far_is_refused_with_its_place() {
         }
     }
     let row = "2e6 0 0 1 0 0 0\n";
-    sandbox.write("a.txt", ["0 0 0 1 0 0 0\n".repeat(22), row.repeat(22)].concat());
+    sandbox.write("a.txt", ["2 22\n".to_owned(), "0 0 0 1 0 0 0\n".repeat(22), row.repeat(22)].concat());
     sandbox
         .run(&["convert", "a.txt", "-o", "b.json"])
-        .refuses("a.txt: line 23 column 1: keyframe 1, row 0: the translation is too far away, expected coordinates between -1e6 and 1e6");
+        .refuses("a.txt: line 24 column 1: keyframe 1, row 0: the translation is too far away, expected coordinates between -1e6 and 1e6");
 }
 
 #[test]

@@ -47,7 +47,7 @@ fn what_cannot_be_understood() {
     check_problem("wait 5 ms", "expected `wait TIME`, found `wait 5 ms`");
     check_problem("undo it", "expected `undo`, found `undo it`");
     check_problem("redo 2", "expected `redo`, found `redo 2`");
-    check_problem("screenshot", "expected `screenshot PATH`, found `screenshot`");
+    check_problem("screenshot", "expected `screenshot [--overlays] PATH`, found `screenshot`");
     check_problem("do Fly", "\"Fly\" is not in the list of commands");
     check_problem("do", "expected `do NAME`, found `do`");
     check_problem("go x", "\"x\" is not a keyframe; expected a whole number from 0");
