@@ -134,7 +134,11 @@ impl Item {
     /// An item that gets the share of the points that the verdict gives.
     #[must_use]
     pub fn new(kind: ItemKind, out_of: f64, verdict: Verdict) -> Self {
-        let Verdict { share, reason, evidence } = verdict;
+        let Verdict { share, mut reason, evidence } = verdict;
+        // Sentences of reading a file end without a full stop, since they may be quoted.
+        if !reason.is_empty() && !reason.ends_with(['.', '!', '?']) {
+            reason.push('.');
+        }
         Self { kind, points: out_of * share, out_of, reason, evidence }
     }
 

@@ -11,7 +11,7 @@ use crate::interpolation::Interpolation;
 use crate::keyframe::PlayRange;
 use crate::pose::RbtIndex;
 
-const HAND_IN: &str = "hand in a CSV file of them, as for diagnose. The rubric may also say playback = \"assumed\".";
+const HAND_IN: &str = "hand in a CSV file of them, as for diagnose.";
 
 impl Marker<'_> {
     /// Samples of that playback decide; of several files that which earns the most.
