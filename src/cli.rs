@@ -9,13 +9,16 @@
 
 mod arguments;
 mod check;
+mod common;
 mod compare;
 mod convert;
 mod diagnose;
 mod diff;
 #[cfg(target_os = "linux")]
 mod drivers;
+mod each;
 mod error;
+mod generate;
 mod grade;
 mod help;
 mod info;
@@ -25,19 +28,20 @@ mod nodes;
 mod output;
 mod places;
 mod progress;
+mod reading;
 mod recover;
 mod reference;
 mod render;
 mod sample;
 mod script;
+mod targets;
 mod verify;
 mod window;
 
 use std::ffi::OsString;
 use std::process::ExitCode;
 
-use clap::error::ErrorKind;
-use clap::{CommandFactory as _, Parser as _};
+use clap::FromArgMatches as _;
 
 use crate::files::scene;
 use crate::signals;
@@ -48,6 +52,7 @@ use crate::words::{Message, texts};
 pub use reference::command_reference;
 
 use arguments::{Arguments, Subcommand};
+use common::Common;
 use error::{CliError, Ended};
 
 /// Does what the arguments say, of which the first is the program's name. The result is the process's exit status.
@@ -60,8 +65,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     let _ = env_logger::Builder::from_env(log_level).try_init();
     let arguments: Vec<OsString> = arguments.into_iter().collect();
     match dispatch(&arguments) {
-        Ok(Ended::Well) => ExitCode::SUCCESS,
-        Ok(Ended::Beyond) => ExitCode::from(1),
+        Ok(ended) => ExitCode::from(ended.status()),
         Err(CliError::Usage(error)) => {
             let text = error.to_string();
             if error.use_stderr() && visible(&text) != text {
@@ -72,6 +76,11 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
             }
             ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2))
         }
+        Err(CliError::Misuse(sentence)) => {
+            output::complain(&sentence);
+            ExitCode::from(error::MISUSE)
+        }
+        Err(CliError::Said { status }) => ExitCode::from(status),
         Err(CliError::Failed { status, sentences, source }) => {
             if let Some(source) = source {
                 log::debug!("the command failed: {source:?}");
@@ -87,49 +96,56 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
 }
 
 fn dispatch(arguments: &[OsString]) -> Result<Ended, CliError> {
-    let mistyped = || mistyped::mistyped_command(arguments, &mut Arguments::command());
-    let Arguments { scene, file, print_lines, window_panic_at, drawing_panic_at, device_lost_at, command } =
-        match Arguments::try_parse_from(arguments) {
-            Ok(read) => read,
-            Err(error) if error.use_stderr() => return Err(mistyped().unwrap_or(error).into()),
-            Err(help) => return Err(help.into()),
+    let mistyped = || mistyped::mistyped_command(arguments, &mut arguments::command());
+    let matches = match arguments::command().try_get_matches_from(arguments) {
+        Ok(matches) => matches,
+        Err(error) if error.use_stderr() => return Err(mistyped().unwrap_or(error).into()),
+        Err(help) => return Err(help.into()),
+    };
+    let read = Arguments::from_arg_matches(&matches)?;
+    if let (None, Some(_), Some(error)) = (&read.command, &read.file, mistyped()) {
+        return Err(error.into());
+    }
+    perform(read).map_err(|error| error.with_usage_of(matches.subcommand_name()))
+}
+
+fn perform(arguments: Arguments) -> Result<Ended, CliError> {
+    let Arguments { scene, quiet, file, print_lines, window_panic_at, drawing_panic_at, device_lost_at, command } =
+        arguments;
+    let common = Common { scene: scene.as_deref(), is_quiet: quiet };
+    let Some(command) = command else {
+        let tests = ForTests {
+            prints: print_lines,
+            panics_at: window_panic_at,
+            panics_in_drawing_at: drawing_panic_at,
+            loses_device_at: device_lost_at,
         };
-    let scene = scene.as_deref();
-    if command.is_some() {
-        // The window listens in its own way.
-        signals::listen(|signal| Some(ended_by(signal)));
+        window::run(common.scene, file, tests)?;
+        return Ok(Ended::Well);
+    };
+    // The window listens in its own way.
+    signals::listen(|signal| Some(ended_by(signal)));
+    if file.is_some() {
+        return Err(misuse("a FILE to open in the window and a command cannot go together"));
     }
     match command {
-        None => {
-            if let Some(error) = file.as_ref().and_then(|_| mistyped()) {
-                return Err(error.into());
-            }
-            let tests = ForTests {
-                prints: print_lines,
-                panics_at: window_panic_at,
-                panics_in_drawing_at: drawing_panic_at,
-                loses_device_at: device_lost_at,
-            };
-            window::run(scene, file, tests)?;
-        }
-        Some(_) if file.is_some() => {
-            return Err(misuse("a FILE to open in the window and a command cannot go together"));
-        }
-        Some(Subcommand::Help(arguments)) => help::run(&arguments)?,
-        Some(Subcommand::Check(arguments)) => check::run(&arguments, scene)?,
-        Some(Subcommand::Convert(arguments)) => convert::run(&arguments, scene)?,
-        Some(Subcommand::Info(arguments)) => info::run(&arguments, scene)?,
-        Some(Subcommand::Join(arguments)) => join::run(&arguments)?,
-        Some(Subcommand::Nodes) => nodes::run(&scene::load(scene)?)?,
-        Some(Subcommand::Sample(arguments)) => sample::run(&arguments, scene)?,
-        Some(Subcommand::Render(arguments)) => render::run(&arguments, scene)?,
-        Some(Subcommand::Diagnose(arguments)) => diagnose::run(&arguments, scene)?,
-        Some(Subcommand::Diff(arguments)) => return diff::run(&arguments, scene),
-        Some(Subcommand::Grade(arguments)) => grade::run(&arguments, scene)?,
-        Some(Subcommand::Verify(arguments)) => return verify::run(&arguments, scene),
-        Some(Subcommand::Compare(arguments)) => return compare::run(&arguments),
-        Some(Subcommand::Script(arguments)) => return script::run(&arguments, scene),
-        Some(Subcommand::Recover(arguments)) => recover::run(&arguments)?,
+        Subcommand::Check(arguments) => return check::run(&arguments, common),
+        Subcommand::Convert(arguments) => return convert::run(&arguments, common),
+        Subcommand::Sample(arguments) => return sample::run(&arguments, common),
+        Subcommand::Diff(arguments) => return diff::run(&arguments, common),
+        Subcommand::Verify(arguments) => return verify::run(&arguments, common),
+        Subcommand::Compare(arguments) => return compare::run(&arguments, common),
+        Subcommand::Script(arguments) => return script::run(&arguments, common),
+        Subcommand::Info(arguments) => info::run(&arguments, common)?,
+        Subcommand::Join(arguments) => join::run(&arguments, common)?,
+        Subcommand::Nodes(arguments) => nodes::run(&arguments, common)?,
+        Subcommand::Render(arguments) => render::run(&arguments, common)?,
+        Subcommand::Diagnose(arguments) => diagnose::run(&arguments, common)?,
+        Subcommand::Grade(arguments) => grade::run(&arguments, common)?,
+        Subcommand::Recover(arguments) => recover::run(&arguments, common)?,
+        Subcommand::Completions(arguments) => generate::completions(&arguments)?,
+        Subcommand::Man(arguments) => generate::man(&arguments, common)?,
+        Subcommand::Help(arguments) => help::run(&arguments)?,
     }
     Ok(Ended::Well)
 }
@@ -145,5 +161,5 @@ fn ended_by(signal: i32) -> String {
 
 /// Wrong usage that no single argument shows.
 fn misuse(sentence: &str) -> CliError {
-    CliError::Usage(Arguments::command().error(ErrorKind::ArgumentConflict, sentence))
+    CliError::Misuse(sentence.to_owned())
 }

@@ -9,7 +9,7 @@ mod image;
 mod known;
 pub mod scene;
 
-pub use animation::{keyframe_file, keyframes_of_any_layout};
+pub use animation::keyframes;
 pub use error::{FileError, WorkError};
 pub use image::{LARGEST_IMAGE_BYTES, image, image_size};
 pub use known::{known_at_start, read_known, write_known};

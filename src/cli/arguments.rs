@@ -5,6 +5,8 @@ mod compare;
 mod convert;
 mod diagnose;
 mod diff;
+mod examples;
+mod generate;
 mod grade;
 mod help;
 mod info;
@@ -19,13 +21,14 @@ mod verify;
 
 use std::path::PathBuf;
 
-use clap::{Args, Parser};
+use clap::{Args, CommandFactory as _, Parser};
 
 pub use check::CheckArguments;
 pub use compare::CompareArguments;
 pub use convert::ConvertArguments;
 pub use diagnose::DiagnoseArguments;
 pub use diff::DiffArguments;
+pub use generate::{CompletionsArguments, ManArguments};
 pub use grade::GradeArguments;
 pub use info::InfoArguments;
 pub use join::JoinArguments;
@@ -40,6 +43,8 @@ pub use verify::VerifyArguments;
 pub const DEFAULT_KEYFRAME_FILE: &str = "animation.json";
 
 const AFTER_HELP: &str = "\
+`-` is standard input for FILE, and standard output for -o.
+
 Keyframes are counted from 0. Key times count played keyframes: with N keyframes in the list, the first and the last only steer, \
 and key times run from 0 (keyframe 1) to N - 3 (keyframe N - 2).
 
@@ -47,11 +52,14 @@ Exit status: 0 done; 1 bad input, said on standard error; 2 wrong usage; 3 no di
 
 /// Animate a scene with keyframes: in a window, or with one of the commands below.
 #[derive(Debug, Parser)]
-#[command(name = "inbetween", version, after_help = AFTER_HELP, disable_help_subcommand = true)]
+#[command(name = "inbetween", version, disable_help_subcommand = true)]
 pub struct Arguments {
     /// The scene: a built-in one (two-robots, cylinder, orbits), or a scene file of at most 256 MiB.
     #[arg(long, global = true, value_name = "NAME|FILE")]
     pub scene: Option<PathBuf>,
+    /// Say only what was asked for and what is wrong: no notes, no reports, no progress.
+    #[arg(short, long, global = true)]
+    pub quiet: bool,
     /// The keyframe file to open in the window, loaded if it exists [default: animation.json, not loaded].
     pub file: Option<PathBuf>,
     /// For tests: after each command the window prints how many lines its journal has, and a hash of what it must bring back; and
@@ -78,45 +86,59 @@ pub enum Subcommand {
     /// Validate keyframe files: one line a file, one a problem.
     Check(CheckArguments),
     /// Read keyframes in any layout that students' own programs write, and write a keyframe file, or another layout.
-    #[command(long_about = convert::HELP, after_long_help = "Manual: inbetween help texts")]
+    #[command(long_about = convert::HELP)]
     Convert(ConvertArguments),
     /// Describe a keyframe file or a text: keyframes, nodes, scene, timing, and the frames of its film.
-    #[command(after_long_help = "Manual: inbetween help farms")]
     Info(InfoArguments),
     /// Print the paths of the scene's RBT nodes, one a line, in the order of poses.
-    Nodes,
+    Nodes(NodesArguments),
     /// Print poses as JSON or CSV: of an animation at key times, or the scene's rest pose.
-    #[command(after_long_help = "Manual: inbetween help command-line")]
     Sample(SampleArguments),
     /// Render images and films: of an animation, or of the scene's rest pose. Needs no display.
-    #[command(after_long_help = "Manual: inbetween help films")]
     Render(RenderArguments),
     /// Make a film of the numbered images in a folder, which may have been drawn in parts, on many machines.
-    #[command(long_about = join::HELP, after_long_help = "Manual: inbetween help farms")]
+    #[command(long_about = join::HELP)]
     Join(JoinArguments),
     /// Render what DIR/pictures.json lists and compare it with the references beside it. Exit status: 1 on a difference or a missing reference.
-    #[command(after_long_help = "Manual: inbetween help ci")]
     Verify(VerifyArguments),
     /// Compare two PNG images by the differences that an eye notices (FLIP). Exit status: 0 within the tolerance, 1 beyond, 2 trouble.
-    #[command(after_long_help = "Manual: inbetween help films")]
     Compare(CompareArguments),
     /// Run a script of hotkeys and gestures with no window.
-    #[command(long_about = script::help(), after_long_help = "Manual: inbetween help scripts")]
+    #[command(long_about = script::help())]
     Script(ScriptArguments),
     /// Get back what was not saved when a program ended, out of its journal.
-    #[command(after_long_help = "Manual: inbetween help recovery")]
     Recover(RecoverArguments),
     /// Name the mistake that explains what a program showed, from samples of its playback.
-    #[command(long_about = diagnose::help(), after_long_help = "Manual: inbetween help grading")]
+    #[command(long_about = diagnose::help())]
     Diagnose(DiagnoseArguments),
     /// Compare two animations node by node, as they play. Exit status: 0 within tolerance, 1 beyond, 2 trouble.
-    #[command(after_long_help = "Manual: inbetween help grading")]
     Diff(DiffArguments),
     /// Grade submissions by a rubric: grades.csv, grades.json and report.html.
-    #[command(long_about = grade::HELP, after_long_help = "Manual: inbetween help grading")]
+    #[command(long_about = grade::HELP)]
     Grade(GradeArguments),
+    /// Print the completions of a shell: what it proposes after `inbetween` and the tab key.
+    Completions(CompletionsArguments),
+    /// Write pages for the program `man` to a folder.
+    Man(ManArguments),
     /// Print the help of a command, or a page of the manual.
     Help(HelpArguments),
+}
+
+/// The whole command line, with what stands below the help of each command.
+pub fn command() -> clap::Command {
+    let program = Arguments::command().after_help(format!("{AFTER_HELP}\n\n{}", examples::below("")));
+    program.mut_subcommands(|command| {
+        let below = examples::below(command.get_name());
+        command.after_help(below)
+    })
+}
+
+/// Arguments of `nodes`.
+#[derive(Debug, Args)]
+pub struct NodesArguments {
+    /// Print a JSON list.
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// Arguments of `help`.
@@ -129,10 +151,9 @@ pub struct HelpArguments {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use clap::CommandFactory as _;
 
     #[test]
     fn the_arguments_are_consistent() {
-        Arguments::command().debug_assert();
+        command().debug_assert();
     }
 }

@@ -1,39 +1,75 @@
-//! `inbetween check`: checks keyframe files.
+//! `inbetween check`: checks keyframes.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
+
+use serde_json::{Value, json};
 
 use super::arguments::CheckArguments;
+use super::each::{Done, Outcome, Telling, each, tell};
 use super::places::Places;
-use super::{CliError, output, scene};
-use crate::files::{self, FileError};
+use super::{CliError, Common, Ended, output, reading, scene};
 use crate::scene::SceneGraph;
-use crate::storage;
+use crate::storage::input_name;
 use crate::text::counted;
+use crate::text_layouts::Reading;
+use crate::words::texts;
 
-/// Checks the files: a line for each, or one for each problem, in the order of the files.
+/// Checks the files: a line for each, or one for each problem, in the order of the files. Where any file is bad, all of the lines go to
+/// standard error. A quiet check prints problems and a summary.
 ///
 /// # Errors
-/// [`CliError`] with all of the lines, where any file is bad.
-pub fn run(arguments: &CheckArguments, scene: Option<&Path>) -> Result<(), CliError> {
-    let places = Places::with_scene(scene);
+/// [`CliError`]: a file is bad, which has been said then.
+pub fn run(arguments: &CheckArguments, common: Common<'_>) -> Result<Ended, CliError> {
+    let places = Places::with_scene(common.scene);
     arguments.files.iter().fold(places, |places, file| places.reads("FILE", file)).check()?;
-    let scene = &scene::load(scene)?;
-    let mut lines = Vec::new();
-    let mut are_good = true;
-    for file in &arguments.files {
-        match verdict(file, scene) {
-            Ok(line) => lines.push(line),
-            Err(problems) => {
-                are_good = false;
-                lines.extend(problems.sentences().iter().cloned());
-            }
-        }
+    let scene = &scene::load(common.scene)?;
+    let shown = |file: &PathBuf| input_name(file);
+    let named = |file: &PathBuf| json!({"file": input_name(file)});
+    let outcomes = each(&arguments.files, common, shown, named, |file| verdict(file, scene, common))?;
+    if arguments.json {
+        return tell(outcomes, Telling { is_json: true, data: None });
     }
-    if are_good { output::say(&(lines.join("\n") + "\n")) } else { Err(CliError::bad_inputs(lines)) }
+    let bad = outcomes.iter().filter(|(_, outcome)| outcome.is_err()).count();
+    let summary = if bad == 0 {
+        texts::check_all_good(outcomes.len())
+    } else {
+        texts::check_some_bad(bad.to_string(), outcomes.len())
+    };
+    let mut text = lines(outcomes, common.is_quiet);
+    if common.is_quiet {
+        text.push_str(&format!("{summary}\n"));
+    }
+    if bad == 0 {
+        output::say(&text)?;
+        return Ok(Ended::Well);
+    }
+    output::complain(text.trim_end());
+    Ok(Ended::Beyond)
 }
 
-fn verdict(file: &Path, scene: &SceneGraph) -> Result<String, FileError> {
-    let (keyframes, interpolation, ms) = files::keyframe_file(file, scene)?.into_parts();
-    let keyframes = counted(keyframes.len(), "keyframe");
-    Ok(format!("{}: ok, {keyframes}, {}, {ms} ms", storage::input_name(file), interpolation.name()))
+fn lines(outcomes: Vec<Outcome>, is_quiet: bool) -> String {
+    let mut text = String::new();
+    for (_, outcome) in outcomes {
+        match outcome {
+            Ok(done) if !is_quiet => text.push_str(&done.lines),
+            Ok(_) => {}
+            Err(error) => text.extend(error.into_sentences().1.iter().map(|sentence| format!("{sentence}\n"))),
+        }
+    }
+    text
+}
+
+fn verdict(file: &Path, scene: &SceneGraph, common: Common<'_>) -> Result<Done, CliError> {
+    let Reading { file: content, report } = reading::keyframes(file, scene, common)?;
+    let (keyframes, interpolation, ms) = content.into_parts();
+    let (count, interpolation) = (keyframes.len(), interpolation.name());
+    let fields = json!({
+        "ok": true,
+        "keyframes": count,
+        "interpolation": interpolation,
+        "ms_between_keyframes": ms,
+        "text": report.map_or(Value::Null, |report| report.json()),
+    });
+    let keyframes = counted(count, "keyframe");
+    Ok(Done::well(format!("{}: ok, {keyframes}, {interpolation}, {ms} ms\n", input_name(file)), fields))
 }

@@ -3,21 +3,18 @@
 mod film;
 
 use std::fmt::Write as _;
-use std::path::Path;
 
 use super::arguments::DiagnoseArguments;
 use super::places::Places;
-use super::{CliError, output, scene};
+use super::{CliError, Common, output, reading, scene};
 use crate::diagnosis::{
     self, Candidate, Diagnosis, LARGEST_SAMPLES_BYTES, Listing, Row, Samples, Sequence, samples_from_csv,
 };
 use crate::export::Animation;
 use crate::files::{self, FileError};
 use crate::interpolation::Interpolation;
-use crate::keyframe::LARGEST_FILE_BYTES;
 use crate::storage::input_name;
 use crate::text::counted;
-use crate::text_layouts::read_keyframes;
 
 /// The number of runners-up in the text output.
 const RUNNERS_UP: usize = 3;
@@ -26,17 +23,14 @@ const RUNNERS_UP: usize = 3;
 ///
 /// # Errors
 /// [`CliError`]: the keyframes or the samples are bad, the film cannot be drawn or written.
-pub fn run(arguments: &DiagnoseArguments, scene: Option<&Path>) -> Result<(), CliError> {
+pub fn run(arguments: &DiagnoseArguments, common: Common<'_>) -> Result<(), CliError> {
     let keyframes = arguments.keyframes.as_path();
-    let places = Places::with_scene(scene).reads("KEYFRAMES", keyframes);
+    let places = Places::with_scene(common.scene).reads("KEYFRAMES", keyframes);
     let places = arguments.samples.iter().fold(places, |places, samples| places.reads("SAMPLES.csv", samples));
     arguments.film.iter().fold(places, |places, film| places.writes("--film", film)).check()?;
     let film = arguments.film.as_deref().map(|path| Ok::<_, CliError>((path, film::format_of(path)?))).transpose()?;
-    let scene = &scene::load(scene)?;
-    let keyframe_bytes = files::read(keyframes, LARGEST_FILE_BYTES)?;
-    let file = read_keyframes(&keyframe_bytes, scene)
-        .map_err(|problems| FileError::all(input_name(keyframes), problems))?
-        .file;
+    let scene = &scene::load(common.scene)?;
+    let file = reading::keyframes(keyframes, scene, common)?.file;
     let sequence = Sequence::new(&file.keyframes).map_err(|error| FileError::new(input_name(keyframes), error))?;
     let (list, in_file, ms_between_keyframes) = file.into_parts();
     let draw = |interpolation: Interpolation, rows: &[Row], name: &str| {
@@ -53,7 +47,13 @@ pub fn run(arguments: &DiagnoseArguments, scene: Option<&Path>) -> Result<(), Cl
     let located = |error| FileError::new(input_name(samples), error);
     let samples = samples_from_csv(&sample_bytes, scene.rbt_count(), ms_between_keyframes).map_err(located)?;
     let diagnosis = diagnosis::diagnose(&sequence, &samples, Listing::All);
-    let text = if arguments.json { to_json(&diagnosis) } else { sentences(&diagnosis, &sequence, &samples) };
+    let text = if arguments.json {
+        to_json(&diagnosis)
+    } else if common.is_quiet {
+        format!("{}\n", verdict(&diagnosis))
+    } else {
+        sentences(&diagnosis, &sequence, &samples)
+    };
     output::say(&text)?;
     let name = if diagnosis.is_explained() { &diagnosis.best().name } else { "none of the known mistakes" };
     draw(diagnosis.best().interpolation(), &samples.rows, name)
@@ -78,18 +78,25 @@ fn to_json(diagnosis: &Diagnosis) -> String {
     )
 }
 
+/// The diagnosis in one sentence.
+fn verdict(diagnosis: &Diagnosis) -> String {
+    let best = diagnosis.best();
+    let rows = counted(diagnosis.rows, "row");
+    let (name, residual) = (&best.name, best.residual);
+    if !diagnosis.is_explained() {
+        return format!(
+            "None of the known mistakes explains the samples. {name} is nearest, with a residual of {residual:.2e} over {rows}."
+        );
+    }
+    let explains = if best.mistakes.len() == 1 { "explains" } else { "explain" };
+    format!("{name} {explains} the samples, with a residual of {residual:.2e} over {rows}.")
+}
+
 /// The diagnosis as text: explanation, advice and runners-up.
 fn sentences(diagnosis: &Diagnosis, sequence: &Sequence, samples: &Samples) -> String {
     let best = diagnosis.best();
-    let rows = counted(diagnosis.rows, "row");
-    let mut text = String::new();
+    let mut text = format!("{}\n", verdict(diagnosis));
     if diagnosis.is_explained() {
-        let explains = if best.mistakes.len() == 1 { "explains" } else { "explain" };
-        let _ = writeln!(
-            text,
-            "{} {explains} the samples, with a residual of {:.2e} over {rows}.",
-            best.name, best.residual
-        );
         for mistake in &best.mistakes {
             let _ = writeln!(text, "{}", mistake.what);
             if !mistake.change.is_empty() {
@@ -99,12 +106,6 @@ fn sentences(diagnosis: &Diagnosis, sequence: &Sequence, samples: &Samples) -> S
         if let Some(degrees) = best.frozen_below_degrees {
             let _ = writeln!(text, "Here turns of less than about {degrees:.2} degrees are left out.");
         }
-    } else {
-        let _ = writeln!(
-            text,
-            "None of the known mistakes explains the samples. {} is nearest, with a residual of {:.2e} over {rows}.",
-            best.name, best.residual
-        );
     }
     if let Some(early) = diagnosis.ends_before {
         let end = sequence.last_key_time();

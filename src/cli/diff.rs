@@ -1,15 +1,16 @@
 //! `inbetween diff`: how far two animations are apart, node by node, as they play.
 
 use std::fmt::Write as _;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
 
 use super::arguments::DiffArguments;
+use super::each::{Done, Telling, each, tell};
 use super::places::Places;
-use super::{CliError, Ended, output};
+use super::{CliError, Common, Ended, reading, scene};
 use crate::animation_diff::{Deviation, Difference, Played, Tolerances, compare, frame_times_ms};
-use crate::files::{self, FileError, scene};
+use crate::files::FileError;
 use crate::interpolation::Interpolation;
 use crate::keyframe::{KeyframeList, PlayRange, to_f64};
 use crate::scene::SceneGraph;
@@ -18,21 +19,29 @@ use crate::storage::input_name;
 /// The most frames that are compared.
 const MOST_FRAMES: usize = 1_000_000;
 
-/// Prints the differences, as a table or as JSON. The animations are [`Ended::Beyond`] where they are apart by more than the tolerances,
-/// or play for different times.
+/// Prints the differences, as tables or as JSON. The animations are [`Ended::Beyond`] where any two are apart by more than the
+/// tolerances, or play for different times. Quiet, one line says so of those that are.
 ///
 /// # Errors
 /// [`CliError`] with status 2: they cannot be compared.
-pub fn run(arguments: &DiffArguments, scene: Option<&Path>) -> Result<Ended, CliError> {
-    Places::with_scene(scene).reads("A", &arguments.a).reads("B", &arguments.b).check()?;
-    let report = report(arguments, scene).map_err(CliError::into_trouble)?;
-    output::say(&report.text).map_err(CliError::into_trouble)?;
-    Ok(if report.is_within { Ended::Well } else { Ended::Beyond })
-}
-
-struct Report {
-    text: String,
-    is_within: bool,
+pub fn run(arguments: &DiffArguments, common: Common<'_>) -> Result<Ended, CliError> {
+    let others = &arguments.others;
+    let places = Places::with_scene(common.scene).reads("A", &arguments.a);
+    others.iter().fold(places, |places, other| places.reads("B", other)).check()?;
+    let reference = || -> Result<_, CliError> {
+        let scene = scene::load(common.scene)?;
+        let a = Side::load(&arguments.a, &scene, arguments.interpolation, common)?;
+        Ok((scene, a))
+    };
+    let (scene, a) = reference().map_err(CliError::into_trouble)?;
+    let range = a.range(&arguments.a).map_err(|error| CliError::from(error).into_trouble())?;
+    let shown = |other: &PathBuf| input_name(other);
+    let named = |other: &PathBuf| json!({"a": input_name(&arguments.a), "b": input_name(other)});
+    let outcomes = each(others, common, shown, named, |other| {
+        let pair = Pair { arguments, scene: &scene, a: &a, range_a: &range, other };
+        pair.compare(common).map_err(CliError::into_trouble)
+    })?;
+    tell(outcomes, Telling { is_json: arguments.json, data: None }).map_err(CliError::into_trouble)
 }
 
 struct Side {
@@ -42,12 +51,13 @@ struct Side {
 }
 
 impl Side {
-    fn load(file: &Path, scene: &SceneGraph, interpolation: Option<Interpolation>) -> Result<Self, FileError> {
-        let read = files::keyframes_of_any_layout(file, scene)?;
-        for warning in read.warnings() {
-            output::complain(&format!("{}: warning: {warning}", input_name(file)));
-        }
-        let (list, in_file, ms_between_keyframes) = read.file.into_parts();
+    fn load(
+        file: &Path,
+        scene: &SceneGraph,
+        interpolation: Option<Interpolation>,
+        common: Common<'_>,
+    ) -> Result<Self, FileError> {
+        let (list, in_file, ms_between_keyframes) = reading::keyframes(file, scene, common)?.file.into_parts();
         Ok(Self { list, interpolation: interpolation.unwrap_or(in_file), ms_between_keyframes })
     }
 
@@ -60,34 +70,56 @@ impl Side {
     }
 }
 
-fn report(arguments: &DiffArguments, scene: Option<&Path>) -> Result<Report, CliError> {
-    let scene = &scene::load(scene)?;
-    let a = Side::load(&arguments.a, scene, arguments.interpolation)?;
-    let b = Side::load(&arguments.b, scene, arguments.interpolation)?;
-    let (range_a, range_b) = (a.range(&arguments.a)?, b.range(&arguments.b)?);
-    let (played_a, played_b) = (a.played(&range_a), b.played(&range_b));
-    let tolerances =
-        Tolerances { translation: arguments.tolerance_translation, rotation_degrees: arguments.tolerance_rotation };
-    let length_ms = played_a.length_ms().max(played_b.length_ms());
-    let bad = |problem: String| CliError::bad_input(input_name(&arguments.a), problem);
-    let times = frame_times_ms(&length_ms, arguments.fps, MOST_FRAMES)
-        .ok_or_else(|| bad(format!("more than {MOST_FRAMES} frames to compare: choose a lower --fps")))?;
-    let difference = compare(played_a, played_b, &times, tolerances).map_err(|error| bad(error.to_string()))?;
-    let mut notes = Vec::new();
-    if played_a.length_ms() != played_b.length_ms() {
-        notes.push(format!(
-            "they play for different times, {} ms and {} ms: the shorter one is compared by its end from there on",
-            to_f64(&played_a.length_ms()),
-            to_f64(&played_b.length_ms())
-        ));
+/// The reference and one other.
+struct Pair<'a> {
+    arguments: &'a DiffArguments,
+    scene: &'a SceneGraph,
+    a: &'a Side,
+    range_a: &'a PlayRange<'a>,
+    other: &'a Path,
+}
+
+impl Pair<'_> {
+    fn compare(&self, common: Common<'_>) -> Result<Done, CliError> {
+        let Self { arguments, scene, a, range_a, other } = self;
+        let b = Side::load(other, scene, arguments.interpolation, common)?;
+        let range_b = b.range(other)?;
+        let (played_a, played_b) = (a.played(range_a), b.played(&range_b));
+        let tolerances =
+            Tolerances { translation: arguments.tolerance_translation, rotation_degrees: arguments.tolerance_rotation };
+        let length_ms = played_a.length_ms().max(played_b.length_ms());
+        let bad = |problem: String| CliError::bad_input(input_name(&arguments.a), problem);
+        let times = frame_times_ms(&length_ms, arguments.fps, MOST_FRAMES)
+            .ok_or_else(|| bad(format!("more than {MOST_FRAMES} frames to compare: choose a lower --fps")))?;
+        let difference = compare(played_a, played_b, &times, tolerances).map_err(|error| bad(error.to_string()))?;
+        let mut notes = Vec::new();
+        if played_a.length_ms() != played_b.length_ms() {
+            notes.push(format!(
+                "they play for different times, {} ms and {} ms: the shorter one is compared by its end from there on",
+                to_f64(&played_a.length_ms()),
+                to_f64(&played_b.length_ms())
+            ));
+        }
+        if a.interpolation != b.interpolation {
+            notes.push(format!(
+                "the first is played {}, the second {}",
+                a.interpolation.name(),
+                b.interpolation.name()
+            ));
+        }
+        let is_within = difference.is_within() && played_a.length_ms() == played_b.length_ms();
+        let frames = times.len();
+        let report = DifferenceReport { difference: &difference, scene, tolerances, frames, notes: &notes, is_within };
+        let name = input_name(other);
+        let lines = match (common.is_quiet, is_within, arguments.others.len()) {
+            (true, true, _) => String::new(),
+            (true, false, _) => format!("{name}: {}\n", report.summary()),
+            (false, _, 1) => report.table(),
+            (false, ..) => format!("{name}:\n{}\n", report.table()),
+        };
+        let ended = if is_within { Ended::Well } else { Ended::Beyond };
+        Ok(Done::ended(ended, lines, report.json(arguments.fps)))
     }
-    if a.interpolation != b.interpolation {
-        notes.push(format!("the first is played {}, the second {}", a.interpolation.name(), b.interpolation.name()));
-    }
-    let is_within = difference.is_within() && played_a.length_ms() == played_b.length_ms();
-    let shown =
-        DifferenceReport { difference: &difference, scene, tolerances, frames: times.len(), notes: &notes, is_within };
-    Ok(Report { text: if arguments.json { shown.json(arguments.fps) } else { shown.table() }, is_within })
 }
 
 struct DifferenceReport<'a> {
@@ -113,7 +145,7 @@ impl DifferenceReport<'_> {
             .min_by(|a, b| a.0.total_cmp(&b.0))
     }
 
-    fn json(&self, fps: u32) -> String {
+    fn json(&self, fps: u32) -> Value {
         let deviation = |deviation: &Deviation| {
             json!({"largest": deviation.largest, "largest_at": deviation.largest_at, "rms": deviation.rms,
                 "exceeds_at": deviation.exceeds_at})
@@ -130,7 +162,7 @@ impl DifferenceReport<'_> {
         let first = self
             .first_exceeded()
             .map(|(key_time, node, part)| json!({"key_time": key_time, "node": node, "part": part}));
-        let value = json!({
+        json!({
             "within_tolerance": self.is_within,
             "tolerance_translation": self.tolerances.translation,
             "tolerance_rotation": self.tolerances.rotation_degrees,
@@ -139,8 +171,7 @@ impl DifferenceReport<'_> {
             "notes": self.notes,
             "first_exceeded": first,
             "nodes": nodes,
-        });
-        format!("{value}\n")
+        })
     }
 
     fn table(&self) -> String {
@@ -173,20 +204,23 @@ impl DifferenceReport<'_> {
         for note in self.notes {
             let _ = writeln!(text, "Note: {note}.");
         }
+        let _ = writeln!(text, "{}", self.summary());
+        text
+    }
+
+    /// Whether they are within the tolerances, and what is not first: a sentence.
+    fn summary(&self) -> String {
         let Tolerances { translation, rotation_degrees } = self.tolerances;
         let frames = self.frames;
-        let _ = match self.first_exceeded() {
-            Some((key_time, node, part)) => writeln!(
-                text,
+        match self.first_exceeded() {
+            Some((key_time, node, part)) => format!(
                 "Beyond the tolerances ({translation} units, {rotation_degrees} degrees) over {frames} frames, first the {part} of \
                  {node} at key time {key_time:.4}."
             ),
-            None => writeln!(
-                text,
+            None => format!(
                 "Within the tolerances ({translation} units, {rotation_degrees} degrees) over {frames} frames{}.",
                 if self.is_within { "" } else { ", but not of one length" }
             ),
-        };
-        text
+        }
     }
 }

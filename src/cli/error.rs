@@ -5,6 +5,9 @@ use std::fmt::Display;
 use std::io;
 use std::path::Path;
 
+use clap::error::ErrorKind as ClapKind;
+
+use super::arguments;
 use crate::editor::CommandError;
 use crate::export::{ErrorKind, ExportError};
 use crate::files::{FileError, WorkError};
@@ -24,8 +27,19 @@ pub enum Ended {
     Beyond,
 }
 
+impl Ended {
+    /// The process's exit status.
+    pub fn status(self) -> u8 {
+        match self {
+            Self::Well => 0,
+            Self::Beyond => BAD_INPUT,
+        }
+    }
+}
+
 const BAD_INPUT: u8 = 1;
-const MISUSE: u8 = 2;
+/// Wrong usage; trouble of a command that compares.
+pub const MISUSE: u8 = 2;
 /// No display, or no GPU adapter that draws.
 pub const NO_DRAWING: u8 = 3;
 /// The exit status that Rust uses for a program that panicked.
@@ -38,6 +52,13 @@ const INTERRUPTED: u8 = 130;
 pub enum CliError {
     /// Wrong usage; also help and version. clap prints these in a form of its own.
     Usage(clap::Error),
+    /// Wrong usage that a command found.
+    Misuse(String),
+    /// What is wrong has been said.
+    Said {
+        /// The process's exit status.
+        status: u8,
+    },
     /// Anything else.
     Failed {
         /// The process's exit status.
@@ -82,8 +103,35 @@ impl CliError {
     pub fn into_trouble(self) -> Self {
         match self {
             Self::Failed { sentences, source, .. } => Self::Failed { status: MISUSE, sentences, source },
-            usage @ Self::Usage(_) => usage,
+            other => other,
         }
+    }
+
+    /// The exit status, and what is left to say: a sentence a line.
+    pub fn into_sentences(self) -> (u8, Vec<String>) {
+        match self {
+            Self::Usage(error) => (MISUSE, vec![error.to_string()]),
+            Self::Misuse(sentence) => (MISUSE, vec![sentence]),
+            Self::Said { status } => (status, Vec::new()),
+            Self::Failed { status, sentences, .. } => (status, sentences),
+        }
+    }
+
+    /// Wrong usage that a command found, with the usage of that command; of the program where there is none. Other errors stay as they
+    /// are.
+    pub fn with_usage_of(self, name: Option<&str>) -> Self {
+        let Self::Misuse(sentence) = self else { return self };
+        let mut program = arguments::command();
+        program.build();
+        let command = match name {
+            Some(name) if program.find_subcommand(name).is_some() => program.find_subcommand_mut(name),
+            _ => None,
+        };
+        let error = match command {
+            Some(command) => command.error(ClapKind::ArgumentConflict, sentence),
+            None => arguments::command().error(ClapKind::ArgumentConflict, sentence),
+        };
+        Self::Usage(error)
     }
 }
 

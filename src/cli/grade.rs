@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use super::arguments::GradeArguments;
 use super::places::Places;
 use super::progress::Progress;
-use super::{CliError, misuse, output};
+use super::{CliError, Common, misuse, output};
 use crate::export::Painter;
 use crate::files::{self, scene};
 use crate::grading::{self, Found, Naming, PICTURE_SIZE, PassedOver, ReportPictures, Rubric, Studio};
@@ -21,9 +21,10 @@ use crate::words::texts;
 /// # Errors
 /// [`CliError`]: a bad rubric, a submission that is not there, no GPU adapter for the pictures, a result that cannot be written. What
 /// is wrong with a submission is no error but its marks.
-pub fn run(arguments: &GradeArguments, named_scene: Option<&Path>) -> Result<(), CliError> {
+pub fn run(arguments: &GradeArguments, common: Common<'_>) -> Result<(), CliError> {
+    let named_scene = common.scene;
     if let Some(folder) = &arguments.example {
-        return beginning::write_example(folder, named_scene);
+        return beginning::write_example(folder, common);
     }
     let Some(rubric) = &arguments.rubric else { return Ok(()) };
     if arguments.check {
@@ -56,8 +57,9 @@ pub fn run(arguments: &GradeArguments, named_scene: Option<&Path>) -> Result<(),
     if let Some(painter) = painter {
         let mut studio = Studio::new(painter, &rubric, &scene)?;
         let mistakes = grading::mistakes_shown(&marks);
-        let mut progress = Progress::new("submission", marks.len().max(1));
+        let mut progress = Progress::of_items("submission", marks.len(), common);
         for marks in &marks {
+            progress.begin(&marks.name);
             pictures.of_submissions.push(grading::pictures_of(marks, &rubric, &scene, &mut studio)?);
             progress.step();
         }
@@ -68,8 +70,12 @@ pub fn run(arguments: &GradeArguments, named_scene: Option<&Path>) -> Result<(),
     files::create_folder(folder)?;
     let [table, json, report] = results(folder);
     files::write(&table, grading::csv(&marks).as_bytes())?;
-    files::write(&json, grading::json(&marks, &passed_over, &rubric).as_bytes())?;
+    let results = grading::json(&marks, &passed_over, &rubric);
+    files::write(&json, results.as_bytes())?;
     files::write(&report, grading::html(&marks, &passed_over, &rubric, &pictures).as_bytes())?;
+    if arguments.json {
+        return output::list(&results);
+    }
     let submissions = counted(marks.len(), "submission");
     let mut text = format!("{submissions} graded: {}\n", report.display());
     if let Some(counts) = grading::evidence_counts(&marks) {
@@ -81,7 +87,7 @@ pub fn run(arguments: &GradeArguments, named_scene: Option<&Path>) -> Result<(),
     if let Some(warning) = rubric.revealed.warning() {
         let _ = writeln!(text, "{warning}");
     }
-    output::say(&text)
+    if common.is_quiet { Ok(()) } else { output::say(&text) }
 }
 
 /// The files that are written.

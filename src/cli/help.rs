@@ -3,9 +3,9 @@
 use std::fmt::Write as _;
 
 use clap::builder::PossibleValuesParser;
-use clap::{Arg, Command, CommandFactory as _};
+use clap::{Arg, Command};
 
-use super::arguments::{Arguments, HelpArguments};
+use super::arguments::{HelpArguments, command};
 use super::{CliError, output};
 use crate::manual;
 
@@ -17,22 +17,16 @@ const WIDTH: usize = 80;
 /// # Errors
 /// [`CliError::Usage`] with the help of a command, as `--help` gives it, or for an unknown topic.
 pub fn run(arguments: &HelpArguments) -> Result<(), CliError> {
-    let program = Arguments::command();
+    let program = command();
     let Some(topic) = &arguments.topic else {
         // A closed standard output is no mishap.
         let _ = asked_for(program, &[]).print();
         return output::print(|output| output.write_all(pages().as_bytes()));
     };
-    let page = manual::page(topic);
     if program.find_subcommand(topic).is_some() {
-        let note = page.map(|_| format!("The manual has a page of this name: {topic}.md"));
-        let program = program.mut_subcommand(topic, |command| match note {
-            Some(note) => command.after_long_help(note),
-            None => command,
-        });
         return Err(CliError::Usage(asked_for(program, &[topic])));
     }
-    match page {
+    match manual::page(topic) {
         Some(page) => output::print(|output| output.write_all(manual::text(&page, WIDTH).as_bytes())),
         None => Err(CliError::Usage(unknown(topic, &program))),
     }

@@ -7,9 +7,8 @@ use serde_json::{Value, json};
 
 use super::arguments::InfoArguments;
 use super::places::Places;
-use super::{CliError, output, scene};
+use super::{CliError, Common, output, reading, scene};
 use crate::export::{Animation, ExportError, FrameTime, Moments, Source, Span, Viewpoint};
-use crate::files;
 use crate::keyframe::PlayRange;
 use crate::scene::{Channel, NodeKind, SceneGraph, Tracks};
 use crate::storage::input_name;
@@ -20,22 +19,14 @@ use crate::text_layouts::Report;
 ///
 /// # Errors
 /// [`CliError`]
-pub fn run(arguments: &InfoArguments, scene: Option<&Path>) -> Result<(), CliError> {
-    let places = Places::with_scene(scene);
+pub fn run(arguments: &InfoArguments, common: Common<'_>) -> Result<(), CliError> {
+    let places = Places::with_scene(common.scene);
     arguments.file.iter().fold(places, |places, file| places.reads("FILE", file)).check()?;
-    let scene = &scene::load(scene)?;
+    let scene = &scene::load(common.scene)?;
     let file = arguments.file.as_deref();
-    let read = file.map(|file| files::keyframes_of_any_layout(file, scene)).transpose()?;
-    if let (Some(file), Some(read)) = (file, &read) {
-        for warning in read.warnings() {
-            output::complain(&format!("{}: warning: {warning}", input_name(file)));
-        }
-    }
+    let read = file.map(|file| reading::keyframes(file, scene, common)).transpose()?;
     let report = read.as_ref().and_then(|read| read.report.clone());
-    let animation = read.map(|read| {
-        let (keyframes, interpolation, ms_between_keyframes) = read.file.into_parts();
-        Animation { keyframes, interpolation, ms_between_keyframes }
-    });
+    let animation = read.map(|read| Animation::of(read.file, None));
     let film = Film::of(Source { scene, animation: animation.as_ref(), file }, arguments.fps)?;
     let info = Info { file, scene, animation: animation.as_ref(), report: report.as_ref(), film, fps: arguments.fps };
     output::say(&if arguments.json { info.json() } else { info.lines() })

@@ -1,17 +1,23 @@
 //! `inbetween nodes`: the paths of the RBT nodes.
 
-use super::{CliError, output};
-use crate::scene::SceneGraph;
+use super::arguments::NodesArguments;
+use super::places::Places;
+use super::{CliError, Common, output, scene};
+use crate::json::push_strings;
 
-/// Prints the paths, one a line, in the order of poses.
+/// Prints the paths in the order of poses: one a line, or a JSON list.
 ///
 /// # Errors
-/// [`CliError`]: standard output does not take them.
-pub fn run(scene: &SceneGraph) -> Result<(), CliError> {
-    let mut lines = String::new();
-    for path in scene.rbt_paths() {
-        lines.push_str(path);
-        lines.push('\n');
+/// [`CliError`]: a bad scene; standard output does not take them.
+pub fn run(arguments: &NodesArguments, common: Common<'_>) -> Result<(), CliError> {
+    Places::with_scene(common.scene).check()?;
+    let scene = scene::load(common.scene)?;
+    let mut text = String::new();
+    if arguments.json {
+        push_strings(&mut text, scene.rbt_paths());
+        text.push('\n');
+    } else {
+        text.extend(scene.rbt_paths().flat_map(|path| [path, "\n"]));
     }
-    output::list(&lines)
+    output::list(&text)
 }

@@ -1,28 +1,36 @@
 //! Progress: a line on a terminal, or lines for a program that runs jobs.
 
-use std::io::{self, IsTerminal as _, Write as _};
-
 use super::arguments::ProgressKind;
-use super::{CliError, output};
+use super::{CliError, Common, output};
 
 /// Progress in steps. A terminal's line is erased when this is dropped.
 pub struct Progress {
     what: &'static str,
     steps: usize,
     done: usize,
-    /// `None` where nobody is told.
-    told: Option<ProgressKind>,
+    /// What is worked on now; may be empty.
+    name: String,
+    kind: ProgressKind,
 }
 
 impl Progress {
-    /// Nothing done yet of `steps` steps, told on a terminal; `what` names one of them.
-    pub fn new(what: &'static str, steps: usize) -> Self {
-        Self::told(ProgressKind::Terminal, what, steps)
+    /// Nothing done yet of `steps` steps; `what` names one of them.
+    pub fn new(kind: ProgressKind, what: &'static str, steps: usize) -> Self {
+        Self { what, steps, done: 0, name: String::new(), kind }
     }
 
-    fn told(kind: ProgressKind, what: &'static str, steps: usize) -> Self {
-        let is_told = kind == ProgressKind::Openjd || io::stderr().is_terminal();
-        Self { what, steps, done: 0, told: is_told.then_some(kind) }
+    /// Progress of items that are told on a terminal where there are several.
+    pub fn of_items(what: &'static str, items: usize, common: Common<'_>) -> Self {
+        let kind = if items > 1 { common.progress(ProgressKind::Terminal) } else { ProgressKind::None };
+        Self::new(kind, what, items)
+    }
+
+    /// The next step is begun, which is work on something of that name.
+    pub fn begin(&mut self, name: &str) {
+        name.clone_into(&mut self.name);
+        if self.is_due(self.done, self.done + 1) {
+            self.tell();
+        }
     }
 
     /// One more step is done. A thousand lines are told at most.
@@ -32,24 +40,27 @@ impl Progress {
 
     /// `done` steps are done.
     pub fn reach(&mut self, done: usize) {
-        if done == self.done {
-            return;
-        }
         let before = std::mem::replace(&mut self.done, done);
-        let thousandth = |done: usize| done * 1000 / self.steps;
-        if thousandth(self.done) != thousandth(before) {
+        if self.is_due(before, done) {
             self.tell();
         }
     }
 
+    fn is_due(&self, before: usize, done: usize) -> bool {
+        // Of no steps, none is told.
+        let thousandth = |done: usize| (done * 1000).checked_div(self.steps);
+        thousandth(before) != thousandth(done)
+    }
+
     fn tell(&self) {
-        let Self { what, steps, done, told } = self;
-        match told {
-            None => {}
-            Some(ProgressKind::Terminal) => {
-                let _ = write!(io::stderr(), "\r{what} {done} of {steps} ({} %)", done * 100 / steps);
+        let Self { what, steps, done, name, kind } = self;
+        match kind {
+            ProgressKind::None => {}
+            ProgressKind::Terminal => {
+                let of = if name.is_empty() { String::new() } else { format!(": {name}") };
+                output::show_status(&format!("{what} {done} of {steps} ({} %){of}", done * 100 / steps));
             }
-            Some(ProgressKind::Openjd) => {
+            ProgressKind::Openjd => {
                 let percent = *done as f64 * 100.0 / *steps as f64;
                 // A reader that is gone is no reason to stop the work.
                 let _ = output::print(|output| {
@@ -62,17 +73,20 @@ impl Progress {
 
 impl Drop for Progress {
     fn drop(&mut self) {
-        if self.told == Some(ProgressKind::Terminal) && self.done > 0 {
-            let _ = write!(io::stderr(), "\r\u{1b}[K");
-        }
+        output::clear_status();
     }
 }
 
-/// A watcher of an export that tells its progress.
-pub fn watched(kind: ProgressKind) -> impl FnMut(usize, usize) -> bool {
-    let mut progress = None;
+/// A watcher of an export that tells its progress; `name` is what is made.
+pub fn watched(kind: ProgressKind, name: String) -> impl FnMut(usize, usize) -> bool {
+    let mut progress: Option<Progress> = None;
     move |done, count| {
-        progress.get_or_insert_with(|| Progress::told(kind, "frame", count)).reach(done);
+        let progress = progress.get_or_insert_with(|| {
+            let mut progress = Progress::new(kind, "frame", count);
+            name.clone_into(&mut progress.name);
+            progress
+        });
+        progress.reach(done);
         true
     }
 }

@@ -2,9 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
+use serde_json::json;
+
 use super::arguments::RecoverArguments;
 use super::places::Places;
-use super::{CliError, misuse, output};
+use super::{CliError, Common, misuse, output};
 use crate::editor::Editor;
 use crate::files;
 use crate::journal::{self, Left};
@@ -17,9 +19,9 @@ use crate::words::texts;
 ///
 /// # Errors
 /// [`CliError`]: nothing is to be recovered, a journal that is in use or none, a file that cannot be written.
-pub fn run(arguments: &RecoverArguments) -> Result<(), CliError> {
+pub fn run(arguments: &RecoverArguments, common: Common<'_>) -> Result<(), CliError> {
     if arguments.list {
-        return list(&all());
+        return list(&all(), arguments.json);
     }
     if arguments.journal.as_deref().is_some_and(storage::is_standard) {
         return Err(misuse(&texts::places_needs_a_file("JOURNAL").to_string()));
@@ -44,8 +46,13 @@ pub fn run(arguments: &RecoverArguments) -> Result<(), CliError> {
     }
     left.take_over();
     let keyframes = editor.document().keyframes.len();
-    let said = format!("{}: {keyframes} keyframes out of {}\n", storage::output_name(&target), lines(played.lines));
-    output::say_beside(Some(&target), &said)
+    let name = storage::output_name(&target);
+    let said = if arguments.json {
+        format!("{}\n", json!({"output": name, "keyframes": keyframes, "lines": played.lines, "journal": location}))
+    } else {
+        format!("{name}: {keyframes} keyframes out of {}\n", lines(played.lines))
+    };
+    if common.is_quiet && !arguments.json { Ok(()) } else { output::say_beside(Some(&target), &said) }
 }
 
 fn lines(count: usize) -> String {
@@ -64,10 +71,20 @@ fn named(path: &Path) -> Result<Left, CliError> {
     Left::open(path).ok_or_else(|| CliError::bad_input(path.display(), storage::StorageError::InUse))
 }
 
-fn list(all: &[Left]) -> Result<(), CliError> {
+fn list(all: &[Left], is_json: bool) -> Result<(), CliError> {
     output::print(|out| {
         for left in all {
             let (survey, path) = (&left.survey, left.log.path().display());
+            if is_json {
+                let object = json!({
+                    "journal": path.to_string(),
+                    "keyframes": survey.keyframes.display().to_string(),
+                    "commands": survey.commands,
+                    "begun": survey.began,
+                });
+                writeln!(out, "{object}")?;
+                continue;
+            }
             let minutes = storage::epoch_seconds().saturating_sub(survey.began) / 60;
             writeln!(
                 out,

@@ -2,14 +2,14 @@
 
 use std::fmt::Write as _;
 
-use clap::{Arg, Command, CommandFactory as _};
+use clap::{Arg, Command};
 
-use super::arguments::Arguments;
+use super::arguments;
 
 /// Every command with its help, usage and arguments, as Markdown for the manual's page on the command line.
 #[must_use]
 pub fn command_reference() -> String {
-    let mut program = Arguments::command();
+    let mut program = arguments::command();
     program.build();
     let mut text = String::new();
     section(&mut text, "inbetween", &program);
@@ -36,9 +36,9 @@ fn section(text: &mut String, title: &str, command: &Command) {
     let usage = command.clone().render_usage().to_string();
     let _ = writeln!(text, "```text\n{}\n```\n", usage.trim_start_matches("Usage: ").trim_end());
     let arguments: Vec<&Arg> = command.get_arguments().filter(|argument| is_own(argument, title)).collect();
-    if arguments.is_empty() {
-        return;
-    }
+    let below = command.get_after_help().map(ToString::to_string).unwrap_or_default();
+    let examples: Vec<&str> = below.lines().filter_map(|line| line.strip_prefix("  ")).collect();
+    let _ = writeln!(text, "```text\n{}\n```\n", examples.join("\n"));
     text.push_str("| argument | meaning |\n|---|---|\n");
     for argument in arguments {
         let _ = writeln!(text, "| `{}` | {} |", written(argument).replace('|', "\\|"), meaning(argument));

@@ -10,11 +10,12 @@ use std::path::Path;
 use super::arguments::RenderArguments;
 use super::places::Places;
 use super::progress::{telling, watched};
-use super::{CliError, scene};
+use super::{CliError, Common, reading, scene};
 use crate::export::{
-    Animation, Painter, RenderRequest, Size, Source, Subject, check_format, check_sheet, is_frame_name, write_picture,
+    Painter, RenderRequest, Size, Source, Subject, check_format, check_sheet, is_frame_name, write_picture,
 };
 use crate::render::Background;
+use crate::storage::output_name;
 use manifest::Manifest;
 use output::Output;
 
@@ -27,13 +28,13 @@ const SHEET_SIZE: Size = Size { width: 320, height: 240 };
 ///
 /// # Errors
 /// [`CliError`]
-pub fn run(arguments: &RenderArguments, scene: Option<&Path>) -> Result<(), CliError> {
-    telling(arguments.progress, || render(arguments, scene))
+pub fn run(arguments: &RenderArguments, common: Common<'_>) -> Result<(), CliError> {
+    telling(arguments.progress, || render(arguments, common))
 }
 
-fn render(arguments: &RenderArguments, scene: Option<&Path>) -> Result<(), CliError> {
+fn render(arguments: &RenderArguments, common: Common<'_>) -> Result<(), CliError> {
     let output = Output::of(arguments)?;
-    places(arguments, scene, output).check()?;
+    places(arguments, common, output).check()?;
     let is_opaque = arguments.background != Background::Transparent;
     let size = arguments.size.unwrap_or(if arguments.sheet.is_some() { SHEET_SIZE } else { DEFAULT_SIZE });
     check_format(output.format, size, arguments.fps, is_opaque, &arguments.output)?;
@@ -42,7 +43,7 @@ fn render(arguments: &RenderArguments, scene: Option<&Path>) -> Result<(), CliEr
     }
     let mut painter = Painter::headless(size, arguments.samples)?;
     painter.set_background(arguments.background);
-    let done = draw(arguments, scene, output, &mut painter);
+    let done = draw(arguments, common, output, &mut painter);
     if done.is_ok() {
         // Skip the driver's clean-up, which takes milliseconds, because the process ends after this. After an error
         // the driver may still be busy, and must be waited for.
@@ -53,13 +54,13 @@ fn render(arguments: &RenderArguments, scene: Option<&Path>) -> Result<(), CliEr
 
 fn draw(
     arguments: &RenderArguments,
-    scene: Option<&Path>,
+    common: Common<'_>,
     output: Output,
     painter: &mut Painter,
 ) -> Result<(), CliError> {
-    let scene = scene::load(scene)?;
-    let animation =
-        arguments.file.as_deref().map(|file| Animation::load(file, &scene, arguments.interpolation)).transpose()?;
+    let scene = scene::load(common.scene)?;
+    let read = |file| reading::animation(file, &scene, arguments.interpolation, common);
+    let animation = arguments.file.as_deref().map(read).transpose()?;
     let subject = match arguments.sheet {
         Some(grid) => Subject::Sheet(grid),
         None if output.is_one_image => Subject::Picture { at: arguments.at, keyframe: arguments.keyframe },
@@ -80,7 +81,7 @@ fn draw(
     };
     let planned = request.plan()?;
     // Hashing is slow: only do it for a manifest.
-    let mut manifest = arguments.manifest.is_some().then(|| Manifest::new(painter));
+    let mut manifest = arguments.manifest().is_some().then(|| Manifest::new(painter));
     let mut written = |path: &Path, bytes: &[u8]| {
         if let Some(manifest) = &mut manifest {
             manifest.add(path, bytes);
@@ -92,9 +93,13 @@ fn draw(
     } else if matches!(subject, Subject::Picture { .. }) {
         planned.write(painter, &mut |_, _| true, &mut written)?;
     } else {
-        planned.write(painter, &mut watched(arguments.progress), &mut written)?;
+        planned.write(
+            painter,
+            &mut watched(common.progress(arguments.progress), output_name(&arguments.output)),
+            &mut written,
+        )?;
     }
-    if let (Some(path), Some(mut manifest)) = (&arguments.manifest, manifest) {
+    if let (Some(path), Some(mut manifest)) = (arguments.manifest(), manifest) {
         if !output.format.is_still() {
             manifest.add_file(&arguments.output)?;
         }
@@ -104,13 +109,13 @@ fn draw(
 }
 
 /// Where it reads and writes. Of the pictures in a folder, those are of interest that a manifest could be.
-fn places(arguments: &RenderArguments, scene: Option<&Path>, output: Output) -> Places {
-    let places = Places::with_scene(scene);
+fn places(arguments: &RenderArguments, common: Common<'_>, output: Output) -> Places {
+    let places = Places::with_scene(common.scene);
     let places = arguments.file.iter().fold(places, |places, file| places.reads("FILE", file));
     let is_folder = !output.is_one_image && output.format.is_still();
     let places = if is_folder { places } else { places.writes("--output", &arguments.output) };
     let places = places.tells(arguments.progress);
-    let Some(manifest) = &arguments.manifest else { return places };
+    let Some(manifest) = arguments.manifest() else { return places };
     let frame = manifest
         .file_name()
         .and_then(|name| name.to_str())
@@ -119,5 +124,5 @@ fn places(arguments: &RenderArguments, scene: Option<&Path>, output: Output) -> 
         Some(name) => places.writes("--output", &arguments.output.join(name)),
         None => places,
     };
-    places.writes("--manifest", manifest)
+    places.writes(if arguments.json { "--json" } else { "--manifest" }, manifest)
 }

@@ -2,69 +2,131 @@
 
 use std::fmt::Write as _;
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use glam::Mat4;
+use serde_json::json;
 
 use super::arguments::{SampleArguments, SampleFormat, Space};
-use super::output;
+use super::each::{Done, Telling, each, tell};
 use super::places::Places;
-use super::{CliError, misuse, scene};
+use super::targets::{ending_of, make_folder, targets};
+use super::{CliError, Common, Ended, misuse, output, reading, scene};
 use crate::blend::AlignedAffine;
 use crate::export::{Animation, FrameTime, frame_times};
 use crate::json::{push_f32, push_f32s, push_rbts, push_strings};
 use crate::keyframe::SampleError;
 use crate::pose::Pose;
 use crate::scene::SceneGraph;
-use crate::storage::input_name;
+use crate::storage::{self, input_name, is_standard};
+use crate::words::texts;
 
-/// Prints samples, all in the scene's order. Nothing is printed before all of the input is known to be good.
+/// Prints or writes samples, all in the scene's order. Nothing of a file is printed before all of it is known to be good.
 ///
 /// # Errors
 /// [`CliError`]
-pub fn run(arguments: &SampleArguments, scene: Option<&Path>) -> Result<(), CliError> {
-    if arguments.space == Space::World && arguments.format == SampleFormat::Csv {
-        return Err(misuse("--space world is printed as JSON: leave --format csv out"));
+pub fn run(arguments: &SampleArguments, common: Common<'_>) -> Result<Ended, CliError> {
+    let form = Form { arguments, format: format_of(arguments)? };
+    let files = &arguments.files;
+    let output = arguments.output.as_deref().unwrap_or(Path::new("-"));
+    if files.len() > 1 && arguments.output.is_none() {
+        return Err(misuse(texts::PLACES_SEVERAL_NEED_FOLDER.english()));
     }
-    let places = Places::with_scene(scene);
-    arguments.file.iter().fold(places, |places, file| places.reads("FILE", file)).check()?;
-    let scene = &scene::load(scene)?;
-    let Some(file) = &arguments.file else {
+    let targets = targets(files, output, form.format.ending())?;
+    let places = Places::with_scene(common.scene);
+    let places = files.iter().fold(places, |places, file| places.reads("FILE", file));
+    targets.iter().fold(places, |places, target| places.writes("--output", target)).check()?;
+    let scene = &scene::load(common.scene)?;
+    if files.is_empty() {
         let rest = (FrameTime { key_time: 0.0, ms: 0.0 }, scene.rest_pose().clone());
-        return print(arguments, scene, std::iter::once(Ok(rest)));
-    };
-    let animation = Animation::load(file, scene, arguments.interpolation)?;
-    let range = animation.play_range(file)?;
-    let pose_at = |time: FrameTime| range.pose_at(time.key_time, animation.interpolation).map(|pose| (time, pose));
-    let ms_between_keyframes = animation.ms_between_keyframes;
-    if let Some(fps) = arguments.fps {
-        return print(arguments, scene, frame_times(fps, ms_between_keyframes, range.timing()).map(pose_at));
+        form.write(scene, std::iter::once(Ok(rest)), output)?;
+        return Ok(Ended::Well);
     }
-    let key_times = arguments.at.as_ref().map_or(&[0.0][..], |key_times| &key_times.0);
-    let problems: Vec<String> = key_times
-        .iter()
-        .filter_map(|&key_time| range.check(key_time).err())
-        .map(|error| format!("{}: {error}", input_name(file)))
-        .collect();
-    if !problems.is_empty() {
-        return Err(CliError::bad_inputs(problems));
+    let pairs: Vec<(&PathBuf, &PathBuf)> = files.iter().zip(&targets).collect();
+    let shown = |(file, _): &(&PathBuf, &PathBuf)| input_name(file);
+    let named = |(file, _): &(&PathBuf, &PathBuf)| json!({"file": input_name(file)});
+    let outcomes = each(&pairs, common, shown, named, |&(file, target)| {
+        let animation = reading::animation(file, scene, arguments.interpolation, common)?;
+        let samples = Samples { form, scene, file, animation: &animation };
+        make_folder(output, target)?;
+        samples.write(target)?;
+        Ok(Done::well(String::new(), json!({})))
+    })?;
+    // The samples are the data: of files, nothing is told but problems.
+    tell(outcomes, Telling { is_json: false, data: None })
+}
+
+/// The format that the arguments ask for, or that the output's ending has.
+fn format_of(arguments: &SampleArguments) -> Result<SampleFormat, CliError> {
+    let ending = arguments.output.as_deref().and_then(|output| ending_of(output, arguments.files.len()));
+    let of_ending = ending.as_deref().and_then(SampleFormat::of_ending);
+    let asked = if arguments.json { Some(SampleFormat::Json) } else { arguments.format };
+    if let (Some(asked), Some(found), Some(ending)) = (asked, of_ending, &ending)
+        && asked != found
+    {
+        let option = if arguments.json { "--json".to_owned() } else { format!("--format {}", asked.ending()) };
+        return Err(misuse(&texts::places_ending_contradicts(ending, option).to_string()));
     }
-    let times =
-        key_times.iter().map(|&key_time| FrameTime::at_key_time(key_time, ms_between_keyframes, range.timing()));
-    print(arguments, scene, times.map(pose_at))
+    let format = asked.or(of_ending).unwrap_or(SampleFormat::Json);
+    if arguments.space == Space::World && format == SampleFormat::Csv {
+        return Err(misuse("--space world is printed as JSON, not as CSV"));
+    }
+    Ok(format)
 }
 
 type Sample = Result<(FrameTime, Pose), SampleError>;
 
-fn print(
-    arguments: &SampleArguments,
-    scene: &SceneGraph,
-    samples: impl Iterator<Item = Sample>,
-) -> Result<(), CliError> {
-    output::print(|output| match arguments.format {
-        SampleFormat::Json => print_json(output, arguments, scene, samples),
-        SampleFormat::Csv => print_csv(output, samples),
-    })
+/// How samples are printed.
+#[derive(Clone, Copy)]
+struct Form<'a> {
+    arguments: &'a SampleArguments,
+    format: SampleFormat,
+}
+
+impl Form<'_> {
+    fn write(self, scene: &SceneGraph, samples: impl Iterator<Item = Sample>, target: &Path) -> Result<(), CliError> {
+        let write = |output: &mut dyn io::Write| match self.format {
+            SampleFormat::Json => print_json(output, self.arguments, scene, samples),
+            SampleFormat::Csv => print_csv(output, samples),
+        };
+        if is_standard(target) {
+            return output::print(write);
+        }
+        storage::write_with(target, write).map_err(|reason| CliError::unwritten(target, reason))
+    }
+}
+
+/// The samples of a file.
+struct Samples<'a> {
+    form: Form<'a>,
+    scene: &'a SceneGraph,
+    file: &'a Path,
+    animation: &'a Animation,
+}
+
+impl Samples<'_> {
+    fn write(&self, target: &Path) -> Result<(), CliError> {
+        let Self { form, scene, file, animation } = self;
+        let arguments = form.arguments;
+        let range = animation.play_range(file)?;
+        let pose_at = |time: FrameTime| range.pose_at(time.key_time, animation.interpolation).map(|pose| (time, pose));
+        let ms_between_keyframes = animation.ms_between_keyframes;
+        if let Some(fps) = arguments.fps {
+            return form.write(scene, frame_times(fps, ms_between_keyframes, range.timing()).map(pose_at), target);
+        }
+        let key_times = arguments.at.as_ref().map_or(&[0.0][..], |key_times| &key_times.0);
+        let problems: Vec<String> = key_times
+            .iter()
+            .filter_map(|&key_time| range.check(key_time).err())
+            .map(|error| format!("{}: {error}", input_name(file)))
+            .collect();
+        if !problems.is_empty() {
+            return Err(CliError::bad_inputs(problems));
+        }
+        let times =
+            key_times.iter().map(|&key_time| FrameTime::at_key_time(key_time, ms_between_keyframes, range.timing()));
+        form.write(scene, times.map(pose_at), target)
+    }
 }
 
 fn print_json(

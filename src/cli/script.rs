@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::arguments::ScriptArguments;
 use super::places::Places;
-use super::{CliError, Ended, misuse, output};
+use super::{CliError, Common, Ended, misuse, output};
 use crate::editor::{Command, Editor, FileCommand};
 use crate::export::Painter;
 use crate::files::{self, FileError, scene};
@@ -18,11 +18,15 @@ use crate::words::texts;
 /// The largest script that is read: 16 MiB.
 const LARGEST_SCRIPT_BYTES: u64 = 16 << 20;
 
+/// The most lines without sense that are shown. A file that is no script has nothing else.
+const MOST_PROBLEMS: usize = 5;
+
 /// Reads a script whole, then runs it.
 ///
 /// # Errors
 /// [`CliError`]: bad lines before anything has run, a missing GPU adapter if the script needs one, a file that cannot be written.
-pub fn run(arguments: &ScriptArguments, named_scene: Option<&Path>) -> Result<Ended, CliError> {
+pub fn run(arguments: &ScriptArguments, common: Common<'_>) -> Result<Ended, CliError> {
+    let named_scene = common.scene;
     if arguments.journal.as_deref().is_some_and(storage::is_standard) {
         return Err(misuse(&texts::places_needs_a_file("--journal").to_string()));
     }
@@ -77,7 +81,12 @@ pub fn run(arguments: &ScriptArguments, named_scene: Option<&Path>) -> Result<En
 }
 
 fn parsed(location: &str, bytes: &[u8], scene: &SceneGraph) -> Result<Vec<Line>, CliError> {
-    Ok(script::parse(bytes, scene).map_err(|problems| FileError::all(location, problems))?)
+    script::parse(bytes, scene).map_err(|problems| {
+        let more = problems.len().saturating_sub(MOST_PROBLEMS);
+        let shown = problems.iter().take(MOST_PROBLEMS).map(|problem| format!("{location}: {problem}"));
+        let rest = (more > 0).then(|| format!("{location}: {}", texts::script_more_problems(more)));
+        CliError::bad_inputs(shown.chain(rest).collect())
+    })
 }
 
 fn begin_journal(path: &Path, editor: &Editor) -> Result<Writer, CliError> {

@@ -8,7 +8,7 @@ use std::path::Path;
 use super::arguments::VerifyArguments;
 use super::places::Places;
 use super::progress::Progress;
-use super::{CliError, Ended, misuse, output};
+use super::{CliError, Common, Ended, misuse, output};
 use crate::export::Painter;
 use crate::files;
 use crate::junit;
@@ -20,7 +20,8 @@ use crate::words::{Message, texts};
 ///
 /// # Errors
 /// [`CliError`]: no GPU adapter, a bad list, a folder or a result that cannot be written.
-pub fn run(arguments: &VerifyArguments, scene: Option<&Path>) -> Result<Ended, CliError> {
+pub fn run(arguments: &VerifyArguments, common: Common<'_>) -> Result<Ended, CliError> {
+    let scene = common.scene;
     let folder = &arguments.folder;
     let folders = [("DIR", Some(folder)), ("--output", arguments.output.as_ref())];
     if let Some((name, _)) = folders.iter().find(|(_, folder)| folder.is_some_and(|path| storage::is_standard(path))) {
@@ -34,11 +35,11 @@ pub fn run(arguments: &VerifyArguments, scene: Option<&Path>) -> Result<Ended, C
     let painter = Painter::headless(super::render::DEFAULT_SIZE, Some(1))?;
     let mut references = References::new(folder, scene, painter);
     if arguments.update {
-        return update(arguments, &shots, &mut references);
+        return update(&shots, &mut references, common);
     }
     let is_new = !storage::exists(&actual);
     files::create_folder(&actual)?;
-    let rows = each(&shots, |shot| Ok(Row { shot, verdict: references.verify(shot, &actual)? }))?;
+    let rows = each(&shots, common, |shot| Ok(Row { shot, verdict: references.verify(shot, &actual)? }))?;
     let unused = references::unused(folder, &all);
     let bad = rows.iter().filter(|row| !row.verdict.is_good()).count();
     let page = actual.join(PAGE_NAME);
@@ -57,7 +58,7 @@ pub fn run(arguments: &VerifyArguments, scene: Option<&Path>) -> Result<Ended, C
         let line = |mark: &str| format!("{mark} {}: {}", row.shot.name, row.verdict);
         if !row.verdict.is_good() {
             output::complain(&line("FAIL"));
-        } else if !arguments.quiet && !arguments.json {
+        } else if !common.is_quiet && !arguments.json {
             say(&line("ok  "))?;
         }
     }
@@ -65,7 +66,7 @@ pub fn run(arguments: &VerifyArguments, scene: Option<&Path>) -> Result<Ended, C
     if arguments.json {
         output::list(&results::json(&rows, &unused, &actual))?;
     } else {
-        if !arguments.quiet {
+        if !common.is_quiet {
             for path in &unused {
                 say(&texts::references_unused(path.display()).to_string())?;
             }
@@ -80,9 +81,9 @@ pub fn run(arguments: &VerifyArguments, scene: Option<&Path>) -> Result<Ended, C
 }
 
 /// Takes what is drawn now as the references.
-fn update(arguments: &VerifyArguments, shots: &[Shot], references: &mut References<'_>) -> Result<Ended, CliError> {
+fn update(shots: &[Shot], references: &mut References<'_>, common: Common<'_>) -> Result<Ended, CliError> {
     let mut counts = [0_usize; 4];
-    let rows = each(shots, |shot| Ok((shot, references.accept(shot)?)))?;
+    let rows = each(shots, common, |shot| Ok((shot, references.accept(shot)?)))?;
     for (shot, accepted) in rows {
         let (place, word) = match accepted {
             Accepted::New => (0, "new"),
@@ -95,7 +96,7 @@ fn update(arguments: &VerifyArguments, shots: &[Shot], references: &mut Referenc
             }
         };
         counts[place] += 1;
-        if !arguments.quiet {
+        if !common.is_quiet {
             output::say(&format!("{}: {word}\n", shot.name))?;
         }
     }
@@ -161,10 +162,15 @@ fn places(arguments: &VerifyArguments, shots: &[Shot], scene: Option<&Path>, act
 }
 
 /// Calls a function for each picture and shows the progress.
-fn each<'a, T>(shots: &'a [Shot], mut row: impl FnMut(&'a Shot) -> Result<T, CliError>) -> Result<Vec<T>, CliError> {
-    let mut progress = Progress::new("picture", shots.len());
+fn each<'a, T>(
+    shots: &'a [Shot],
+    common: Common<'_>,
+    mut row: impl FnMut(&'a Shot) -> Result<T, CliError>,
+) -> Result<Vec<T>, CliError> {
+    let mut progress = Progress::of_items("picture", shots.len(), common);
     let mut rows = Vec::with_capacity(shots.len());
     for shot in shots {
+        progress.begin(&shot.name);
         rows.push(row(shot)?);
         progress.step();
     }

@@ -2,8 +2,9 @@
 
 use thiserror::Error;
 
-use super::table::names_sentence;
+use super::table::names;
 use crate::editor::commands::ArgumentError;
+use crate::words::{Message, texts};
 
 /// A line that cannot be understood.
 #[derive(Clone, Debug, Error, PartialEq)]
@@ -22,7 +23,7 @@ pub enum LineProblem {
     #[error("not UTF-8")]
     NotUtf8,
     /// The first word is not a command.
-    #[error("{word:?} is not a command; the commands are {}", names_sentence())]
+    #[error("{}", unknown(.word))]
     Unknown {
         /// The word.
         word: String,
@@ -62,4 +63,16 @@ pub enum LineProblem {
         /// The word as written.
         name: String,
     },
+}
+
+/// How alike a word and a command are, from 0 to 1, from which on the command is suggested.
+const ALIKE: f64 = 0.8;
+
+fn unknown(word: &str) -> Message {
+    let alike = names().map(|name| (strsim::jaro(word, name), name)).max_by(|a, b| a.0.total_cmp(&b.0));
+    let word = format!("{word:?}");
+    match alike.filter(|(likeness, _)| *likeness >= ALIKE) {
+        Some((_, name)) => texts::script_unknown_command_alike(word, name),
+        None => texts::script_unknown_command(word),
+    }
 }

@@ -3,7 +3,6 @@
 use std::fmt::Write as _;
 
 use crate::editor::commands;
-use crate::text::listed;
 
 /// Lines that are no commands of the editor: first word, usage and description.
 pub(super) const OWN_LINES: [(&str, &str, &str); 11] = [
@@ -55,10 +54,9 @@ pub fn is_first_word(word: &str) -> bool {
     lines().any(|(name, ..)| name == word)
 }
 
-/// Every first word, in a sentence.
-pub(super) fn names_sentence() -> String {
-    let names: Vec<&str> = lines().map(|(name, ..)| name).collect();
-    listed(&names, "and")
+/// Every first word.
+pub(super) fn names() -> impl Iterator<Item = &'static str> {
+    lines().map(|(name, ..)| name)
 }
 
 /// The lines as a table in Markdown, for the manual.

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use serde_json::{Value, json};
+
 use crate::words::Message;
 
 /// The certainty of a finding.
@@ -62,6 +64,14 @@ impl Report {
     pub fn is_sure(&self) -> bool {
         let is_sure = |finding: &Finding| matches!(finding.certainty, Certainty::Sure | Certainty::Note);
         self.findings.iter().all(is_sure)
+    }
+
+    /// The report for programs: an object with the summary and a list of findings.
+    #[must_use]
+    pub fn json(&self) -> Value {
+        let finding = |Finding { certainty, text }: &Finding| json!({"certainty": certainty.word(), "text": text});
+        let findings: Vec<Value> = self.findings.iter().map(finding).collect();
+        json!({"summary": self.summary.to_string(), "findings": findings})
     }
 
     /// Whether a person should check any finding.

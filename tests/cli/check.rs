@@ -90,7 +90,7 @@ fn values_that_are_wrong() {
 fn json_that_is_wrong_has_line_and_column() {
     let good = serde_json::to_string(&keyframe_file(1)).unwrap();
     for (text, expected) in [
-        (String::new(), "line 1 column 1: the file ends where a value is missing"),
+        (String::new(), "line 1 column 1: the file is empty, expected keyframes"),
         (good.replace("\"scene\"", "\"scenery\""), "unknown field \"scenery\", expected format, "),
         (good.replace("\"pose\"", "\"poses\""), "unknown field \"poses\", expected name, "),
         (good.replace("\"rotation\":", "\"spin\":"), "unknown field \"spin\", expected translation or rotation"),
@@ -100,7 +100,6 @@ fn json_that_is_wrong_has_line_and_column() {
         (good.replacen("[0,0,0,1]", "[0,0,0]", 1), "found a list of 3 values, expected a list of 4 values"),
         (good[..good.len() / 2].to_owned(), "the file ends "),
         (good.clone() + "]", "there is more after the end"),
-        ("[]".to_owned(), "found a list of 0 values, expected an object"),
     ] {
         let sandbox = Sandbox::new();
         sandbox.write("a.json", &text);
@@ -112,6 +111,15 @@ fn json_that_is_wrong_has_line_and_column() {
         assert!(line.parse::<usize>().is_ok() && column.parse::<usize>().is_ok(), "{}", outcome.stderr);
         assert!(outcome.stderr.contains(expected) && !sentence.contains('`'), "{}", outcome.stderr);
     }
+}
+
+#[test]
+fn what_is_neither_json_nor_a_text_is_refused() {
+    check_text(
+        "[]",
+        "a.json: line 1 column 1: found \"[]\", expected keyframes: numbers, a line \"frame [0]\", the header \
+         \"frame_num,rbt_ind,…\", keys as a Python dictionary, or JSON",
+    );
 }
 
 #[test]

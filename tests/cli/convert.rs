@@ -122,9 +122,9 @@ fn python_keys_give_a_scene() {
     ));
     let world = sandbox.run(&["sample", "--scene", "scene.json", "--seconds", "1", "--space", "world"]).succeeds();
     assert!(world.contains("[0.75, 0, 0, 0, 0, 0.75, 0, 0, 0, 0, 0.75, 0, 0.5, 0.5, 0, 1]"), "{world}");
-    sandbox
-        .run(&["convert", "keys.py", "-o", "a.txt", "--to", "csv"])
-        .refuses("keys.py: keys of a control node, which the layout csv cannot hold: leave out --to");
+    sandbox.run(&["convert", "keys.py", "-o", "a.txt", "--to", "csv"]).refuses(
+        "keys.py: keys of a control node, which the layout csv cannot hold: a scene file ends in .json, without --to",
+    );
     assert_eq!(sandbox.names(), ["keys.py", "scene.json"]);
 }
 

@@ -237,7 +237,7 @@ fn info_says_how_many_frames_there_are() {
     assert_eq!((&json["frames"], &json["seconds"], &json["text"]), (&json!(15), &json!(1.32), &json!(null)));
     assert_eq!(json["keyframes"]["durations"], json!([1.0, 0.5, 1.3, 1.0, 0.5, 1.0, 1.0]));
     sandbox.run(&["convert", "a.json", "-o", "a.txt", "--to", "rows"]).succeeds();
-    let json = info(&["a.txt"]);
+    let json = info(&["a.txt", "--quiet"]);
     assert_eq!((&json["keyframes"]["count"], &json["keyframes"]["played"]), (&json!(7), &json!(5)));
     assert!(json["text"].as_str().unwrap().contains("7 keyframes"), "{json}");
     let json = info(&["--scene", "cylinder", "--fps", "5"]);

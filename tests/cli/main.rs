@@ -10,8 +10,10 @@ mod compare;
 mod convert;
 mod diagnose;
 mod diff;
+mod even;
 mod films;
 mod frames;
+mod generate;
 mod grade;
 mod grade_start;
 mod help;
@@ -26,6 +28,7 @@ mod requirements;
 mod sample;
 mod sandbox;
 mod script;
+mod several;
 #[cfg(target_os = "linux")]
 mod signals;
 #[path = "../student/mod.rs"]

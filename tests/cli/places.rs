@@ -14,7 +14,7 @@ fn rubric(reference: &str) -> String {
 }
 
 /// A folder with a file of every kind that is read.
-fn sandbox() -> Sandbox {
+pub fn sandbox() -> Sandbox {
     let sandbox = Sandbox::new();
     sandbox.write("a.json", keyframe_file(5).to_string());
     let mut other = keyframe_file(5);
@@ -47,13 +47,15 @@ fn files(sandbox: &Sandbox) -> BTreeMap<String, Vec<u8>> {
     names.filter_map(|name| Some((name.clone(), std::fs::read(sandbox.path(&name)).ok()?))).collect()
 }
 
-struct Ran {
-    status: Option<i32>,
-    stdout: Vec<u8>,
-    stderr: String,
+/// What a run left.
+pub struct Ran {
+    pub status: Option<i32>,
+    pub stdout: Vec<u8>,
+    pub stderr: String,
 }
 
-fn run(sandbox: &Sandbox, arguments: &[&str], input: Option<&str>) -> Ran {
+/// Runs the program, with a file as standard input.
+pub fn run(sandbox: &Sandbox, arguments: &[&str], input: Option<&str>) -> Ran {
     let mut command = sandbox.command(arguments);
     if let Some(input) = input {
         command.write_stdin(std::fs::read(sandbox.path(input)).unwrap());
@@ -220,7 +222,7 @@ fn no_file_is_written_twice_or_over_an_input() {
     for arguments in [
         &["convert", "a.json", "-o", "./a.json"][..],
         &["convert", "a.json", "-o", "link.json"],
-        &["convert", "link.json", "-o", "a.json", "--to", "csv"],
+        &["convert", "a.json", "b.json", "-o", "."],
         &["convert", "rows.txt", "-o", "joints.txt", "--joints", "joints.txt"],
         &["convert", "rows.txt", "-o", "joints.txt", "--joints", "joints.txt", "--overwrite"],
         &["convert", "a.json", "-o", "scene.json", "--scene", "scene.json"],

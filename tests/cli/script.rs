@@ -206,16 +206,25 @@ fn bad_lines_are_named_and_nothing_is_run() {
     sandbox.write("s.txt", "key n\nkey w\nselect robot9\n\njump\nkey q # none\n");
     sandbox.run(&["script", "s.txt", "--trace", "--state", "state.json"]).refuses(
         "s.txt: line 3: node \"robot9\" is not in the scene \"two-robots\"\n\
-         s.txt: line 5: \"jump\" is not a command; the commands are go, select-keyframes, move, copy, cut, paste, duplicate, delete, \
-         reverse, easing, rename, duration, set-keyframe-translation, set-keyframe-rotation, copy-pose, paste-pose, rotate, \
-         rotate-by, translate, set-translation, set-rotation, drag, drag-by, drag-to, wheel, wheel-by, put-control, remove-control, \
-         rename-control, add-key, add-keys, set-key, move-key, move-keys, delete-key, delete-keys, select-keys, seconds, \
-         interpolation, ms, speed, scrub, step, mode, range, auto-key, ghosts, eye, select, open, save-as, save-scene, screenshot, \
-         undo, redo, key, do, clamped, wait, scene, keyframe-file, imported, imported-scene, snapshot, document and ground\n\
+         s.txt: line 5: \"jump\" is not a command; `inbetween help script` lists them\n\
          s.txt: line 6: \"q\" is not a hotkey",
     );
     sandbox.run(&["script", "none.txt"]).refuses("none.txt: there is no such file or folder");
     assert_eq!(sandbox.names(), ["s.txt"]);
+    // Of a file that is no script, the first five lines are enough.
+    let no_script = |lines: usize, last: &str| {
+        sandbox.write("s.txt", "selct a\n".repeat(lines));
+        let line = |number: usize| {
+            format!(
+                "s.txt: line {number}: \"selct\" is not a command; did you mean select? `inbetween help script` lists them\n"
+            )
+        };
+        let first: String = (1..=5).map(line).collect();
+        sandbox.run(&["script", "s.txt"]).refuses((first + last).trim_end());
+    };
+    no_script(5, "");
+    no_script(6, "s.txt: 1 more line makes no sense");
+    no_script(200, "s.txt: 195 more lines make no sense");
 }
 
 #[test]

@@ -9,7 +9,7 @@ use crate::text_layouts::{FieldOrder, Layout};
 
 /// The long help.
 pub const HELP: &str = "\
-Read keyframes in any layout that students' own programs write, and write a keyframe file, or with --to another layout. What is read is \
+Read keyframes in any layout that students' own programs write, and write a keyframe file, or another layout. What is read is \
 told by its content: a keyframe file (JSON), or a text of numbers with or without a header \"N M\", with lines \"frame [0]\" or \"end\", \
 CSV, matrices. Keys in a Python program (dictionaries such as translate_keys, rotate_keys and scale_keys) give a scene file with a \
 control node. The program is not run.
@@ -21,16 +21,16 @@ error, and nothing is written.";
 /// Arguments of `convert`.
 #[derive(Debug, Args)]
 pub struct ConvertArguments {
-    /// The keyframes: a keyframe file or a text, of at most 1 GiB.
-    #[arg(value_name = "IN")]
-    pub input: PathBuf,
-    /// The file to write.
-    #[arg(short, long, value_name = "OUT")]
+    /// The keyframes: keyframe files or texts, of at most 1 GiB each.
+    #[arg(required = true, value_name = "IN")]
+    pub inputs: Vec<PathBuf>,
+    /// The file to write. Several INs need a folder: it gets a file for each, of the same name.
+    #[arg(short, long, value_name = "OUT|DIR")]
     pub output: PathBuf,
-    /// Write this layout instead of a keyframe file, numbers with six significant digits.
+    /// Write this layout, numbers with six significant digits [default: csv if OUT ends in .csv, header if in .txt, else a keyframe file].
     #[arg(long, value_name = "LAYOUT", value_parser = layout())]
     pub to: Option<Layout>,
-    /// With --to, write enough digits to read back the same values.
+    /// In a text, write enough digits to read back the same values.
     #[arg(long)]
     pub exact: bool,
     /// The order of a row's numbers, instead of the inferred one.
@@ -48,6 +48,9 @@ pub struct ConvertArguments {
     /// Which group of keys of a Python program to read, if there are several, from 1: what one control node gets.
     #[arg(long, value_name = "N")]
     pub group: Option<usize>,
+    /// Print the report as JSON: an object a line for each IN.
+    #[arg(long)]
+    pub json: bool,
 }
 
 fn layout() -> impl TypedValueParser<Value = Layout> {

@@ -11,10 +11,11 @@ use crate::rbt::LARGEST_COORDINATE;
 /// Arguments of `diff`.
 #[derive(Debug, Args)]
 pub struct DiffArguments {
-    /// Keyframes, of at most 1 GiB.
+    /// Keyframes: a keyframe file or a text, of at most 1 GiB.
     pub a: PathBuf,
-    /// Keyframes to compare them with.
-    pub b: PathBuf,
+    /// Keyframes to compare them with, each by itself.
+    #[arg(required = true, value_name = "B")]
+    pub others: Vec<PathBuf>,
     /// The tolerance of translations, in scene units.
     #[arg(long, value_name = "UNITS", default_value_t = 1e-3, value_parser = tolerance_of_poses)]
     pub tolerance_translation: f64,
@@ -24,7 +25,7 @@ pub struct DiffArguments {
     /// Frames a second to compare, 1 to 1000. The end is always compared.
     #[arg(long, value_name = "N", default_value_t = 60, value_parser = clap::value_parser!(u32).range(1..=1000))]
     pub fps: u32,
-    /// Print JSON.
+    /// Print JSON: an object a line for each B.
     #[arg(long)]
     pub json: bool,
     /// The interpolation to use for both instead of those of the files.

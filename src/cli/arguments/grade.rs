@@ -42,8 +42,8 @@ pub struct GradeArguments {
     /// Grade nothing: say which known mistakes the rubric's reference reveals, and which keyframes would reveal the others.
     #[arg(long, conflicts_with_all = ["submissions", "output", "classes", "one", "no_images"])]
     pub check: bool,
-    /// With --check: print JSON.
-    #[arg(long, requires = "check", conflicts_with_all = ["submissions", "output"])]
+    /// Print JSON: what grades.json holds; with --check, what the reference reveals.
+    #[arg(long, conflicts_with = "example")]
     pub json: bool,
     /// Grade nothing: write a rubric, a reference, a script and a README to start from into this folder.
     #[arg(long, value_name = "DIR", conflicts_with_all = ["rubric", "submissions", "output", "classes", "one", "no_images", "check"])]

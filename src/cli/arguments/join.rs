@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::ProgressKind;
-use super::values::still_format;
+use super::values::{film_format, still_format};
 use crate::film::{Format, FrameNumbers, MOST_FRAMES_PER_SECOND};
 
 /// The long help.
@@ -19,9 +19,12 @@ pub struct JoinArguments {
     /// The folder with frame-00000.png and on.
     #[arg(value_name = "DIR")]
     pub folder: PathBuf,
-    /// The film to write; its ending is its format.
+    /// The film to write.
     #[arg(short, long, value_name = "OUT.gif|OUT.apng|OUT.mp4|OUT.y4m")]
     pub output: PathBuf,
+    /// The film's format, where OUT has no ending that tells it, as - has none.
+    #[arg(long, value_name = "FORMAT", value_parser = film_format())]
+    pub format: Option<&'static Format>,
     /// Frames a second: those with which the images were drawn.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_FRAMES_PER_SECOND)))]
     pub fps: u32,
@@ -34,4 +37,7 @@ pub struct JoinArguments {
     /// How progress is told.
     #[arg(long, value_enum, default_value_t)]
     pub progress: ProgressKind,
+    /// Print JSON: output, format, fps.
+    #[arg(long)]
+    pub json: bool,
 }

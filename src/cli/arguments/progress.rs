@@ -10,4 +10,6 @@ pub enum ProgressKind {
     Terminal,
     /// Lines on standard output in the words of Open Job Description: openjd_progress, openjd_status, and openjd_fail for an error.
     Openjd,
+    /// Not at all.
+    None,
 }

@@ -16,4 +16,7 @@ pub struct RecoverArguments {
     /// The keyframe file to write [default: NAME.recovered.json beside the keyframe file NAME.json].
     #[arg(short, long, value_name = "OUT")]
     pub output: Option<PathBuf>,
+    /// Print JSON: an object a line for each journal.
+    #[arg(long)]
+    pub json: bool,
 }

@@ -1,12 +1,12 @@
 //! Arguments of `render`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 
 use super::ProgressKind;
 use super::help;
-use super::values::{interpolation, key_time, samples, seconds, size, still_format};
+use super::values::{format, interpolation, key_time, samples, seconds, size, still_format};
 use crate::colour::Colour;
 use crate::export::{Size, Span};
 use crate::film::{Format, FrameNumbers, Grid, MOST_FRAMES_PER_SECOND};
@@ -17,11 +17,14 @@ use crate::render::Background;
 /// Arguments of `render`.
 #[derive(Debug, Args)]
 pub struct RenderArguments {
-    /// The keyframe file; without it, the scene's rest pose is rendered.
+    /// The keyframes: a keyframe file or a text, of at most 1 GiB; without it, the scene's rest pose is rendered.
     pub file: Option<PathBuf>,
     /// What to write: a picture or film by its ending, or a folder of numbered pictures.
     #[arg(short, long, value_name = "OUT.png|OUT.gif|…|DIR", help = help::output())]
     pub output: PathBuf,
+    /// The format, where OUT has no ending that tells it, as - has none.
+    #[arg(long, value_name = "FORMAT", value_parser = format())]
+    pub format: Option<&'static Format>,
     /// The key time to render, from 0 to N - 3 [default: 0].
     #[arg(long, value_name = "KEY_TIME", requires = "file", conflicts_with_all = ["keyframe", "fps"], allow_hyphen_values = true, value_parser = key_time)]
     pub at: Option<f64>,
@@ -82,9 +85,17 @@ pub struct RenderArguments {
     /// Also write a JSON file with adapter, driver, versions and the SHA-256 of each written file.
     #[arg(long, value_name = "FILE")]
     pub manifest: Option<PathBuf>,
+    /// Print that JSON: the same as --manifest -.
+    #[arg(long, conflicts_with = "manifest")]
+    pub json: bool,
 }
 
 impl RenderArguments {
+    /// Where the manifest goes, if there is to be one.
+    pub fn manifest(&self) -> Option<&Path> {
+        if self.json { Some(Path::new("-")) } else { self.manifest.as_deref() }
+    }
+
     /// Which part of the animation is rendered.
     pub fn span(&self) -> Span {
         Span { from: self.from, to: self.to, seconds: self.seconds }

@@ -10,17 +10,24 @@ use crate::interpolation::Interpolation;
 /// Arguments of `sample`.
 #[derive(Debug, Args)]
 pub struct SampleArguments {
-    /// The keyframe file; without it, the scene's rest pose is printed.
-    pub file: Option<PathBuf>,
+    /// Keyframes: keyframe files or texts, of at most 1 GiB each; without one, the scene's rest pose is printed.
+    #[arg(value_name = "FILE")]
+    pub files: Vec<PathBuf>,
+    /// The file to write instead of standard output. Several FILEs need a folder: it gets a file for each, of the same name.
+    #[arg(short, long, value_name = "OUT|DIR")]
+    pub output: Option<PathBuf>,
     /// Key times to sample, from 0 to N - 3, in the order in which to print them [default: 0].
-    #[arg(long, value_name = "KEY_TIME,…", requires = "file", conflicts_with = "fps", allow_hyphen_values = true, value_parser = key_times)]
+    #[arg(long, value_name = "KEY_TIME,…", requires = "files", conflicts_with = "fps", allow_hyphen_values = true, value_parser = key_times)]
     pub at: Option<KeyTimes>,
     /// Frames a second, 1 to 1000. Samples the whole playing range and its end.
-    #[arg(long, value_name = "N", requires = "file", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    #[arg(long, value_name = "N", requires = "files", value_parser = clap::value_parser!(u32).range(1..=1000))]
     pub fps: Option<u32>,
-    /// The output format.
-    #[arg(long, value_enum, default_value_t)]
-    pub format: SampleFormat,
+    /// The output format [default: that of the ending of OUT, else json].
+    #[arg(long, value_enum)]
+    pub format: Option<SampleFormat>,
+    /// The same as --format json.
+    #[arg(long, conflicts_with = "format")]
+    pub json: bool,
     /// The space of the output: parent prints poses; world prints the world matrix of every node, including shapes and control nodes.
     #[arg(long, value_enum, default_value_t)]
     pub space: Space,
@@ -33,13 +40,27 @@ pub struct SampleArguments {
 }
 
 /// How samples are printed.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum SampleFormat {
     /// One object with "nodes" and "frames", a frame a line.
-    #[default]
     Json,
     /// A row for each node of each frame: key_time,rbt_ind,tx,ty,tz,rw,rx,ry,rz.
     Csv,
+}
+
+impl SampleFormat {
+    /// The ending of a file in this format.
+    pub fn ending(self) -> &'static str {
+        match self {
+            Self::Json => "json",
+            Self::Csv => "csv",
+        }
+    }
+
+    /// The format with this ending.
+    pub fn of_ending(ending: &str) -> Option<Self> {
+        [Self::Json, Self::Csv].into_iter().find(|format| format.ending() == ending)
+    }
 }
 
 /// In which space samples are printed.

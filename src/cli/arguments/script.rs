@@ -17,7 +17,7 @@ pub struct ScriptArguments {
     #[arg(long, value_name = "FILE", default_value = DEFAULT_KEYFRAME_FILE)]
     pub keyframes: PathBuf,
     /// After each command, print a JSON object with its line, its message and the state.
-    #[arg(long)]
+    #[arg(long, visible_alias = "json")]
     pub trace: bool,
     /// End with exit status 1 at the first command that is refused. Without this the script goes on, and ends with 0; without --trace,
     /// refusals go to standard error.

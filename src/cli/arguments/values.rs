@@ -3,7 +3,7 @@
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 use crate::export::Size;
-use crate::film::{Format, format_of_ending, stills};
+use crate::film::{FORMATS, Format, films, format_of_ending, stills};
 use crate::interpolation::Interpolation;
 use crate::scene::LATEST_SECONDS;
 
@@ -42,6 +42,18 @@ pub fn interpolation() -> impl TypedValueParser<Value = Interpolation> {
 /// The ending of a format of single pictures.
 pub fn still_format() -> impl TypedValueParser<Value = &'static Format> {
     PossibleValuesParser::new(stills().map(|format| format.ending))
+        .try_map(|ending| format_of_ending(&ending).ok_or("unknown format"))
+}
+
+/// The ending of a format of pictures or films.
+pub fn format() -> impl TypedValueParser<Value = &'static Format> {
+    PossibleValuesParser::new(FORMATS.map(|format| format.ending))
+        .try_map(|ending| format_of_ending(&ending).ok_or("unknown format"))
+}
+
+/// The ending of a format of films.
+pub fn film_format() -> impl TypedValueParser<Value = &'static Format> {
+    PossibleValuesParser::new(films().map(|format| format.ending))
         .try_map(|ending| format_of_ending(&ending).ok_or("unknown format"))
 }
 

@@ -24,11 +24,8 @@ pub struct VerifyArguments {
     /// The largest score that counts as equal, 0 to 1, instead of the list's tolerances.
     #[arg(long, value_name = "T", conflicts_with = "update", value_parser = tolerance)]
     pub tolerance: Option<f32>,
-    /// Print only failures and the summary.
-    #[arg(short, long)]
-    pub quiet: bool,
     /// Print the results as JSON instead of lines.
-    #[arg(long, conflicts_with_all = ["update", "quiet"])]
+    #[arg(long, conflicts_with = "update")]
     pub json: bool,
     /// Also write the results as JUnit XML, which CI services read.
     #[arg(long, value_name = "FILE", conflicts_with = "update")]

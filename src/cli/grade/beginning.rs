@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use crate::cli::places::Places;
-use crate::cli::{CliError, misuse, output};
+use crate::cli::{CliError, Common, misuse, output};
 use crate::files::{self, scene};
 use crate::grading::{Rubric, RubricCheck, example};
 use crate::storage;
@@ -26,7 +26,8 @@ pub fn check(rubric: &Path, is_json: bool, named_scene: Option<&Path>) -> Result
 ///
 /// # Errors
 /// [`CliError`]: one of the files is there already, a bad scene, a folder that cannot be written to.
-pub fn write_example(folder: &Path, named_scene: Option<&Path>) -> Result<(), CliError> {
+pub fn write_example(folder: &Path, common: Common<'_>) -> Result<(), CliError> {
+    let named_scene = common.scene;
     if storage::is_standard(folder) {
         return Err(misuse(&texts::places_no_folder("--example").to_string()));
     }
@@ -40,6 +41,9 @@ pub fn write_example(folder: &Path, named_scene: Option<&Path>) -> Result<(), Cl
     files::create_folder(folder)?;
     for (_, path, text) in &files {
         files::write(path, text.as_bytes())?;
+    }
+    if common.is_quiet {
+        return Ok(());
     }
     let names = files.each_ref().map(|(name, ..)| *name);
     output::say(&format!("Wrote {} to {}. Begin with README.md.\n", listed(&names, "and"), folder.display()))

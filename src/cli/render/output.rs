@@ -1,8 +1,9 @@
 //! The output of `render`, chosen by the ending of its name.
 
 use super::super::arguments::RenderArguments;
+use super::super::targets::format_named;
 use super::super::{CliError, misuse};
-use crate::film::{Format, NOT_WRITTEN, PNG, format_of_ending, still_names, written_endings};
+use crate::film::{Format, NOT_WRITTEN, PNG, still_names, written_endings};
 use crate::storage;
 use crate::text::listed;
 use crate::words::texts;
@@ -27,7 +28,11 @@ impl Output {
         let ending = ending.as_deref().unwrap_or_default();
         let is_folder = storage::is_folder(path) || path.to_string_lossy().ends_with(std::path::is_separator);
         let of_folder = arguments.frame_format.unwrap_or(&PNG);
-        let output = match format_of_ending(ending) {
+        if is_folder && arguments.format.is_some() {
+            return Err(misuse(texts::PLACES_FORMAT_OF_FOLDER.english()));
+        }
+        let format = if is_folder { None } else { format_named(arguments.format, path)? };
+        let output = match format {
             _ if is_folder => Self { format: of_folder, is_one_image: false },
             Some(format) if !format.is_still() => Self { format, is_one_image: false },
             Some(_) if arguments.fps.is_some() => {
@@ -42,6 +47,11 @@ impl Output {
             None => Self { format: &PNG, is_one_image: true },
         };
         output.check(arguments)?;
+        let is_film = !output.is_one_image && !output.format.is_still();
+        if is_film && arguments.manifest().is_some() && storage::is_standard(path) {
+            // Its hash is that of the file.
+            return Err(misuse(&texts::places_needs_a_file("--output").to_string()));
+        }
         Ok(output)
     }
 

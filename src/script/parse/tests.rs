@@ -25,8 +25,8 @@ fn comments_blanks_and_line_ends() {
 
 #[test]
 fn what_cannot_be_understood() {
-    let sentence = format!("\"jump\" is not a command; the commands are {}", crate::script::table::names_sentence());
-    check_problem("jump 3", &sentence);
+    check_problem("jump 3", "\"jump\" is not a command; `inbetween help script` lists them");
+    check_problem("roate z 3", "\"roate\" is not a command; did you mean rotate? `inbetween help script` lists them");
     check_problem("select robot3", "node \"robot3\" is not in the scene \"two-robots\"");
     check_problem("select", "expected `select PATH`, found `select`");
     check_problem("rotate z", "expected `rotate AXIS DEGREES`, found `rotate z`");
