@@ -1,5 +1,6 @@
 //! `inbetween check`: checks keyframes.
 
+use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
@@ -37,7 +38,7 @@ pub fn run(arguments: &CheckArguments, common: Common<'_>) -> Result<Ended, CliE
     };
     let mut text = lines(outcomes, common.is_quiet);
     if common.is_quiet {
-        text.push_str(&format!("{summary}\n"));
+        let _ = writeln!(text, "{summary}");
     }
     if bad == 0 {
         output::say(&text)?;

@@ -10,7 +10,7 @@ use super::arguments::ConvertArguments;
 use super::each::{Done, Telling, each, tell};
 use super::places::Places;
 use super::targets::{ending_of, make_folder, targets};
-use super::{CliError, Common, Ended, misuse, scene};
+use super::{CliError, Common, Ended, misuse, output, scene};
 use crate::files::{self, FileError};
 use crate::keyframe::{Keyframe, KeyframeFile, KeyframesText, LARGEST_FILE_BYTES};
 use crate::scene::SceneGraph;
@@ -29,9 +29,9 @@ const LARGEST_LIST_BYTES: u64 = 16 << 20;
 /// [`CliError`]: bad input, with nothing written for it; an output that cannot be written.
 pub fn run(arguments: &ConvertArguments, common: Common<'_>) -> Result<Ended, CliError> {
     let layout = layout_of(arguments)?;
-    let (inputs, output) = (&arguments.inputs, &arguments.output);
+    let inputs = &arguments.inputs;
     let ending = layout.map_or("json", |layout| if layout == Layout::Csv { "csv" } else { "txt" });
-    let targets = targets(inputs, output, ending)?;
+    let targets = targets(inputs, &arguments.output, ending)?;
     places(arguments, &targets, common).check()?;
     let scene = &scene::load(common.scene)?;
     let joints = arguments.joints.as_deref().map(|file| joint_list(file, scene)).transpose()?;
@@ -50,19 +50,16 @@ pub fn run(arguments: &ConvertArguments, common: Common<'_>) -> Result<Ended, Cl
         let report = conversion.run(&Options { file_name: input_name(input), ..options.clone() })?;
         let mut fields = report.json();
         fields["output"] = json!(storage::output_name(target));
-        Ok(Done::well(said(input, &report, common), fields))
+        let name = input_name(input);
+        if common.is_quiet {
+            for warning in report.warnings() {
+                output::complain(&format!("{name}: warning: {warning}"));
+            }
+            return Ok(Done::well(String::new(), fields));
+        }
+        Ok(Done::well(format!("{name}: {report}\n"), fields))
     })?;
-    tell(outcomes, Telling { is_json: arguments.json, data: Some(output) })
-}
-
-/// The report in lines; quiet, its warnings.
-fn said(input: &Path, report: &Report, common: Common<'_>) -> String {
-    let name = input_name(input);
-    if !common.is_quiet {
-        return format!("{name}: {report}\n");
-    }
-    let warnings = report.findings.iter().filter(|finding| finding.certainty == Certainty::Warning);
-    warnings.map(|Finding { certainty, text }| format!("{name}: {}: {text}\n", certainty.word())).collect()
+    tell(outcomes, Telling { is_json: arguments.json, data: Some(&arguments.output) })
 }
 
 /// The layout to write: that of --to, or that of the output's ending; `None` for a keyframe file.

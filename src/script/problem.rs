@@ -70,8 +70,10 @@ const ALIKE: f64 = 0.8;
 
 fn unknown(word: &str) -> Message {
     let alike = names().map(|name| (strsim::jaro(word, name), name)).max_by(|a, b| a.0.total_cmp(&b.0));
+    // Of one or two letters nothing can be told.
+    let is_long = word.chars().count() > 2;
     let word = format!("{word:?}");
-    match alike.filter(|(likeness, _)| *likeness >= ALIKE) {
+    match alike.filter(|(likeness, _)| is_long && *likeness >= ALIKE) {
         Some((_, name)) => texts::script_unknown_command_alike(word, name),
         None => texts::script_unknown_command(word),
     }

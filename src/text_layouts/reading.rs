@@ -1,6 +1,6 @@
 //! Reading of keyframes from any supported format, for `diff`, `diagnose` and `grade`.
 
-use super::{Certainty, Imported, Options, Report, import};
+use super::{Imported, Options, Report, import};
 use crate::keyframe::KeyframeFile;
 use crate::scene::SceneGraph;
 
@@ -17,11 +17,7 @@ impl Reading {
     /// The findings that a person should check, one sentence each.
     #[must_use]
     pub fn warnings(&self) -> Vec<&str> {
-        let findings = self.report.iter().flat_map(|report| &report.findings);
-        findings
-            .filter(|finding| finding.certainty == Certainty::Warning)
-            .map(|finding| finding.text.as_str())
-            .collect()
+        self.report.iter().flat_map(Report::warnings).collect()
     }
 }
 

@@ -74,10 +74,16 @@ impl Report {
         json!({"summary": self.summary.to_string(), "findings": findings})
     }
 
+    /// The findings that a person should check, one sentence each.
+    pub fn warnings(&self) -> impl Iterator<Item = &str> {
+        let is_warning = |finding: &&Finding| finding.certainty == Certainty::Warning;
+        self.findings.iter().filter(is_warning).map(|finding| finding.text.as_str())
+    }
+
     /// Whether a person should check any finding.
     #[must_use]
     pub fn has_warnings(&self) -> bool {
-        self.findings.iter().any(|finding| finding.certainty == Certainty::Warning)
+        self.warnings().next().is_some()
     }
 }
 

@@ -170,6 +170,7 @@ pub fn window_and_failures() -> String {
         texts::DECODE_NOT_JSON.into(),
         texts::PICTURE_DAMAGED.into(),
         texts::decode_no_fields("x"),
+        texts::man_written(18, path()),
         texts::DECODE_OTHER.into(),
         texts::decode_expected(texts::DECODE_KIND_OTHER),
         texts::timed_not_finite(f64::NAN),
