@@ -8,6 +8,7 @@ use serde_json::{Value, json};
 use super::arguments::CheckArguments;
 use super::each::{Done, Outcome, Telling, each, tell};
 use super::places::Places;
+use super::reading::Notes;
 use super::{CliError, Common, Ended, output, reading, scene};
 use crate::scene::SceneGraph;
 use crate::storage::input_name;
@@ -26,11 +27,11 @@ pub fn run(arguments: &CheckArguments, common: Common<'_>) -> Result<Ended, CliE
     let scene = &scene::load(common.scene)?;
     let shown = |file: &PathBuf| input_name(file);
     let named = |file: &PathBuf| json!({"file": input_name(file)});
-    let outcomes = each(&arguments.files, common, shown, named, |file| verdict(file, scene, common))?;
+    let outcomes = each(&arguments.files, common, shown, named, |file, notes| verdict(file, scene, common, notes))?;
     if arguments.json {
         return tell(outcomes, Telling { is_json: true, data: None });
     }
-    let bad = outcomes.iter().filter(|(_, outcome)| outcome.is_err()).count();
+    let bad = outcomes.iter().filter(|outcome| outcome.result.is_err()).count();
     let summary = if bad == 0 {
         texts::check_all_good(outcomes.len())
     } else {
@@ -50,8 +51,9 @@ pub fn run(arguments: &CheckArguments, common: Common<'_>) -> Result<Ended, CliE
 
 fn lines(outcomes: Vec<Outcome>, is_quiet: bool) -> String {
     let mut text = String::new();
-    for (_, outcome) in outcomes {
-        match outcome {
+    for Outcome { notes, result, .. } in outcomes {
+        notes.say();
+        match result {
             Ok(done) if !is_quiet => text.push_str(&done.lines),
             Ok(_) => {}
             Err(error) => text.extend(error.into_sentences().1.iter().map(|sentence| format!("{sentence}\n"))),
@@ -60,8 +62,8 @@ fn lines(outcomes: Vec<Outcome>, is_quiet: bool) -> String {
     text
 }
 
-fn verdict(file: &Path, scene: &SceneGraph, common: Common<'_>) -> Result<Done, CliError> {
-    let Reading { file: content, report } = reading::keyframes(file, scene, common)?;
+fn verdict(file: &Path, scene: &SceneGraph, common: Common<'_>, notes: &mut Notes) -> Result<Done, CliError> {
+    let Reading { file: content, report } = reading::noted_keyframes(file, scene, common, notes)?;
     let (keyframes, interpolation, ms) = content.into_parts();
     let (count, interpolation) = (keyframes.len(), interpolation.name());
     let fields = json!({

@@ -50,7 +50,7 @@ pub fn run(arguments: &CompareArguments, common: Common<'_>) -> Result<Ended, Cl
         common,
         |(pair, _)| pair.name(),
         named,
-        |(pair, target)| {
+        |(pair, target), _| {
             let Some(second) = &pair.second else {
                 let line = format!("{}\n", texts::compare_alone(pair.first.display(), pair.folder.display()));
                 return Ok(Done::ended(Ended::Beyond, line, json!({"within": false})));

@@ -10,7 +10,7 @@ use super::arguments::ConvertArguments;
 use super::each::{Done, Telling, each, tell};
 use super::places::Places;
 use super::targets::{ending_of, make_folder, targets};
-use super::{CliError, Common, Ended, misuse, output, scene};
+use super::{CliError, Common, Ended, misuse, scene};
 use crate::files::{self, FileError};
 use crate::keyframe::{Keyframe, KeyframeFile, KeyframesText, LARGEST_FILE_BYTES};
 use crate::scene::SceneGraph;
@@ -45,16 +45,14 @@ pub fn run(arguments: &ConvertArguments, common: Common<'_>) -> Result<Ended, Cl
     let jobs: Vec<(&PathBuf, &PathBuf)> = inputs.iter().zip(&targets).collect();
     let shown = |(input, _): &(&PathBuf, &PathBuf)| input_name(input);
     let named = |(input, _): &(&PathBuf, &PathBuf)| json!({"file": input_name(input)});
-    let outcomes = each(&jobs, common, shown, named, |&(input, target)| {
+    let outcomes = each(&jobs, common, shown, named, |&(input, target), notes| {
         let conversion = Conversion { arguments, scene, layout, input, target };
         let report = conversion.run(&Options { file_name: input_name(input), ..options.clone() })?;
         let mut fields = report.json();
         fields["output"] = json!(storage::output_name(target));
         let name = input_name(input);
         if common.is_quiet {
-            for warning in report.warnings() {
-                output::complain(&format!("{name}: warning: {warning}"));
-            }
+            notes.warn(&name, report.warnings());
             return Ok(Done::well(String::new(), fields));
         }
         Ok(Done::well(format!("{name}: {report}\n"), fields))

@@ -8,6 +8,7 @@ use serde_json::{Value, json};
 use super::arguments::DiffArguments;
 use super::each::{Done, Telling, each, tell};
 use super::places::Places;
+use super::reading::Notes;
 use super::{CliError, Common, Ended, reading, scene};
 use crate::animation_diff::{Deviation, Difference, Played, Tolerances, compare, frame_times_ms};
 use crate::files::FileError;
@@ -30,16 +31,18 @@ pub fn run(arguments: &DiffArguments, common: Common<'_>) -> Result<Ended, CliEr
     others.iter().fold(places, |places, other| places.reads("B", other)).check()?;
     let reference = || -> Result<_, CliError> {
         let scene = scene::load(common.scene)?;
-        let a = Side::load(&arguments.a, &scene, arguments.interpolation, common)?;
+        let mut notes = Notes::default();
+        let a = Side::load(&arguments.a, &scene, arguments.interpolation, common, &mut notes)?;
+        notes.say();
         Ok((scene, a))
     };
     let (scene, a) = reference().map_err(CliError::into_trouble)?;
     let range = a.range(&arguments.a).map_err(|error| CliError::from(error).into_trouble())?;
     let shown = |other: &PathBuf| input_name(other);
     let named = |other: &PathBuf| json!({"a": input_name(&arguments.a), "b": input_name(other)});
-    let outcomes = each(others, common, shown, named, |other| {
+    let outcomes = each(others, common, shown, named, |other, notes| {
         let pair = Pair { arguments, scene: &scene, a: &a, range_a: &range, other };
-        pair.compare(common).map_err(CliError::into_trouble)
+        pair.compare(common, notes).map_err(CliError::into_trouble)
     })?;
     tell(outcomes, Telling { is_json: arguments.json, data: None }).map_err(CliError::into_trouble)
 }
@@ -56,8 +59,10 @@ impl Side {
         scene: &SceneGraph,
         interpolation: Option<Interpolation>,
         common: Common<'_>,
+        notes: &mut Notes,
     ) -> Result<Self, FileError> {
-        let (list, in_file, ms_between_keyframes) = reading::keyframes(file, scene, common)?.file.into_parts();
+        let read = reading::noted_keyframes(file, scene, common, notes)?;
+        let (list, in_file, ms_between_keyframes) = read.file.into_parts();
         Ok(Self { list, interpolation: interpolation.unwrap_or(in_file), ms_between_keyframes })
     }
 
@@ -80,9 +85,9 @@ struct Pair<'a> {
 }
 
 impl Pair<'_> {
-    fn compare(&self, common: Common<'_>) -> Result<Done, CliError> {
+    fn compare(&self, common: Common<'_>, notes: &mut Notes) -> Result<Done, CliError> {
         let Self { arguments, scene, a, range_a, other } = self;
-        let b = Side::load(other, scene, arguments.interpolation, common)?;
+        let b = Side::load(other, scene, arguments.interpolation, common, notes)?;
         let range_b = b.range(other)?;
         let (played_a, played_b) = (a.played(range_a), b.played(&range_b));
         let tolerances =
@@ -92,16 +97,16 @@ impl Pair<'_> {
         let times = frame_times_ms(&length_ms, arguments.fps, MOST_FRAMES)
             .ok_or_else(|| bad(format!("more than {MOST_FRAMES} frames to compare: choose a lower --fps")))?;
         let difference = compare(played_a, played_b, &times, tolerances).map_err(|error| bad(error.to_string()))?;
-        let mut notes = Vec::new();
+        let mut remarks = Vec::new();
         if played_a.length_ms() != played_b.length_ms() {
-            notes.push(format!(
+            remarks.push(format!(
                 "they play for different times, {} ms and {} ms: the shorter one is compared by its end from there on",
                 to_f64(&played_a.length_ms()),
                 to_f64(&played_b.length_ms())
             ));
         }
         if a.interpolation != b.interpolation {
-            notes.push(format!(
+            remarks.push(format!(
                 "the first is played {}, the second {}",
                 a.interpolation.name(),
                 b.interpolation.name()
@@ -109,7 +114,8 @@ impl Pair<'_> {
         }
         let is_within = difference.is_within() && played_a.length_ms() == played_b.length_ms();
         let frames = times.len();
-        let report = DifferenceReport { difference: &difference, scene, tolerances, frames, notes: &notes, is_within };
+        let report =
+            DifferenceReport { difference: &difference, scene, tolerances, frames, notes: &remarks, is_within };
         let name = input_name(other);
         let lines = match (common.is_quiet, is_within, arguments.others.len()) {
             (true, true, _) => String::new(),

@@ -6,6 +6,7 @@ use serde_json::{Map, Value, json};
 
 use super::error::Ended;
 use super::progress::Progress;
+use super::reading::Notes;
 use super::{CliError, Common, output};
 
 /// What the work for one file has to say on standard output.
@@ -40,11 +41,18 @@ pub struct Telling<'a> {
     pub data: Option<&'a Path>,
 }
 
-/// One file, by the fields that name it in JSON, and what came of it.
-pub type Outcome = (Map<String, Value>, Result<Done, CliError>);
+/// One file, and what came of it.
+pub struct Outcome {
+    /// The fields that name it in JSON.
+    pub name: Map<String, Value>,
+    /// What was inferred from it.
+    pub notes: Notes,
+    /// What was done, or why it was not.
+    pub result: Result<Done, CliError>,
+}
 
 /// Does the work for each item, with progress where there are several. `named` gives the fields that name an item in JSON; `shown` names
-/// it in the progress.
+/// it in the progress. What the work notes is said when all is done, so that it does not stand amid the progress.
 ///
 /// # Errors
 /// Wrong usage. What is wrong with an item is its outcome.
@@ -53,18 +61,19 @@ pub fn each<T>(
     common: Common<'_>,
     shown: impl Fn(&T) -> String,
     named: impl Fn(&T) -> Value,
-    mut work: impl FnMut(&T) -> Result<Done, CliError>,
+    mut work: impl FnMut(&T, &mut Notes) -> Result<Done, CliError>,
 ) -> Result<Vec<Outcome>, CliError> {
     let mut progress = Progress::of_items("file", items.len(), common);
     let mut outcomes = Vec::with_capacity(items.len());
     for item in items {
         progress.begin(&shown(item));
-        let outcome = match work(item) {
+        let mut notes = Notes::default();
+        let result = match work(item, &mut notes) {
             Err(usage @ (CliError::Usage(_) | CliError::Misuse(_))) => return Err(usage),
-            outcome => outcome,
+            result => result,
         };
-        let Value::Object(named) = named(item) else { unreachable!("names are an object") };
-        outcomes.push((named, outcome));
+        let Value::Object(name) = named(item) else { unreachable!("names are an object") };
+        outcomes.push(Outcome { name, notes, result });
         progress.step();
     }
     Ok(outcomes)
@@ -76,8 +85,9 @@ pub fn each<T>(
 /// [`CliError::Said`] with the worst status; standard output does not take it.
 pub fn tell(outcomes: Vec<Outcome>, telling: Telling<'_>) -> Result<Ended, CliError> {
     let mut worst = 0;
-    for (mut object, outcome) in outcomes {
-        let lines = match outcome {
+    for Outcome { name: mut object, notes, result } in outcomes {
+        notes.say();
+        let lines = match result {
             Ok(Done { lines, fields, ended }) => {
                 worst = worst.max(ended.status());
                 object.extend(fields);

@@ -2,7 +2,6 @@
 
 use std::io::{self, BufWriter, IsTerminal as _, Write};
 use std::path::Path;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::CliError;
 use crate::storage::Place;
@@ -18,7 +17,6 @@ pub fn standard_output() -> BufWriter<io::StdoutLock<'static>> {
 /// # Errors
 /// [`CliError`]: it does not take them.
 pub fn print(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), CliError> {
-    clear_status();
     let mut output = standard_output();
     match write(&mut output).and_then(|()| output.flush()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(CliError::standard_output(error)),
@@ -56,28 +54,24 @@ pub fn list(lines: &str) -> Result<(), CliError> {
 
 /// Writes lines to standard error; where that is closed, there is no one to tell. What they quote does nothing to a terminal.
 pub fn complain(lines: &str) {
-    clear_status();
     let _ = writeln!(io::stderr().lock(), "{}", visible(lines));
 }
 
-/// Whether a terminal's last line shows what is done now.
-static HAS_STATUS: AtomicBool = AtomicBool::new(false);
-/// The longest such line, in characters: one that is wrapped could not be erased.
+/// The longest line that shows what is done now, in characters: one that is wrapped could not be erased.
 const LONGEST_STATUS: usize = 78;
 
-/// Shows on standard error, if that is a terminal, what is done now, until something else is printed.
-pub fn show_status(text: &str) {
+/// Shows on standard error, if that is a terminal, what is done now, in place of what was shown so. Whether anything is shown.
+pub fn show_status(text: &str) -> bool {
     let mut error = io::stderr().lock();
-    if error.is_terminal() {
+    let is_shown = error.is_terminal();
+    if is_shown {
         let text: String = visible(text).chars().take(LONGEST_STATUS).collect();
-        HAS_STATUS.store(true, Ordering::Relaxed);
         let _ = write!(error, "\r\u{1b}[K{text}");
     }
+    is_shown
 }
 
 /// Erases what [`show_status`] shows.
 pub fn clear_status() {
-    if HAS_STATUS.swap(false, Ordering::Relaxed) {
-        let _ = write!(io::stderr().lock(), "\r\u{1b}[K");
-    }
+    let _ = write!(io::stderr().lock(), "\r\u{1b}[K");
 }

@@ -11,12 +11,14 @@ pub struct Progress {
     /// What is worked on now; may be empty.
     name: String,
     kind: ProgressKind,
+    /// Whether a terminal shows it.
+    is_shown: bool,
 }
 
 impl Progress {
     /// Nothing done yet of `steps` steps; `what` names one of them.
     pub fn new(kind: ProgressKind, what: &'static str, steps: usize) -> Self {
-        Self { what, steps, done: 0, name: String::new(), kind }
+        Self { what, steps, done: 0, name: String::new(), kind, is_shown: false }
     }
 
     /// Progress of items that are told on a terminal where there are several.
@@ -52,13 +54,13 @@ impl Progress {
         thousandth(before) != thousandth(done)
     }
 
-    fn tell(&self) {
-        let Self { what, steps, done, name, kind } = self;
+    fn tell(&mut self) {
+        let Self { what, steps, done, name, kind, is_shown } = self;
         match kind {
             ProgressKind::None => {}
             ProgressKind::Terminal => {
                 let of = if name.is_empty() { String::new() } else { format!(": {name}") };
-                output::show_status(&format!("{what} {done} of {steps} ({} %){of}", done * 100 / steps));
+                *is_shown = output::show_status(&format!("{what} {done} of {steps} ({} %){of}", *done * 100 / *steps));
             }
             ProgressKind::Openjd => {
                 let percent = *done as f64 * 100.0 / *steps as f64;
@@ -73,7 +75,9 @@ impl Progress {
 
 impl Drop for Progress {
     fn drop(&mut self) {
-        output::clear_status();
+        if self.is_shown {
+            output::clear_status();
+        }
     }
 }
 

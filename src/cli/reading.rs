@@ -3,40 +3,57 @@
 use std::path::Path;
 
 use super::{Common, output};
-use crate::export::Animation;
 use crate::files::{self, FileError};
-use crate::interpolation::Interpolation;
 use crate::scene::SceneGraph;
 use crate::storage::input_name;
 use crate::text_layouts::Reading;
 use crate::words::texts;
 
-/// Reads keyframes. What was inferred from a text is said on standard error; a person should check the warnings, which are said also
-/// where a command is to be quiet.
+/// What was inferred from texts, as lines for standard error.
+#[derive(Debug, Default)]
+pub struct Notes(Vec<String>);
+
+impl Notes {
+    /// Adds warnings about a file.
+    pub fn warn<'a>(&mut self, name: &str, warnings: impl IntoIterator<Item = &'a str>) {
+        self.0.extend(warnings.into_iter().map(|warning| format!("{name}: warning: {warning}")));
+    }
+
+    /// Says them.
+    pub fn say(&self) {
+        if !self.0.is_empty() {
+            output::complain(&self.0.join("\n"));
+        }
+    }
+}
+
+/// Reads keyframes. What was inferred from a text becomes a note, and so do warnings, which a person should check: these also where a
+/// command is to be quiet.
+///
+/// # Errors
+/// [`FileError`] with everything that is wrong with the file.
+pub fn noted_keyframes(
+    file: &Path,
+    scene: &SceneGraph,
+    common: Common<'_>,
+    notes: &mut Notes,
+) -> Result<Reading, FileError> {
+    let reading = files::keyframes(file, scene)?;
+    let name = input_name(file);
+    if let (Some(report), false) = (&reading.report, common.is_quiet) {
+        notes.0.push(texts::reading_as_text(&name, report.summary.clone()).to_string());
+    }
+    notes.warn(&name, reading.warnings());
+    Ok(reading)
+}
+
+/// Reads keyframes as [`noted_keyframes`] does, and says the notes.
 ///
 /// # Errors
 /// [`FileError`] with everything that is wrong with the file.
 pub fn keyframes(file: &Path, scene: &SceneGraph, common: Common<'_>) -> Result<Reading, FileError> {
-    let reading = files::keyframes(file, scene)?;
-    let name = input_name(file);
-    if let (Some(report), false) = (&reading.report, common.is_quiet) {
-        output::complain(&texts::reading_as_text(&name, report.summary.clone()).to_string());
-    }
-    for warning in reading.warnings() {
-        output::complain(&format!("{name}: warning: {warning}"));
-    }
+    let mut notes = Notes::default();
+    let reading = noted_keyframes(file, scene, common, &mut notes)?;
+    notes.say();
     Ok(reading)
-}
-
-/// Reads keyframes as [`keyframes`] does, as an animation; `interpolation`, where given, replaces the file's.
-///
-/// # Errors
-/// [`FileError`] with everything that is wrong with the file.
-pub fn animation(
-    file: &Path,
-    scene: &SceneGraph,
-    interpolation: Option<Interpolation>,
-    common: Common<'_>,
-) -> Result<Animation, FileError> {
-    Ok(Animation::of(keyframes(file, scene, common)?.file, interpolation))
 }

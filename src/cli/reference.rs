@@ -60,7 +60,8 @@ fn written(argument: &Arg) -> String {
     let value = if takes_value { format!("{values}{more}") } else { String::new() };
     let short = argument.get_short().map(|short| format!("-{short}"));
     let long = argument.get_long().map(|long| format!("--{long}"));
-    let names: Vec<String> = short.into_iter().chain(long).collect();
+    let aliases = argument.get_visible_aliases().unwrap_or_default().into_iter().map(|alias| format!("--{alias}"));
+    let names: Vec<String> = short.into_iter().chain(long).chain(aliases).collect();
     format!("{} {value}", names.join(", ")).trim().to_owned()
 }
 

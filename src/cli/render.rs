@@ -12,7 +12,7 @@ use super::places::Places;
 use super::progress::{telling, watched};
 use super::{CliError, Common, reading, scene};
 use crate::export::{
-    Painter, RenderRequest, Size, Source, Subject, check_format, check_sheet, is_frame_name, write_picture,
+    Animation, Painter, RenderRequest, Size, Source, Subject, check_format, check_sheet, is_frame_name, write_picture,
 };
 use crate::render::Background;
 use crate::storage::output_name;
@@ -59,7 +59,9 @@ fn draw(
     painter: &mut Painter,
 ) -> Result<(), CliError> {
     let scene = scene::load(common.scene)?;
-    let read = |file| reading::animation(file, &scene, arguments.interpolation, common);
+    let read = |file| -> Result<_, CliError> {
+        Ok(Animation::of(reading::keyframes(file, &scene, common)?.file, arguments.interpolation))
+    };
     let animation = arguments.file.as_deref().map(read).transpose()?;
     let subject = match arguments.sheet {
         Some(grid) => Subject::Sheet(grid),

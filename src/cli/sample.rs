@@ -45,8 +45,9 @@ pub fn run(arguments: &SampleArguments, common: Common<'_>) -> Result<Ended, Cli
     let pairs: Vec<(&PathBuf, &PathBuf)> = files.iter().zip(&targets).collect();
     let shown = |(file, _): &(&PathBuf, &PathBuf)| input_name(file);
     let named = |(file, _): &(&PathBuf, &PathBuf)| json!({"file": input_name(file)});
-    let outcomes = each(&pairs, common, shown, named, |&(file, target)| {
-        let animation = reading::animation(file, scene, arguments.interpolation, common)?;
+    let outcomes = each(&pairs, common, shown, named, |&(file, target), notes| {
+        let read = reading::noted_keyframes(file, scene, common, notes)?;
+        let animation = Animation::of(read.file, arguments.interpolation);
         let samples = Samples { form, scene, file, animation: &animation };
         make_folder(output, target)?;
         samples.write(target)?;

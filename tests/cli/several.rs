@@ -83,8 +83,8 @@ fn samples_of_several_files_are_those_of_each() {
     assert_eq!((outcome.status, outcome.stdout.as_str()), (1, ""));
     assert_eq!(
         outcome.stderr,
-        "rows.txt: read as a text: 5 keyframes of 22 nodes, layout rows\n\
-         bad.txt: line 1 column 7: found \"four\", expected a number\n"
+        "bad.txt: line 1 column 7: found \"four\", expected a number\n\
+         rows.txt: read as a text: 5 keyframes of 22 nodes, layout rows\n"
     );
     let alone = sandbox.run(&["sample", "a.json", "--at", "0,1.5"]).succeeds();
     assert_eq!(sandbox.read("made/a.json"), alone);
