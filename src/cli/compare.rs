@@ -27,7 +27,7 @@ pub fn run(arguments: &CompareArguments, common: Common<'_>) -> Result<Ended, Cl
     let with_differences = match output {
         Some(output) => {
             let others: Vec<_> = pairs.iter().filter_map(Pair::other).collect();
-            targets(&others, output, "png")?
+            targets(&others, output, "png", pairs.iter().any(|pair| pair.is_of_folders))?
         }
         None => Vec::new(),
     };

@@ -31,7 +31,7 @@ pub fn run(arguments: &ConvertArguments, common: Common<'_>) -> Result<Ended, Cl
     let layout = layout_of(arguments)?;
     let inputs = &arguments.inputs;
     let ending = layout.map_or("json", |layout| if layout == Layout::Csv { "csv" } else { "txt" });
-    let targets = targets(inputs, &arguments.output, ending)?;
+    let targets = targets(inputs, &arguments.output, ending, false)?;
     places(arguments, &targets, common).check()?;
     let scene = &scene::load(common.scene)?;
     let joints = arguments.joints.as_deref().map(|file| joint_list(file, scene)).transpose()?;

@@ -32,7 +32,7 @@ pub fn run(arguments: &SampleArguments, common: Common<'_>) -> Result<Ended, Cli
     if files.len() > 1 && arguments.output.is_none() {
         return Err(misuse(texts::PLACES_SEVERAL_NEED_FOLDER.english()));
     }
-    let targets = targets(files, output, form.format.ending())?;
+    let targets = targets(files, output, form.format.ending(), false)?;
     let places = Places::with_scene(common.scene);
     let places = files.iter().fold(places, |places, file| places.reads("FILE", file));
     targets.iter().fold(places, |places, target| places.writes("--output", target)).check()?;

@@ -35,15 +35,18 @@ pub fn format_named(named: Option<&'static Format>, output: &Path) -> Result<Opt
     }
 }
 
-/// The results of the inputs. In a folder, the result of `NAME.txt` is `NAME.` and the ending.
+/// The results of the inputs. In a folder, the result of `NAME.txt` is `NAME.` and the ending. The output is a folder where
+/// [`is_folder`] says so, and where `needs_folder`.
 ///
 /// # Errors
 /// Wrong usage: several results, and the output is standard output or has the ending of a file; two results with one name.
-pub fn targets(inputs: &[PathBuf], output: &Path, ending: &str) -> Result<Vec<PathBuf>, CliError> {
-    if !is_folder(output, inputs.len()) {
-        return match inputs.len() {
-            0 | 1 => Ok(vec![output.to_owned()]),
-            _ => Err(misuse(&texts::places_no_folder("--output").to_string())),
+pub fn targets(inputs: &[PathBuf], output: &Path, ending: &str, needs_folder: bool) -> Result<Vec<PathBuf>, CliError> {
+    let needs_folder = needs_folder || inputs.len() > 1;
+    if storage::is_standard(output) || !(needs_folder || is_folder(output, inputs.len())) {
+        return if needs_folder {
+            Err(misuse(&texts::places_no_folder("--output").to_string()))
+        } else {
+            Ok(vec![output.to_owned()])
         };
     }
     if output.extension().is_some_and(|found| found == ending) && !storage::is_folder(output) {

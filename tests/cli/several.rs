@@ -156,6 +156,10 @@ fn folders_of_images_are_compared_by_names() {
     sandbox.run(&["compare", "a", "b", "--quiet"]).succeeds();
     sandbox.run(&["compare", "a", "b/one.png"]).misuses();
     sandbox.run(&["compare", "a", "b", "b"]).misuses();
+    picture(&sandbox, "c/one.png", 90);
+    picture(&sandbox, "d/one.png", 90);
+    sandbox.run(&["compare", "c", "d", "-o", "one-of-them"]).succeeds();
+    assert!(sandbox.path("one-of-them/one.png").exists(), "a folder also for one picture");
     std::fs::create_dir_all(sandbox.path("empty/more")).unwrap();
     let outcome = sandbox.run(&["compare", "empty", "empty/more"]);
     assert_eq!((outcome.status, outcome.stdout.as_str()), (2, ""));

@@ -20,11 +20,14 @@ pub struct Pair {
     pub second: Option<PathBuf>,
     /// The folder that has no such image; empty where there is a second one.
     pub folder: PathBuf,
+    /// Whether they are of two folders that are compared.
+    pub is_of_folders: bool,
 }
 
 impl Pair {
     fn of(first: &Path, second: &Path) -> Self {
-        Self { first: first.to_owned(), second: Some(second.to_owned()), folder: PathBuf::new() }
+        let second = Some(second.to_owned());
+        Self { first: first.to_owned(), second, folder: PathBuf::new(), is_of_folders: false }
     }
 
     /// The second image.
@@ -66,9 +69,9 @@ fn of_folders(first: &Path, second: &Path) -> Result<Vec<Pair>, FileError> {
         return Err(FileError::new(first.display(), texts::COMPARE_NO_IMAGES));
     }
     let pair = |name: &OsString| match (a.contains(name), b.contains(name)) {
-        (true, true) => Pair::of(&first.join(name), &second.join(name)),
-        (true, false) => Pair { first: first.join(name), second: None, folder: second.to_owned() },
-        _ => Pair { first: second.join(name), second: None, folder: first.to_owned() },
+        (true, true) => Pair { is_of_folders: true, ..Pair::of(&first.join(name), &second.join(name)) },
+        (true, false) => Pair { first: first.join(name), second: None, folder: second.to_owned(), is_of_folders: true },
+        _ => Pair { first: second.join(name), second: None, folder: first.to_owned(), is_of_folders: true },
     };
     Ok(a.union(&b).map(pair).collect())
 }

@@ -1,7 +1,7 @@
 //! The output of `render`, chosen by the ending of its name.
 
 use super::super::arguments::RenderArguments;
-use super::super::targets::format_named;
+use super::super::targets::{format_named, is_folder};
 use super::super::{CliError, misuse};
 use crate::film::{Format, NOT_WRITTEN, PNG, still_names, written_endings};
 use crate::storage;
@@ -26,7 +26,7 @@ impl Output {
         let path = &arguments.output;
         let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
         let ending = ending.as_deref().unwrap_or_default();
-        let is_folder = storage::is_folder(path) || path.to_string_lossy().ends_with(std::path::is_separator);
+        let is_folder = is_folder(path, 1);
         let of_folder = arguments.frame_format.unwrap_or(&PNG);
         if is_folder && arguments.format.is_some() {
             return Err(misuse(texts::PLACES_FORMAT_OF_FOLDER.english()));
