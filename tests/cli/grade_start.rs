@@ -105,13 +105,17 @@ fn a_rubric_that_judges_no_playback_says_so() {
     for wrong in [
         &["grade", "--check"][..],
         &["grade", "none.json", "--json"],
-        &["grade", "none.json", "reference.json", "-o", "out", "--json"],
+        &["grade", "--example", "new", "--json"],
         &["grade", "--check", "none.json", "reference.json"],
         &["grade", "--check", "none.json", "-o", "out"],
         &["grade", "--example", "new", "none.json"],
     ] {
         sandbox.run(wrong).misuses();
     }
+    // Where something is graded, the JSON is that of the results.
+    let printed =
+        sandbox.run(&["grade", "none.json", "reference.json", "-o", "out", "--no-images", "--json"]).succeeds();
+    assert_eq!(printed, sandbox.read("out/grades.json"));
 }
 
 #[test]
