@@ -189,7 +189,7 @@ impl ExportError {
                 texts::export_at(source_name.clone(), texts::export_no_frame(*frame, *fps, *last))
             }
             Self::NothingMoves { source_name } => texts::export_at(source_name.clone(), texts::EXPORT_NOTHING_MOVES),
-            Self::Ffmpeg { path, cause } => texts::export_at(path.display(), cause.message()),
+            Self::Ffmpeg { path, cause } => texts::export_at(output_name(path), cause.message()),
             Self::Gpu(error) => error.message(),
             Self::Picture(error) => error.message(),
             Self::Unwritten { path, cause } => texts::export_at(output_name(path), cause.message()),
