@@ -237,7 +237,7 @@ fn what_a_submission_unpacks_to_is_bounded() {
     sandbox.write("all/outside.zip", zipped(&[("../../outside.json", text_of(&made, "linear").as_bytes())]));
     let graded = graded(&sandbox);
     let reason = |name: &str| item(&graded[name], "readable")["reason"].as_str().unwrap().to_owned();
-    assert_eq!(reason("large.zip"), "there is no keyframe file; skipped a.json: larger than 16 MiB");
+    assert_eq!(reason("large.zip"), "there is no keyframe file; skipped a.json: larger than 16 MiB.");
     assert_eq!(
         reason("many.zip"),
         "there is no keyframe file; looked at: 0.json, 1.json, 10.json, 100.json and 196 more"
