@@ -11,7 +11,8 @@
 //!
 //! `samples` diagnoses samples and judges them by `shown_playback`: `right` is what they should show, `off` how far a row is from that,
 //! `judgement` sums up the rows, `coverage` counts them, and `range` looks at both ends. `shown` chooses the poses of pictures.
-//! Tables and report share `rows` (items as people read them) and `note`.
+//! `formats` writes results as course systems read them, and `person` says how these know a student.
+//! Tables and report share `rows` (items as people read them), `note` and `cells`. `hash` says which files results are of.
 //!
 //! `check` says what a rubric's reference reveals, `requirements` judges animations without a reference, and `example` is what a rubric
 //! begins with.
@@ -22,13 +23,16 @@
 
 mod alignment;
 mod archive;
+mod cells;
 mod check;
 mod content;
 mod coverage;
 mod example;
 mod film;
 mod folder;
+mod formats;
 mod gather;
+mod hash;
 mod item;
 mod judgement;
 mod marks;
@@ -36,6 +40,7 @@ mod names;
 mod note;
 mod off;
 mod parsed;
+mod person;
 mod pictures;
 mod place;
 mod range;
@@ -58,11 +63,14 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 pub use check::{Revealed, RubricCheck};
 pub use example::example;
 pub use film::film_of;
-pub use gather::{Found, Naming, PassedOver, find};
+pub use formats::{FORMATS, Format, Given, ResultFile, format_named};
+pub use gather::{Found, Naming, PassedOver, System, find};
+pub use hash::Hashed;
 pub use item::{Evidence, Item, ItemKind, Verdict};
 pub use marks::{Marks, PlaybackEvidence, evidence_counts};
 pub use note::Note;
 pub use parsed::Parsed;
+pub use person::Person;
 pub use pictures::pictures_of;
 pub use report::{ReportPictures, ShownMistake, html, mistakes_shown};
 pub use requirements::{Requirement, Requirements};
@@ -85,9 +93,12 @@ pub fn mark_all(submissions: &[Submission], rubric: &Rubric, scene: &SceneGraph)
 
 /// Marks one submission. Nothing in it should make this program panic; if something does, it costs this submission only.
 fn mark_one(submission: &Submission, rubric: &Rubric, scene: &SceneGraph) -> Marks {
-    let mark = |contents| {
+    let mark = |contents: Contents| {
+        let mut files: Vec<Hashed> =
+            contents.members.iter().map(|member| Hashed::new(&*member.name, &member.bytes)).collect();
+        files.sort();
         let parsed = Parsed::new(contents, &rubric.keyframe_file, scene);
-        Marks::of(submission, &parsed, rubric, scene)
+        Marks { files, ..Marks::of(submission, &parsed, rubric, scene) }
     };
     catch_unwind(AssertUnwindSafe(|| mark(submission.read(&rubric.keyframe_file)))).unwrap_or_else(|_| {
         let problem = Some("this program failed on it: please report the submission".to_owned());

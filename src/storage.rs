@@ -25,7 +25,7 @@ pub use known::{KnownFiles, OutsideChange};
 pub use log::{LeftLog, Log, begins_with, epoch_seconds, logs, state_folder};
 pub use open::{Opened, open};
 pub use place::{Place, input_name, is_standard, output_name};
-pub use stamp::{Stamp, Stamping};
+pub use stamp::{Stamp, Stamping, sha256};
 pub use walk::{Entry, EntryKind, entries as list, inside, kind};
 
 /// The longest name of a file that file systems accept, in bytes.

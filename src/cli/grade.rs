@@ -2,6 +2,7 @@
 
 mod beginning;
 
+use std::env;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
@@ -11,7 +12,9 @@ use super::progress::Progress;
 use super::{CliError, Common, misuse, output};
 use crate::export::Painter;
 use crate::files::{self, scene};
-use crate::grading::{self, Found, Naming, PICTURE_SIZE, PassedOver, ReportPictures, Rubric, Studio};
+use crate::grading::{
+    self, Found, Given, Naming, PICTURE_SIZE, PassedOver, ReportPictures, ResultFile, Rubric, Studio,
+};
 use crate::storage;
 use crate::text::counted;
 use crate::words::texts;
@@ -34,6 +37,10 @@ pub fn run(arguments: &GradeArguments, common: Common<'_>) -> Result<(), CliErro
     let own_places = || places(rubric, &arguments.submissions, folder, named_scene);
     if storage::is_standard(folder) {
         return Err(misuse(&texts::places_no_folder("--output").to_string()));
+    }
+    let given = given(arguments);
+    if let Some(problem) = arguments.to.iter().find_map(|format| (format.problem)(&given)) {
+        return Err(misuse(&problem.to_string()));
     }
     own_places().check()?;
     let painter = if arguments.no_images { None } else { Some(Painter::headless(PICTURE_SIZE, None)?) };
@@ -69,10 +76,17 @@ pub fn run(arguments: &GradeArguments, common: Common<'_>) -> Result<(), CliErro
     }
     files::create_folder(folder)?;
     let [table, json, report] = results(folder);
-    files::write(&table, grading::csv(&marks).as_bytes())?;
+    files::write(&table, grading::csv(&marks, arguments.wide).as_bytes())?;
     let results = grading::json(&marks, &passed_over, &rubric);
     files::write(&json, results.as_bytes())?;
     files::write(&report, grading::html(&marks, &passed_over, &rubric, &pictures).as_bytes())?;
+    for format in &arguments.to {
+        for ResultFile { path, text } in (format.files)(&marks, &rubric, &given) {
+            let path = folder.join(path);
+            files::create_folder(path.parent().unwrap_or(folder))?;
+            files::write(&path, text.as_bytes())?;
+        }
+    }
     if arguments.json {
         return output::list(&results);
     }
@@ -90,7 +104,14 @@ pub fn run(arguments: &GradeArguments, common: Common<'_>) -> Result<(), CliErro
     if common.is_quiet { Ok(()) } else { output::say(&text) }
 }
 
-/// The files that are written.
+/// What the forms of results need beside the marks.
+fn given(arguments: &GradeArguments) -> Given {
+    let variables = arguments.to.iter().flat_map(|format| format.variables);
+    let set = variables.filter_map(|name| Some((*name, env::var(name).ok().filter(|value| !value.is_empty())?)));
+    Given { assignment: arguments.assignment.clone(), environment: set.collect() }
+}
+
+/// The files that are always written.
 fn results(folder: &Path) -> [PathBuf; 3] {
     ["grades.csv", "grades.json", "report.html"].map(|name| folder.join(name))
 }

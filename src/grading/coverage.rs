@@ -1,7 +1,7 @@
 //! Whether samples are there for every node in every interval between keyframes.
 
+use super::cells::number;
 use super::right::SAME_TIME;
-use super::tables::number;
 use crate::diagnosis::Samples;
 use crate::pose::RbtIndex;
 use crate::scene::SceneGraph;

@@ -12,7 +12,8 @@ mod rubbish;
 use std::collections::{BTreeMap, HashSet};
 use std::path::{Path, PathBuf};
 
-use self::export::{Form, Student, student_of};
+pub use self::export::System;
+use self::export::{Student, student_of};
 use self::gradescope::Metadata;
 use super::archive::{Keep, Unread};
 use super::names::{PreferredNames, composed, is_hidden, kind_not_read};
@@ -212,24 +213,31 @@ fn is_class(name: &str, outer: &str, entries: &[Entry], place: &Place) -> bool {
 struct Row {
     submission: Submission,
     /// Rows of one student in one folder are one.
-    key: Option<(Vec<String>, Form, String, String)>,
+    key: Option<(Vec<String>, System, String, String)>,
 }
 
 impl Row {
     /// A submission whose name says nothing of a course system.
     fn of_its_own(entry: Entry) -> Self {
         let student = own_name(&entry);
-        let submission = Submission { name: entry.name.clone(), student, id: None, is_late: false, roots: vec![entry] };
+        let submission = Submission {
+            name: entry.name.clone(),
+            student,
+            id: None,
+            system: None,
+            is_late: false,
+            roots: vec![entry],
+        };
         Self { submission, key: None }
     }
 
     fn of_student(entry: Entry, student: Student) -> Self {
         let name = entry.name.clone();
-        let Student { form, name: student, id, is_late, file } = student;
-        let key = (entry.place.folders(), form, composed(&student).into_owned(), id.clone());
+        let Student { system, name: student, id, is_late, file } = student;
+        let key = (entry.place.folders(), system, composed(&student).into_owned(), id.clone());
         let entry = Entry { name: file.unwrap_or(entry.name), ..entry };
         let student = Some(composed(&student).into_owned());
-        let submission = Submission { name, student, id: Some(id), is_late, roots: vec![entry] };
+        let submission = Submission { name, student, id: Some(id), system: Some(system), is_late, roots: vec![entry] };
         Self { submission, key: Some(key) }
     }
 }

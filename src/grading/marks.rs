@@ -1,5 +1,7 @@
 //! The marks of a submission: points with reasons, and the diagnosis of its samples.
 
+use super::gather::System;
+use super::hash::Hashed;
 use super::item::{Evidence, Item, ItemKind};
 use super::note::Note;
 use super::parsed::Parsed;
@@ -50,6 +52,8 @@ pub struct Marks {
     pub student: Option<String>,
     /// The student's number in the course system, where it is known.
     pub id: Option<String>,
+    /// The course system that it is exported from.
+    pub system: Option<System>,
     /// Whether the course system says that it came late.
     pub is_late: bool,
     /// What was graded, in the rubric's order.
@@ -62,6 +66,8 @@ pub struct Marks {
     pub keyframes: Option<KeyframeList>,
     /// Notes for the report.
     pub notes: Vec<Note>,
+    /// The files of the submission that were read, by name.
+    pub files: Vec<Hashed>,
 }
 
 impl Marks {
@@ -89,12 +95,14 @@ impl Marks {
             name: submission.name.clone(),
             student: submission.student.clone(),
             id: submission.id.clone(),
+            system: submission.system,
             is_late: submission.is_late,
             items,
             samples,
             keyframe_file,
             keyframes: read.map(|read| read.list.clone()),
             notes,
+            files: Vec::new(),
         }
     }
 
@@ -108,6 +116,12 @@ impl Marks {
     #[must_use]
     pub fn out_of(&self) -> f64 {
         self.items.iter().map(|item| item.out_of).sum()
+    }
+
+    /// Whether no keyframes could be read.
+    #[must_use]
+    pub const fn is_unreadable(&self) -> bool {
+        self.keyframes.is_none()
     }
 
     /// What the verdicts on playback rest on, in one word: what was handed in if any of them rests on it. `None` if playback is not graded.

@@ -8,11 +8,12 @@ use std::fmt::Write as _;
 
 pub use mistakes::{ShownMistake, shown as mistakes_shown};
 
+use super::cells::number;
 use super::gather::PassedOver;
 use super::marks::Marks;
 use super::rubric::Rubric;
 use super::studio::ReportPicture;
-use super::tables::{diagnoses, number};
+use super::tables::diagnoses;
 use crate::markup::escaped;
 
 const STYLE: &str = include_str!("../../assets/grading/report.css");

@@ -15,6 +15,7 @@ use text::{PlaybackText, parse};
 
 use super::check::Revealed;
 use super::folder::{self, Traced};
+use super::hash::Hashed;
 use super::item::ItemKind;
 use super::names::PreferredNames;
 use super::requirements::{Requirement, Requirements};
@@ -55,6 +56,8 @@ pub struct Rubric {
     pub script: Option<RubricScript>,
     /// The files that it names.
     pub files: Vec<PathBuf>,
+    /// Its own file, then those that it names.
+    pub hashes: Vec<Hashed>,
     /// Which known mistakes the reference reveals.
     pub revealed: Revealed,
 }
@@ -94,8 +97,8 @@ impl Rubric {
     /// [`FileError`]
     pub fn load(path: &Path, scene: &SceneGraph) -> Result<Self, FileError> {
         let bad = |problem: String| FileError::new(path.display(), problem);
-        let text =
-            parse(path, &files::read(path, LARGEST_BYTES)?).map_err(|error| FileError::new(path.display(), error))?;
+        let bytes = files::read(path, LARGEST_BYTES)?;
+        let text = parse(path, &bytes).map_err(|error| FileError::new(path.display(), error))?;
         if let Some(problem) = text.problem() {
             return Err(bad(problem));
         }
@@ -109,6 +112,8 @@ impl Rubric {
         }
         let keyframe_file =
             PreferredNames::new(&text.keyframe_file).map_err(|problem| bad(format!("keyframe_file: {problem}")))?;
+        let own_name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
+        let mut hashes = vec![Hashed::new(own_name, &bytes)];
         let folder = path.parent().unwrap_or(Path::new(""));
         // Standard input is read by its own name alone.
         let beside = |name: &str| if name == "-" { PathBuf::from(name) } else { folder.join(name) };
@@ -118,11 +123,18 @@ impl Rubric {
             Ok((files::read(&path, LARGEST_BYTES)?, path))
         });
         let script = script.transpose()?;
+        hashes.extend(script.iter().zip(&text.script).map(|((bytes, _), name)| Hashed::new(name, bytes)));
         let lines = script.map(|(bytes, path)| {
             folder::read_script(&bytes, scene).map_err(|problem| FileError::new(path.display(), problem))
         });
         let lines = lines.transpose()?;
         let reference = text.reference.as_deref().map(|name| Reference::load(&beside(name), scene)).transpose()?;
+        hashes.extend(
+            reference
+                .iter()
+                .zip(&text.reference)
+                .map(|(reference, name)| Hashed { name: name.clone(), sha256: reference.sha256.clone() }),
+        );
         let bytes = reference.as_ref().map(|reference| reference.bytes.as_slice());
         let script =
             lines.map(|lines| RubricScript { expected: folder::run(&lines, scene, bytes).map(|ran| ran.trace), lines });
@@ -146,6 +158,7 @@ impl Rubric {
             keyframe_file,
             script,
             files,
+            hashes,
             revealed: Revealed::default(),
         };
         rubric.revealed = Revealed::by(&rubric);

@@ -5,6 +5,7 @@
 use std::path::Path;
 
 use super::archive::{Keep, Unread};
+use super::gather::System;
 use super::names::{PreferredNames, is_hidden, kind_not_read};
 use super::note::Note;
 use super::place::{Entry, Place};
@@ -34,6 +35,8 @@ pub struct Submission {
     pub student: Option<String>,
     /// The student's number in the course system, where the entry's name tells it.
     pub id: Option<String>,
+    /// The course system that the entry's name is of.
+    pub system: Option<System>,
     /// Whether the course system says that it came late.
     pub is_late: bool,
     /// Its folders and files, at least one: the entry, and its name in the submission.
@@ -91,7 +94,7 @@ impl Submission {
     #[must_use]
     pub fn in_memory(name: &str, bytes: Vec<u8>) -> Self {
         let root = Entry { name: name.to_owned(), kind: EntryKind::File, place: Place::Memory(bytes.into()) };
-        Self { name: name.to_owned(), student: None, id: None, is_late: false, roots: vec![root] }
+        Self { name: name.to_owned(), student: None, id: None, system: None, is_late: false, roots: vec![root] }
     }
 
     /// The files and folders on the disk that it is, or the archive that it is in.

@@ -2,24 +2,25 @@
 
 use serde_json::{Value, json};
 
+use super::cells::{UTF8_MARK, number, row};
 use super::gather::PassedOver;
-use super::item::Evidence;
+use super::hash::Hashed;
+use super::item::{Evidence, Item, ItemKind};
 use super::marks::Marks;
 use super::rows::rows;
 use super::rubric::Rubric;
 
-/// A row for each submission, a column for each item. Safe to open in a spreadsheet: no cell is a formula.
-///
-/// Not written by the `csv` crate, which would leave blanks, semicolons and apostrophes unquoted: in some locales spreadsheets split
-/// cells at semicolons.
+/// A row for each submission, a column for each item; the keyframes have one column together, or with `is_wide` one each. It begins with
+/// the mark of UTF-8, and no cell is a formula.
 #[must_use]
-pub fn csv(marks: &[Marks]) -> String {
+pub fn csv(marks: &[Marks], is_wide: bool) -> String {
     let first = ["submission", "student", "id", "late", "points", "out_of", "evidence", "diagnosis"];
     let mut header: Vec<String> = first.map(str::to_owned).into();
     // Every submission has the same items.
-    header.extend(marks.iter().take(1).flat_map(|marks| &marks.items).map(|item| item.kind.id()));
+    header.extend(marks.iter().take(1).flat_map(|marks| columns(&marks.items, is_wide)).map(|(name, _)| name));
     header.extend(["keyframe_file", "reasons", "notes"].map(str::to_owned));
-    let mut text = row(&header);
+    let mut text = String::from(UTF8_MARK);
+    text.push_str(&row(&header));
     for marks in marks {
         let late = if marks.is_late { "late" } else { "" };
         let mut cells = vec![
@@ -32,16 +33,34 @@ pub fn csv(marks: &[Marks]) -> String {
             marks.evidence(),
             diagnoses(marks).join("; "),
         ];
-        cells.extend(marks.items.iter().map(|item| number(item.points)));
-        let rows = rows(&marks.items);
-        let lost = rows.iter().filter(|row| row.has_lost);
-        let reasons: Vec<String> = lost.map(|row| format!("{}: {}", row.ids(), row.reason)).collect();
+        cells.extend(columns(&marks.items, is_wide).into_iter().map(|(_, points)| number(points)));
         cells.push(marks.keyframe_file.clone().unwrap_or_default());
-        cells.push(reasons.join(" "));
+        cells.push(lost_reasons(marks));
         cells.push(marks.notes.iter().map(|note| note.text.as_str()).collect::<Vec<_>>().join(" "));
         text.push_str(&row(&cells));
     }
     text
+}
+
+/// The columns of items with their points.
+fn columns(items: &[Item], is_wide: bool) -> Vec<(String, f64)> {
+    let mut columns: Vec<(String, f64)> = Vec::new();
+    for item in items {
+        let is_shared = !is_wide && matches!(item.kind, ItemKind::Keyframe(_));
+        let name = if is_shared { "each_keyframe".to_owned() } else { item.kind.id() };
+        match columns.last_mut() {
+            Some((last, points)) if *last == name => *points += item.points,
+            _ => columns.push((name, item.points)),
+        }
+    }
+    columns
+}
+
+/// Why points were lost: sentences, each with its items.
+pub fn lost_reasons(marks: &Marks) -> String {
+    let rows = rows(&marks.items);
+    let lost = rows.iter().filter(|row| row.has_lost);
+    lost.map(|row| format!("{}: {}", row.ids(), row.reason)).collect::<Vec<_>>().join(" ")
 }
 
 /// What each file of samples shows: the name of what explains it, `not explained` or `unreadable`.
@@ -54,30 +73,11 @@ pub fn diagnoses(marks: &Marks) -> Vec<String> {
     marks.samples.iter().map(|samples| show(&samples.diagnosis)).collect()
 }
 
-/// A number with at most four decimals, without trailing zeros.
-pub fn number(number: f64) -> String {
-    let text = format!("{number:.4}");
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
-}
-
-fn row(cells: &[String]) -> String {
-    let mut line = cells.iter().map(|text| cell(text)).collect::<Vec<_>>().join(",");
-    line.push_str("\r\n");
-    line
-}
-
-/// A cell that no spreadsheet takes for a formula: a text that begins like one gets an apostrophe before it. Line ends and other control
-/// characters become blanks.
-fn cell(text: &str) -> String {
-    let begins_formula = text.trim_start().starts_with(['=', '+', '-', '@']) || text.starts_with(['\t', '\r', '\n']);
-    let plain: String = text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
-    let plain = if begins_formula { format!("'{plain}") } else { plain };
-    if plain.contains([',', '"', ';', ' ', '\'']) { format!("\"{}\"", plain.replace('"', "\"\"")) } else { plain }
-}
-
 /// The results as JSON; `assets/grading/grades.schema.json` says how.
 #[must_use]
 pub fn json(marks: &[Marks], passed_over: &[PassedOver], rubric: &Rubric) -> String {
+    let hashed = |file: &Hashed| json!({"name": file.name, "sha256": file.sha256});
+    let hashes = |files: &[Hashed]| files.iter().map(hashed).collect::<Vec<_>>();
     let submission = |marks: &Marks| {
         let items: Vec<Value> = marks
             .items
@@ -104,12 +104,14 @@ pub fn json(marks: &[Marks], passed_over: &[PassedOver], rubric: &Rubric) -> Str
             .collect();
         json!({
             "name": marks.name, "student": marks.student, "id": marks.id, "late": marks.is_late, "points": marks.points(), "out_of": marks.out_of(), "keyframe_file": marks.keyframe_file,
-            "items": items, "samples": samples, "notes": marks.notes.iter().map(|note| &note.text).collect::<Vec<_>>(),
+            "items": items, "samples": samples, "notes": marks.notes.iter().map(|note| &note.text).collect::<Vec<_>>(), "files": hashes(&marks.files),
         })
     };
     let passed = |passed: &PassedOver| json!({"name": passed.name, "reason": passed.reason});
     let value = json!({
-        "format": "inbetween.grades", "version": 1, "title": rubric.title,
+        "format": "inbetween.grades", "version": 2, "title": rubric.title,
+        "program": {"name": env!("CARGO_PKG_NAME"), "version": env!("CARGO_PKG_VERSION")},
+        "rubric": hashes(&rubric.hashes),
         "submissions": marks.iter().map(submission).collect::<Vec<_>>(),
         "not_revealed": rubric.revealed.not_revealed(),
         "passed_over": passed_over.iter().map(passed).collect::<Vec<_>>(),
@@ -117,31 +119,4 @@ pub fn json(marks: &[Marks], passed_over: &[PassedOver], rubric: &Rubric) -> Str
     let mut text = serde_json::to_string_pretty(&value).expect("values have keys that are text");
     text.push('\n');
     text
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn no_cell_is_a_formula() {
-        for (text, expected) in [
-            ("=1+1", "'=1+1"),
-            ("@x", "'@x"),
-            ("+1", "'+1"),
-            ("-1", "'-1"),
-            ("\t=1", "' =1"),
-            ("\r=1", "' =1"),
-            ("  =1", "'  =1"),
-        ] {
-            assert_eq!(cell(text), format!("\"{expected}\""), "{text:?}");
-        }
-        assert_eq!(cell("a\nb,\"c\""), "\"a b,\"\"c\"\"\"");
-        assert_eq!(cell("plain"), "plain");
-    }
-
-    #[test]
-    fn numbers_have_no_needless_zeros() {
-        assert_eq!([0.0, 0.5, 10.0, 1.0 / 3.0].map(number), ["0", "0.5", "10", "0.3333"]);
-    }
 }

@@ -326,7 +326,10 @@ fn a_class_gets_the_same_marks_in_every_form() {
     let (all, _) = graded(&sandbox, &["--classes", "canvas", "moodle", "gradescope.zip", "folders"]);
     assert_eq!(all.len(), 60);
     let table = sandbox.read("out/grades.csv");
-    assert!(table.starts_with("submission,student,id,late,points,out_of,evidence,diagnosis,readable,"), "{table}");
+    assert!(
+        table.starts_with("\u{feff}submission,student,id,late,points,out_of,evidence,diagnosis,readable,"),
+        "{table}"
+    );
     assert!(table.contains("\r\n김anna_100000_7000000_animation.txt,김anna,100000,,11,11,"), "{table}");
     assert!(table.contains(",ñandújosé,100001,late,11,11,"), "{table}");
     let report = sandbox.read("out/report.html");

@@ -3,6 +3,9 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+
+use crate::grading::{FORMATS, Format, format_named};
 
 /// The long help.
 pub const HELP: &str = "\
@@ -39,13 +42,27 @@ pub struct GradeArguments {
     /// Draw no pictures: faster, and needs no GPU adapter.
     #[arg(long)]
     pub no_images: bool,
+    /// Write the results in this form too, into DIR. May be repeated.
+    #[arg(long, value_name = "FORMAT", value_parser = format())]
+    pub to: Vec<&'static Format>,
+    /// With --to canvas: the column of the assignment, as Canvas's own export names it: 'Title (id)'.
+    #[arg(long, value_name = "COLUMN", requires = "to")]
+    pub assignment: Option<String>,
+    /// In grades.csv, give each keyframe a column of its own.
+    #[arg(long)]
+    pub wide: bool,
     /// Grade nothing: say which known mistakes the rubric's reference reveals, and which keyframes would reveal the others.
-    #[arg(long, conflicts_with_all = ["submissions", "output", "classes", "one", "no_images"])]
+    #[arg(long, conflicts_with_all = ["submissions", "output", "classes", "one", "no_images", "wide", "to"])]
     pub check: bool,
     /// Print JSON: what grades.json holds; with --check, what the reference reveals.
     #[arg(long, conflicts_with = "example")]
     pub json: bool,
     /// Grade nothing: write a rubric, a reference, a script and a README to start from into this folder.
-    #[arg(long, value_name = "DIR", conflicts_with_all = ["rubric", "submissions", "output", "classes", "one", "no_images", "check"])]
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["rubric", "submissions", "output", "classes", "one", "no_images", "wide", "to", "check"])]
     pub example: Option<PathBuf>,
+}
+
+fn format() -> impl TypedValueParser<Value = &'static Format> {
+    PossibleValuesParser::new(FORMATS.map(|format| PossibleValue::new(format.name).help(format.about)))
+        .map(|name| format_named(&name).expect("a possible value"))
 }

@@ -1,10 +1,8 @@
 //! The manifest of a render as JSON: adapter, versions and file hashes, so that differing pictures can be explained.
 
-use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
-use sha2::{Digest as _, Sha256};
 
 use super::super::CliError;
 use crate::export::Painter;
@@ -40,12 +38,7 @@ impl Manifest {
 
     /// Adds a file that was just written with these bytes.
     pub fn add(&mut self, path: &Path, bytes: &[u8]) {
-        let mut hash = String::new();
-        for byte in Sha256::digest(bytes) {
-            // Writing to a string does not fail.
-            let _ = write!(hash, "{byte:02x}");
-        }
-        self.files.push((path.to_owned(), hash));
+        self.files.push((path.to_owned(), storage::sha256(bytes)));
     }
 
     /// Adds a file that was just written.

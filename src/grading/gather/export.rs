@@ -4,7 +4,7 @@ use super::gradescope::Metadata;
 
 /// The course system.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Form {
+pub enum System {
     /// `name_LATE_100_2000_file.txt`, all in one folder.
     Canvas,
     /// `Name_100_assignsubmission_file_`, a folder or put before the file's name.
@@ -17,7 +17,7 @@ pub enum Form {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Student {
     /// The system.
-    pub form: Form,
+    pub system: System,
     /// The student's name as the system writes it; of a group, all.
     pub name: String,
     /// The student's number in the system.
@@ -50,7 +50,7 @@ fn canvas(name: &str) -> Option<Student> {
     if student.is_empty() || file.is_empty() {
         return None;
     }
-    Some(Student { form: Form::Canvas, name: student, id: parts[first].to_owned(), is_late, file: Some(file) })
+    Some(Student { system: System::Canvas, name: student, id: parts[first].to_owned(), is_late, file: Some(file) })
 }
 
 fn moodle(name: &str) -> Option<Student> {
@@ -61,7 +61,7 @@ fn moodle(name: &str) -> Option<Student> {
     }
     let (_, file) = rest.split_once('_').unwrap_or((rest, ""));
     let file = (!file.is_empty()).then(|| file.to_owned());
-    Some(Student { form: Form::Moodle, name: student.to_owned(), id: id.to_owned(), is_late: false, file })
+    Some(Student { system: System::Moodle, name: student.to_owned(), id: id.to_owned(), is_late: false, file })
 }
 
 #[cfg(test)]
@@ -71,23 +71,23 @@ mod tests {
     #[test]
     fn names_of_exports() {
         let read = |name: &str| {
-            let Student { form, name, id, is_late, file } = student_of(name, None)?;
-            Some((form, name, id, is_late, file.unwrap_or_default()))
+            let Student { system, name, id, is_late, file } = student_of(name, None)?;
+            Some((system, name, id, is_late, file.unwrap_or_default()))
         };
-        let student = |form, name: &str, id: &str, is_late, file: &str| {
-            Some((form, name.to_owned(), id.to_owned(), is_late, file.to_owned()))
+        let student = |system, name: &str, id: &str, is_late, file: &str| {
+            Some((system, name.to_owned(), id.to_owned(), is_late, file.to_owned()))
         };
         for (name, expected) in [
-            ("smithemma_100000_9000000_asst6.zip", student(Form::Canvas, "smithemma", "100000", false, "asst6.zip")),
-            ("김민지_LATE_12_345_my_anim-1.txt", student(Form::Canvas, "김민지", "12", true, "my_anim-1.txt")),
-            ("de_la_cruz_LATE_10_200_3_4.txt", student(Form::Canvas, "de_la_cruz", "10", true, "3_4.txt")),
-            ("Anna 김_102035_assignsubmission_file_", student(Form::Moodle, "Anna 김", "102035", false, "")),
-            ("Anna 김_102035_assignsubmission_file", student(Form::Moodle, "Anna 김", "102035", false, "")),
+            ("smithemma_100000_9000000_asst6.zip", student(System::Canvas, "smithemma", "100000", false, "asst6.zip")),
+            ("김민지_LATE_12_345_my_anim-1.txt", student(System::Canvas, "김민지", "12", true, "my_anim-1.txt")),
+            ("de_la_cruz_LATE_10_200_3_4.txt", student(System::Canvas, "de_la_cruz", "10", true, "3_4.txt")),
+            ("Anna 김_102035_assignsubmission_file_", student(System::Moodle, "Anna 김", "102035", false, "")),
+            ("Anna 김_102035_assignsubmission_file", student(System::Moodle, "Anna 김", "102035", false, "")),
             (
                 "Bo_Li_7_assignsubmission_file_key_frames.txt",
-                student(Form::Moodle, "Bo_Li", "7", false, "key_frames.txt"),
+                student(System::Moodle, "Bo_Li", "7", false, "key_frames.txt"),
             ),
-            ("Bo Li_7_assignsubmission_onlinetext_", student(Form::Moodle, "Bo Li", "7", false, "")),
+            ("Bo Li_7_assignsubmission_onlinetext_", student(System::Moodle, "Bo Li", "7", false, "")),
             ("animation.txt", None),
             ("hw_6_final.txt", None),
             ("_100_2000_a.txt", None),

@@ -6,7 +6,7 @@ use saphyr::Yaml;
 
 use super::super::archive::Unread;
 use super::super::place::{Entry, Place};
-use super::export::{Form, Student};
+use super::export::{Student, System};
 use crate::storage::EntryKind;
 
 /// The largest such file: 64 MiB. It holds all results of automatic tests.
@@ -82,7 +82,7 @@ impl Metadata {
         let late = field(yaml, "late").or_else(|| field(yaml, "lateness")).and_then(text).unwrap_or_default();
         let is_late = !["", "false", "~", "null", "0", "0.0", "00:00:00"].contains(&late.as_str());
         let id = if id.is_empty() { all("email") } else { id };
-        Some(Student { form: Form::Gradescope, name, id, is_late, file: None })
+        Some(Student { system: System::Gradescope, name, id, is_late, file: None })
     }
 
     /// Who made the submission in the folder, file or archive of a name.

@@ -7,8 +7,11 @@ use crate::storage::EntryKind;
 /// How many bytes of a file tell what it is.
 const START_BYTES: u64 = 4096;
 
-/// What `grade` writes.
-const RESULTS: [&str; 3] = ["grades.csv", "grades.json", "report.html"];
+/// What `grade` writes into a folder, with all forms of results.
+const RESULTS: [&str; 6] = ["grades.csv", "grades.json", "report.html", "canvas.csv", "moodle.csv", "junit.xml"];
+
+/// Folders of results that `grade` writes beside them.
+const FOLDERS_OF_RESULTS: [&str; 2] = ["gradescope", "classroom50"];
 
 /// Why an entry is no submission, if it is none; `has_results` tells that results of `grade` stand beside it.
 pub fn reason(entry: &Entry, has_results: bool) -> Option<String> {
@@ -19,6 +22,9 @@ pub fn reason(entry: &Entry, has_results: bool) -> Option<String> {
         EntryKind::Link => return Some("a link, which is not followed".to_owned()),
         EntryKind::Other => return Some("neither a file nor a folder".to_owned()),
         EntryKind::Folder if has_results_of_grade(entry) => return Some("results of grade".to_owned()),
+        EntryKind::Folder if has_results && FOLDERS_OF_RESULTS.contains(&entry.name.as_str()) => {
+            return Some("results of grade".to_owned());
+        }
         EntryKind::Folder => return None,
         EntryKind::File => {}
     }

@@ -2,11 +2,11 @@
 
 use std::fmt::Write as _;
 
+use super::super::cells::number;
 use super::super::item::Evidence;
 use super::super::marks::Marks;
 use super::super::rows::rows;
 use super::super::studio::ReportPicture;
-use super::super::tables::number;
 use super::html::figure;
 use super::mistakes;
 use crate::markup::escaped;

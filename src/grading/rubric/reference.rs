@@ -8,6 +8,7 @@ use crate::grading::folder;
 use crate::interpolation::Interpolation;
 use crate::keyframe::{KeyframeList, PlayRange};
 use crate::scene::SceneGraph;
+use crate::storage;
 use crate::text_layouts::read_keyframes;
 
 /// The right keyframes.
@@ -21,6 +22,8 @@ pub struct Reference {
     pub ms_between_keyframes: u32,
     /// The bytes of a file that holds them; of a script, a keyframe file of what it made.
     pub bytes: Vec<u8>,
+    /// The SHA-256 of the file that the rubric names.
+    pub sha256: String,
 }
 
 impl Reference {
@@ -31,6 +34,7 @@ impl Reference {
     pub(super) fn load(path: &Path, scene: &SceneGraph) -> Result<Self, FileError> {
         let bad = |problem: String| FileError::new(path.display(), problem);
         let given = files::read(path, LARGEST_BYTES)?;
+        let sha256 = storage::sha256(&given);
         let (bytes, file) = match read_keyframes(&given, scene) {
             Ok(read) => (given, read.file),
             Err(problems) => {
@@ -44,7 +48,7 @@ impl Reference {
         };
         let (list, interpolation, ms_between_keyframes) = file.into_parts();
         PlayRange::new(&list).map_err(|error| bad(error.to_string()))?;
-        Ok(Self { list, interpolation, ms_between_keyframes, bytes })
+        Ok(Self { list, interpolation, ms_between_keyframes, bytes, sha256 })
     }
 
     /// The played part of the keyframes.
