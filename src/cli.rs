@@ -141,7 +141,7 @@ fn perform(arguments: Arguments) -> Result<Ended, CliError> {
         Subcommand::Nodes(arguments) => nodes::run(&arguments, common)?,
         Subcommand::Render(arguments) => render::run(&arguments, common)?,
         Subcommand::Diagnose(arguments) => diagnose::run(&arguments, common)?,
-        Subcommand::Grade(arguments) => grade::run(&arguments, common)?,
+        Subcommand::Grade(arguments) => return grade::run(&arguments, common),
         Subcommand::Recover(arguments) => recover::run(&arguments, common)?,
         Subcommand::Completions(arguments) => generate::completions(&arguments)?,
         Subcommand::Man(arguments) => generate::man(&arguments, common)?,

@@ -11,7 +11,8 @@
 //!
 //! `samples` diagnoses samples and judges them by `shown_playback`: `right` is what they should show, `off` how far a row is from that,
 //! `judgement` sums up the rows, `coverage` counts them, and `range` looks at both ends. `shown` chooses the poses of pictures.
-//! `formats` writes results as course systems read them, and `person` says how these know a student.
+//! `formats` writes results as course systems read them, `person` says how these know a student, and `roster`
+//! whose each submission is.
 //! Tables and report share `rows` (items as people read them), `note` and `cells`. `hash` says which files results are of.
 //!
 //! `check` says what a rubric's reference reveals, `requirements` judges animations without a reference, and `example` is what a rubric
@@ -47,6 +48,7 @@ mod range;
 mod report;
 mod requirements;
 mod right;
+mod roster;
 mod rows;
 mod rubric;
 mod samples;
@@ -60,6 +62,7 @@ mod verdicts;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
+pub use cells::number;
 pub use check::{Revealed, RubricCheck};
 pub use example::example;
 pub use film::film_of;
@@ -74,6 +77,7 @@ pub use person::Person;
 pub use pictures::pictures_of;
 pub use report::{ReportPictures, ShownMistake, html, mistakes_shown};
 pub use requirements::{Requirement, Requirements};
+pub use roster::{Matched, Roster};
 pub use rubric::{Band, Credit, Reference, Rubric};
 pub use samples::SampleDiagnosis;
 pub use studio::{ReportPicture, SIZE as PICTURE_SIZE, Studio};

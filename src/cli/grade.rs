@@ -1,40 +1,38 @@
 //! `inbetween grade`: a folder of submissions, marked by a rubric.
 
 mod beginning;
+mod summary;
 
 use std::env;
-use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use super::arguments::GradeArguments;
 use super::places::Places;
 use super::progress::Progress;
-use super::{CliError, Common, misuse, output};
+use super::{CliError, Common, Ended, misuse, output};
 use crate::export::Painter;
 use crate::files::{self, scene};
-use crate::grading::{
-    self, Found, Given, Naming, PICTURE_SIZE, PassedOver, ReportPictures, ResultFile, Rubric, Studio,
-};
+use crate::grading::{self, Found, Given, Naming, PICTURE_SIZE, ReportPictures, ResultFile, Roster, Rubric, Studio};
 use crate::storage;
-use crate::text::counted;
 use crate::words::texts;
 
-/// Grades, and writes `grades.csv`, `grades.json` and `report.html`.
+/// Grades, and writes `grades.csv`, `grades.json` and `report.html`. It ends as `--strict` and `--fail-under` ask, and writes everything
+/// before.
 ///
 /// # Errors
 /// [`CliError`]: a bad rubric, a submission that is not there, no GPU adapter for the pictures, a result that cannot be written. What
 /// is wrong with a submission is no error but its marks.
-pub fn run(arguments: &GradeArguments, common: Common<'_>) -> Result<(), CliError> {
+pub fn run(arguments: &GradeArguments, common: Common<'_>) -> Result<Ended, CliError> {
     let named_scene = common.scene;
     if let Some(folder) = &arguments.example {
-        return beginning::write_example(folder, common);
+        return beginning::write_example(folder, common).map(|()| Ended::Well);
     }
-    let Some(rubric) = &arguments.rubric else { return Ok(()) };
+    let Some(rubric) = &arguments.rubric else { return Ok(Ended::Well) };
     if arguments.check {
-        return beginning::check(rubric, arguments.json, named_scene);
+        return beginning::check(rubric, arguments.json, named_scene).map(|()| Ended::Well);
     }
-    let Some(folder) = &arguments.output else { return Ok(()) };
-    let own_places = || places(rubric, &arguments.submissions, folder, named_scene);
+    let Some(folder) = &arguments.output else { return Ok(Ended::Well) };
+    let own_places = || places(arguments, rubric, folder, named_scene);
     if storage::is_standard(folder) {
         return Err(misuse(&texts::places_no_folder("--output").to_string()));
     }
@@ -46,6 +44,7 @@ pub fn run(arguments: &GradeArguments, common: Common<'_>) -> Result<(), CliErro
     let painter = if arguments.no_images { None } else { Some(Painter::headless(PICTURE_SIZE, None)?) };
     let scene = scene::load(named_scene)?;
     let rubric = Rubric::load(rubric, &scene)?;
+    let roster = arguments.roster.as_deref().map(Roster::load).transpose()?;
     let naming = match (arguments.one, arguments.classes) {
         (true, _) => Naming::One,
         (_, true) => Naming::Classes,
@@ -59,7 +58,8 @@ pub fn run(arguments: &GradeArguments, common: Common<'_>) -> Result<(), CliErro
     // Standard input is among the arguments.
     let named = submissions.iter().flat_map(|one| one.paths().map(|path| (one.name.clone(), path)));
     named.fold(places, |places, (name, path)| places.reads_as(name, "SUBMISSION", path)).check()?;
-    let marks = grading::mark_all(&submissions, &rubric, &scene);
+    let mut marks = grading::mark_all(&submissions, &rubric, &scene);
+    let matched = roster.map(|roster| roster.apply(&mut marks, &rubric)).unwrap_or_default();
     let mut pictures = ReportPictures::default();
     if let Some(painter) = painter {
         let mut studio = Studio::new(painter, &rubric, &scene)?;
@@ -88,20 +88,11 @@ pub fn run(arguments: &GradeArguments, common: Common<'_>) -> Result<(), CliErro
         }
     }
     if arguments.json {
-        return output::list(&results);
+        output::list(&results)?;
+    } else if !common.is_quiet {
+        output::say(&summary::lines(&marks, &matched, &passed_over, &rubric, &report, arguments))?;
     }
-    let submissions = counted(marks.len(), "submission");
-    let mut text = format!("{submissions} graded: {}\n", report.display());
-    if let Some(counts) = grading::evidence_counts(&marks) {
-        let _ = writeln!(text, "{counts}");
-    }
-    for PassedOver { name, reason } in &passed_over {
-        let _ = writeln!(text, "passed over: {name} ({reason})");
-    }
-    if let Some(warning) = rubric.revealed.warning() {
-        let _ = writeln!(text, "{warning}");
-    }
-    if common.is_quiet { Ok(()) } else { output::say(&text) }
+    Ok(summary::ending(&marks, arguments))
 }
 
 /// What the forms of results need beside the marks.
@@ -117,9 +108,10 @@ fn results(folder: &Path) -> [PathBuf; 3] {
 }
 
 /// Where it reads and writes, as far as the arguments say.
-fn places(rubric: &Path, submissions: &[PathBuf], folder: &Path, scene: Option<&Path>) -> Places {
+fn places(arguments: &GradeArguments, rubric: &Path, folder: &Path, scene: Option<&Path>) -> Places {
     let places = Places::with_scene(scene).reads("RUBRIC", rubric);
-    let standard = submissions.iter().filter(|path| storage::is_standard(path));
+    let places = arguments.roster.iter().fold(places, |places, path| places.reads("--roster", path));
+    let standard = arguments.submissions.iter().filter(|path| storage::is_standard(path));
     let places = standard.fold(places, |places, path| places.reads("SUBMISSION", path));
     results(folder).iter().fold(places, |places, path| places.writes_once(storage::output_name(path), path))
 }

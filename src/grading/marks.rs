@@ -2,9 +2,10 @@
 
 use super::gather::System;
 use super::hash::Hashed;
-use super::item::{Evidence, Item, ItemKind};
+use super::item::{Evidence, Item, ItemKind, Verdict};
 use super::note::Note;
 use super::parsed::Parsed;
+use super::person::Person;
 use super::rubric::Rubric;
 use super::samples::{SampleDiagnosis, note_of_too_many, sample_diagnoses};
 use super::submission::Submission;
@@ -27,13 +28,15 @@ pub enum PlaybackEvidence {
 /// How many submissions showed their playback: `12 of 15 submissions: playback shown by samples; 3 assumed`. `None` if playback is not graded.
 #[must_use]
 pub fn evidence_counts(marks: &[Marks]) -> Option<String> {
-    let found: Vec<PlaybackEvidence> = marks.iter().filter_map(Marks::playback_evidence).collect();
+    let handed_in = || marks.iter().filter(|marks| !marks.is_missing);
+    let found: Vec<PlaybackEvidence> = handed_in().filter_map(Marks::playback_evidence).collect();
     if found.is_empty() {
         return None;
     }
     let count = |evidence| found.iter().filter(|one| **one == evidence).count();
     let shown = count(PlaybackEvidence::Samples);
-    let mut parts = vec![format!("{shown} of {}: playback shown by samples", counted(marks.len(), "submission"))];
+    let mut parts =
+        vec![format!("{shown} of {}: playback shown by samples", counted(handed_in().count(), "submission"))];
     for (evidence, what) in [(PlaybackEvidence::Assumed, "assumed"), (PlaybackEvidence::None, "not shown")] {
         let count = count(evidence);
         if count > 0 {
@@ -52,6 +55,10 @@ pub struct Marks {
     pub student: Option<String>,
     /// The student's number in the course system, where it is known.
     pub id: Option<String>,
+    /// The students of the list whose it is; none without a list.
+    pub people: Vec<Person>,
+    /// Whether nothing was handed in: a student of the list without a submission.
+    pub is_missing: bool,
     /// The course system that it is exported from.
     pub system: Option<System>,
     /// Whether the course system says that it came late.
@@ -62,6 +69,8 @@ pub struct Marks {
     pub samples: Vec<SampleDiagnosis>,
     /// The file that its keyframes are from, or the script that made them.
     pub keyframe_file: Option<String>,
+    /// Why no keyframes could be read.
+    pub unread: Option<String>,
     /// Its keyframes, where they can be read.
     pub keyframes: Option<KeyframeList>,
     /// Notes for the report.
@@ -95,15 +104,49 @@ impl Marks {
             name: submission.name.clone(),
             student: submission.student.clone(),
             id: submission.id.clone(),
+            people: Vec::new(),
+            is_missing: false,
             system: submission.system,
             is_late: submission.is_late,
             items,
             samples,
             keyframe_file,
+            unread: parsed.problem.clone().or_else(|| parsed.keyframes.as_ref().err().cloned()),
             keyframes: read.map(|read| read.list.clone()),
             notes,
             files: Vec::new(),
         }
+    }
+
+    /// The marks of a student who handed nothing in, under a name of their own.
+    #[must_use]
+    pub fn missing(name: String, person: &Person, rubric: &Rubric) -> Self {
+        let verdict = || Verdict::unmet("Nothing was handed in.");
+        Self {
+            name,
+            student: Some(person.name.clone()).filter(|name| !name.is_empty()),
+            id: person.ids().next().map(str::to_owned),
+            people: vec![person.clone()],
+            is_missing: true,
+            system: None,
+            is_late: false,
+            items: rubric.items().map(|(kind, out_of)| Item::new(kind, out_of, verdict())).collect(),
+            samples: Vec::new(),
+            keyframe_file: None,
+            unread: None,
+            keyframes: None,
+            notes: Vec::new(),
+            files: Vec::new(),
+        }
+    }
+
+    /// The sections of its students on the list, each once.
+    #[must_use]
+    pub fn section(&self) -> Option<String> {
+        let mut sections: Vec<&str> = self.people.iter().map(|person| person.section.as_str()).collect();
+        sections.retain(|section| !section.is_empty());
+        sections.dedup();
+        (!sections.is_empty()).then(|| sections.join(", "))
     }
 
     /// The points of all items.
@@ -116,12 +159,6 @@ impl Marks {
     #[must_use]
     pub fn out_of(&self) -> f64 {
         self.items.iter().map(|item| item.out_of).sum()
-    }
-
-    /// Whether no keyframes could be read.
-    #[must_use]
-    pub const fn is_unreadable(&self) -> bool {
-        self.keyframes.is_none()
     }
 
     /// What the verdicts on playback rest on, in one word: what was handed in if any of them rests on it. `None` if playback is not graded.

@@ -25,9 +25,35 @@ pub struct Person {
 }
 
 impl Person {
-    /// Whose the submission is, as far as the names of its files say.
+    /// All that tells the student apart but the name, where it is known.
+    pub fn ids(&self) -> impl Iterator<Item = &str> {
+        let ids =
+            [&self.canvas_id, &self.sis_user_id, &self.sis_login_id, &self.participant, &self.id_number, &self.email];
+        ids.into_iter().map(String::as_str).filter(|id| !id.is_empty())
+    }
+
+    /// Whose the submission is: the students of the list, or else as far as the names of its files say.
     #[must_use]
-    pub fn of(marks: &Marks) -> Self {
+    pub fn all_of(marks: &Marks) -> Vec<Self> {
+        let exported = Self::exported(marks);
+        if marks.people.is_empty() {
+            return vec![exported];
+        }
+        let mut people = marks.people.clone();
+        if let [person] = &mut people[..] {
+            // A list of another system lacks the numbers of the one that the submissions are from.
+            for (known, exported) in
+                [(&mut person.canvas_id, exported.canvas_id), (&mut person.participant, exported.participant)]
+            {
+                if known.is_empty() {
+                    *known = exported;
+                }
+            }
+        }
+        people
+    }
+
+    fn exported(marks: &Marks) -> Self {
         let id = marks.id.clone().unwrap_or_default();
         let person = Self { name: marks.student.clone().unwrap_or_else(|| marks.name.clone()), ..Self::default() };
         match marks.system {

@@ -18,7 +18,7 @@ pub fn csv(marks: &[Marks], is_wide: bool) -> String {
     let mut header: Vec<String> = first.map(str::to_owned).into();
     // Every submission has the same items.
     header.extend(marks.iter().take(1).flat_map(|marks| columns(&marks.items, is_wide)).map(|(name, _)| name));
-    header.extend(["keyframe_file", "reasons", "notes"].map(str::to_owned));
+    header.extend(["keyframe_file", "reasons", "notes", "section", "missing"].map(str::to_owned));
     let mut text = String::from(UTF8_MARK);
     text.push_str(&row(&header));
     for marks in marks {
@@ -30,13 +30,15 @@ pub fn csv(marks: &[Marks], is_wide: bool) -> String {
             late.to_owned(),
             number(marks.points()),
             number(marks.out_of()),
-            marks.evidence(),
+            if marks.is_missing { String::new() } else { marks.evidence() },
             diagnoses(marks).join("; "),
         ];
         cells.extend(columns(&marks.items, is_wide).into_iter().map(|(_, points)| number(points)));
         cells.push(marks.keyframe_file.clone().unwrap_or_default());
         cells.push(lost_reasons(marks));
         cells.push(marks.notes.iter().map(|note| note.text.as_str()).collect::<Vec<_>>().join(" "));
+        cells.push(marks.section().unwrap_or_default());
+        cells.push(if marks.is_missing { "missing".to_owned() } else { String::new() });
         text.push_str(&row(&cells));
     }
     text
@@ -105,6 +107,7 @@ pub fn json(marks: &[Marks], passed_over: &[PassedOver], rubric: &Rubric) -> Str
         json!({
             "name": marks.name, "student": marks.student, "id": marks.id, "late": marks.is_late, "points": marks.points(), "out_of": marks.out_of(), "keyframe_file": marks.keyframe_file,
             "items": items, "samples": samples, "notes": marks.notes.iter().map(|note| &note.text).collect::<Vec<_>>(), "files": hashes(&marks.files),
+            "section": marks.section(), "missing": marks.is_missing,
         })
     };
     let passed = |passed: &PassedOver| json!({"name": passed.name, "reason": passed.reason});

@@ -27,6 +27,7 @@ mod render;
 mod report;
 mod requirements;
 mod results;
+mod roster;
 mod sample;
 mod sandbox;
 mod script;

@@ -52,7 +52,7 @@ fn the_table_has_a_column_a_keyframe_only_where_it_is_wide() {
     let after = ["each_keyframe", "linear_playback", "catmull_rom_playback", "range_and_end", "script"];
     assert_eq!(rows[0][8..10], ["readable", "keyframe_count"]);
     assert_eq!(rows[0][10..15], after);
-    assert_eq!(rows[0][15..], ["keyframe_file", "reasons", "notes"]);
+    assert_eq!(rows[0][15..], ["keyframe_file", "reasons", "notes", "section", "missing"]);
     let of_keyframes = rows[1..].iter().map(|row| row[10].as_str()).collect::<Vec<_>>();
     assert_eq!(of_keyframes, ["8", "7", "0"]);
     assert_eq!(rows[3][0], "'＝cem.json");
@@ -84,4 +84,40 @@ fn the_results_say_what_they_are_of() {
     assert_eq!(of(0), &json!([file("animation.json", "all/ann/animation.json")]));
     assert_eq!(of(1), &json!([file("bob.json", "all/bob.json")]));
     assert_eq!(of(2)[0]["sha256"], hash("all/＝cem.json"));
+}
+
+#[test]
+fn what_could_not_be_read_is_said_and_may_end_with_status_1() {
+    let sandbox = three();
+    let said = grade(&sandbox, &[]);
+    assert!(said.starts_with("3 submissions graded: "), "{said}");
+    assert!(said.contains("\n1 of 3 submissions could not be read\ncould not be read: ＝cem.json ("), "{said}");
+    assert!(!said.contains("below"), "{said}");
+
+    let files = ["out/grades.csv", "out/grades.json", "out/report.html"];
+    let written = files.map(|name| sandbox.read(name));
+    let ends = |more: &[&str]| {
+        std::fs::remove_dir_all(sandbox.path("out")).unwrap();
+        let arguments = ["grade", "rubric.json", "all", "-o", "out", "--no-images"];
+        let outcome = sandbox.run(&[&arguments[..], more].concat());
+        assert_eq!(outcome.stderr, "");
+        assert_eq!(files.map(|name| sandbox.read(name)), written, "{more:?}");
+        (outcome.status, outcome.stdout)
+    };
+    assert_eq!(ends(&["--strict"]), (1, said.clone()));
+    assert_eq!(ends(&["--fail-under", "0"]), (0, said));
+    let (status, said) = ends(&["--fail-under", "1"]);
+    assert!(status == 1 && said.contains("\nbelow 1 %: ＝cem.json (0 of 26 points)\n"), "{said}");
+    assert_eq!(said.matches("below").count(), 1);
+    let (status, said) = ends(&["--fail-under", "100", "--strict"]);
+    assert!(status == 1 && said.contains("\nbelow 100 %: bob.json ("), "{said}");
+    assert_eq!(said.matches("below").count(), 2);
+    std::fs::remove_file(sandbox.path("all/＝cem.json")).unwrap();
+    std::fs::remove_file(sandbox.path("all/bob.json")).unwrap();
+    let arguments = ["grade", "rubric.json", "all", "-o", "out", "--no-images", "--strict", "--fail-under", "100"];
+    sandbox.run(&arguments).succeeds();
+    for percent in ["-1", "101", "nan", "half"] {
+        let percent = format!("--fail-under={percent}");
+        sandbox.run(&["grade", "rubric.json", "all", "-o", "out", &percent]).misuses();
+    }
 }

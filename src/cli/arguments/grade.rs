@@ -6,6 +6,7 @@ use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
 use crate::grading::{FORMATS, Format, format_named};
+use crate::words::texts;
 
 /// The long help.
 pub const HELP: &str = "\
@@ -48,21 +49,36 @@ pub struct GradeArguments {
     /// With --to canvas: the column of the assignment, as Canvas's own export names it: 'Title (id)'.
     #[arg(long, value_name = "COLUMN", requires = "to")]
     pub assignment: Option<String>,
+    /// The students of the course: a table with names, numbers or sections, as Canvas, Moodle and Gradescope export it, or with the columns
+    /// name,id,section. Who handed nothing in gets a row.
+    #[arg(long, value_name = "FILE.csv")]
+    pub roster: Option<PathBuf>,
+    /// End with status 1 where a submission has no keyframes that can be read. Everything is written all the same.
+    #[arg(long)]
+    pub strict: bool,
+    /// End with status 1 where a submission has less than this percentage of the points. Everything is written all the same.
+    #[arg(long, value_name = "PERCENT", value_parser = percent)]
+    pub fail_under: Option<f64>,
     /// In grades.csv, give each keyframe a column of its own.
     #[arg(long)]
     pub wide: bool,
     /// Grade nothing: say which known mistakes the rubric's reference reveals, and which keyframes would reveal the others.
-    #[arg(long, conflicts_with_all = ["submissions", "output", "classes", "one", "no_images", "wide", "to"])]
+    #[arg(long, conflicts_with_all = ["submissions", "output", "classes", "one", "no_images", "wide", "to", "strict", "fail_under", "roster"])]
     pub check: bool,
     /// Print JSON: what grades.json holds; with --check, what the reference reveals.
     #[arg(long, conflicts_with = "example")]
     pub json: bool,
     /// Grade nothing: write a rubric, a reference, a script and a README to start from into this folder.
-    #[arg(long, value_name = "DIR", conflicts_with_all = ["rubric", "submissions", "output", "classes", "one", "no_images", "wide", "to", "check"])]
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["rubric", "submissions", "output", "classes", "one", "no_images", "wide", "to", "strict", "fail_under", "roster", "check"])]
     pub example: Option<PathBuf>,
 }
 
 fn format() -> impl TypedValueParser<Value = &'static Format> {
     PossibleValuesParser::new(FORMATS.map(|format| PossibleValue::new(format.name).help(format.about)))
         .map(|name| format_named(&name).expect("a possible value"))
+}
+
+fn percent(text: &str) -> Result<f64, String> {
+    let percent = text.parse().ok().filter(|percent| (0.0..=100.0).contains(percent));
+    percent.ok_or_else(|| texts::GRADE_BAD_PERCENT.to_string())
 }

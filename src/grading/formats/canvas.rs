@@ -23,8 +23,8 @@ fn files(marks: &[Marks], _: &Rubric, given: &Given) -> Vec<ResultFile> {
     // Canvas's own exports have this row, and its import reads it.
     let out_of = number(marks.first().map_or(0.0, Marks::out_of));
     text.push_str(&row(&["Points Possible", "", "", "", "", &out_of]));
-    for marks in marks {
-        let who = Person::of(marks);
+    let rows = marks.iter().flat_map(|marks| Person::all_of(marks).into_iter().map(move |who| (marks, who)));
+    for (marks, who) in rows {
         let points = number(marks.points());
         text.push_str(&row(&[who.name, who.canvas_id, who.sis_user_id, who.sis_login_id, who.section, points]));
     }

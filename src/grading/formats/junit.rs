@@ -22,7 +22,7 @@ fn files(marks: &[Marks], _: &Rubric, _: &Given) -> Vec<ResultFile> {
 
 fn suite(marks: &Marks) -> Suite {
     let case = |item: &Item| {
-        let outcome = match (item.has_lost(), marks.is_unreadable()) {
+        let outcome = match (item.has_lost(), marks.unread.is_some()) {
             (false, _) => Outcome::Passed,
             (true, false) => Outcome::Failed(item.reason.clone()),
             (true, true) => Outcome::Errored(item.reason.clone()),

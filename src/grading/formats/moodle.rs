@@ -32,8 +32,8 @@ const COLUMNS: [&str; 8] = [
 fn files(marks: &[Marks], _: &Rubric, _: &Given) -> Vec<ResultFile> {
     let mut text = String::from(UTF8_MARK);
     text.push_str(&row(&COLUMNS));
-    for marks in marks {
-        let who = Person::of(marks);
+    let rows = marks.iter().flat_map(|marks| Person::all_of(marks).into_iter().map(move |who| (marks, who)));
+    for (marks, who) in rows {
         let identifier =
             if who.participant.is_empty() { String::new() } else { format!("Participant {}", who.participant) };
         let (points, out_of) = (number(marks.points()), number(marks.out_of()));

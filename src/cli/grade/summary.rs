@@ -1,0 +1,69 @@
+//! What `grade` says of its results, and how it ends.
+
+use std::fmt::Write as _;
+use std::path::Path;
+
+use crate::cli::arguments::GradeArguments;
+use crate::cli::error::Ended;
+use crate::grading::{Marks, Matched, PassedOver, Rubric, evidence_counts, number};
+use crate::text::counted;
+use crate::words::texts;
+
+/// A line for each thing to know: the counts, who could not be read, who is below the limit, what was passed over.
+pub fn lines(
+    marks: &[Marks],
+    matched: &Matched,
+    passed_over: &[PassedOver],
+    rubric: &Rubric,
+    report: &Path,
+    arguments: &GradeArguments,
+) -> String {
+    let missing: Vec<&Marks> = marks.iter().filter(|marks| marks.is_missing).collect();
+    let handed_in = marks.len() - missing.len();
+    let mut text = format!("{} graded: {}\n", counted(handed_in, "submission"), report.display());
+    if let Some(counts) = evidence_counts(marks) {
+        let _ = writeln!(text, "{counts}");
+    }
+    let unread: Vec<(&Marks, &String)> =
+        marks.iter().filter_map(|marks| Some((marks, marks.unread.as_ref()?))).collect();
+    if !unread.is_empty() {
+        let _ = writeln!(text, "{}", texts::grade_unread_count(unread.len(), handed_in));
+    }
+    for (marks, reason) in unread {
+        let _ = writeln!(text, "{}", texts::grade_unread(&marks.name, reason));
+    }
+    for marks in missing {
+        let _ = writeln!(text, "{}", texts::grade_missing(&marks.name));
+    }
+    for name in &matched.unknown {
+        let _ = writeln!(text, "{}", texts::grade_not_on_roster(name));
+    }
+    for (name, submissions) in &matched.repeated {
+        let _ = writeln!(text, "{}", texts::grade_repeated(name, submissions.join(", ")));
+    }
+    if let Some(percent) = arguments.fail_under {
+        for marks in below(marks, percent) {
+            let points = [marks.points(), marks.out_of()].map(number);
+            let _ = writeln!(text, "{}", texts::grade_below(percent, &marks.name, &points[0], &points[1]));
+        }
+    }
+    for PassedOver { name, reason } in passed_over {
+        let _ = writeln!(text, "passed over: {name} ({reason})");
+    }
+    if let Some(warning) = rubric.revealed.warning() {
+        let _ = writeln!(text, "{warning}");
+    }
+    text
+}
+
+/// How the command ends where all is written.
+pub fn ending(marks: &[Marks], arguments: &GradeArguments) -> Ended {
+    let has_unread = arguments.strict && marks.iter().any(|marks| marks.unread.is_some());
+    let has_below = arguments.fail_under.is_some_and(|percent| below(marks, percent).next().is_some());
+    if has_unread || has_below { Ended::Beyond } else { Ended::Well }
+}
+
+/// Those with less than this percentage of the points. Errors of rounding do not count.
+fn below(marks: &[Marks], percent: f64) -> impl Iterator<Item = &Marks> {
+    marks.iter().filter(move |marks| marks.points() < percent / 100.0 * marks.out_of() - 1e-9)
+}
