@@ -12,7 +12,7 @@
 //! `samples` diagnoses samples and judges them by `shown_playback`: `right` is what they should show, `off` how far a row is from that,
 //! `judgement` sums up the rows, `coverage` counts them, and `range` looks at both ends. `shown` chooses the poses of pictures.
 //! `formats` writes results as course systems read them, `person` says how these know a student, and `roster`
-//! whose each submission is.
+//! whose each submission is. `overrides` and `late` change points afterwards.
 //! Tables and report share `rows` (items as people read them), `note` and `cells`. `hash` says which files results are of.
 //!
 //! `check` says what a rubric's reference reveals, `requirements` judges animations without a reference, and `example` is what a rubric
@@ -36,10 +36,12 @@ mod gather;
 mod hash;
 mod item;
 mod judgement;
+mod late;
 mod marks;
 mod names;
 mod note;
 mod off;
+mod overrides;
 mod parsed;
 mod person;
 mod pictures;
@@ -70,8 +72,10 @@ pub use formats::{FORMATS, Format, Given, ResultFile, format_named};
 pub use gather::{Found, Naming, PassedOver, System, find};
 pub use hash::Hashed;
 pub use item::{Evidence, Item, ItemKind, Verdict};
+pub use late::Late;
 pub use marks::{Marks, PlaybackEvidence, evidence_counts};
 pub use note::Note;
+pub use overrides::{Overrides, USUAL_NAME as USUAL_OVERRIDES};
 pub use parsed::Parsed;
 pub use person::Person;
 pub use pictures::pictures_of;

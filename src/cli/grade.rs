@@ -12,7 +12,10 @@ use super::progress::Progress;
 use super::{CliError, Common, Ended, misuse, output};
 use crate::export::Painter;
 use crate::files::{self, scene};
-use crate::grading::{self, Found, Given, Naming, PICTURE_SIZE, ReportPictures, ResultFile, Roster, Rubric, Studio};
+use crate::grading::{
+    self, Found, Given, Naming, Overrides, PICTURE_SIZE, ReportPictures, ResultFile, Roster, Rubric, Studio,
+    USUAL_OVERRIDES,
+};
 use crate::storage;
 use crate::words::texts;
 
@@ -27,12 +30,12 @@ pub fn run(arguments: &GradeArguments, common: Common<'_>) -> Result<Ended, CliE
     if let Some(folder) = &arguments.example {
         return beginning::write_example(folder, common).map(|()| Ended::Well);
     }
-    let Some(rubric) = &arguments.rubric else { return Ok(Ended::Well) };
+    let Some(rubric_path) = &arguments.rubric else { return Ok(Ended::Well) };
     if arguments.check {
-        return beginning::check(rubric, arguments.json, named_scene).map(|()| Ended::Well);
+        return beginning::check(rubric_path, arguments.json, named_scene).map(|()| Ended::Well);
     }
     let Some(folder) = &arguments.output else { return Ok(Ended::Well) };
-    let own_places = || places(arguments, rubric, folder, named_scene);
+    let own_places = || places(arguments, rubric_path, folder, named_scene);
     if storage::is_standard(folder) {
         return Err(misuse(&texts::places_no_folder("--output").to_string()));
     }
@@ -43,7 +46,8 @@ pub fn run(arguments: &GradeArguments, common: Common<'_>) -> Result<Ended, CliE
     own_places().check()?;
     let painter = if arguments.no_images { None } else { Some(Painter::headless(PICTURE_SIZE, None)?) };
     let scene = scene::load(named_scene)?;
-    let rubric = Rubric::load(rubric, &scene)?;
+    let rubric = Rubric::load(rubric_path, &scene)?;
+    let overrides = overrides(arguments, rubric_path).map(|path| Overrides::load(&path, &rubric)).transpose()?;
     let roster = arguments.roster.as_deref().map(Roster::load).transpose()?;
     let naming = match (arguments.one, arguments.classes) {
         (true, _) => Naming::One,
@@ -60,6 +64,10 @@ pub fn run(arguments: &GradeArguments, common: Common<'_>) -> Result<Ended, CliE
     named.fold(places, |places, (name, path)| places.reads_as(name, "SUBMISSION", path)).check()?;
     let mut marks = grading::mark_all(&submissions, &rubric, &scene);
     let matched = roster.map(|roster| roster.apply(&mut marks, &rubric)).unwrap_or_default();
+    let unmatched = overrides.map(|overrides| overrides.apply(&mut marks)).unwrap_or_default();
+    if let Some(late) = &rubric.late {
+        late.apply(&mut marks);
+    }
     let mut pictures = ReportPictures::default();
     if let Some(painter) = painter {
         let mut studio = Studio::new(painter, &rubric, &scene)?;
@@ -90,9 +98,15 @@ pub fn run(arguments: &GradeArguments, common: Common<'_>) -> Result<Ended, CliE
     if arguments.json {
         output::list(&results)?;
     } else if !common.is_quiet {
-        output::say(&summary::lines(&marks, &matched, &passed_over, &rubric, &report, arguments))?;
+        output::say(&summary::lines(&marks, &matched, &unmatched, &passed_over, &rubric, &report, arguments))?;
     }
     Ok(summary::ending(&marks, arguments))
+}
+
+/// The file of overrides: the one that is named, or the usual one beside the rubric if it is there.
+fn overrides(arguments: &GradeArguments, rubric: &Path) -> Option<PathBuf> {
+    let usual = (!storage::is_standard(rubric)).then(|| rubric.with_file_name(USUAL_OVERRIDES));
+    arguments.overrides.clone().or_else(|| usual.filter(|path| storage::exists(path)))
 }
 
 /// What the forms of results need beside the marks.
@@ -111,6 +125,7 @@ fn results(folder: &Path) -> [PathBuf; 3] {
 fn places(arguments: &GradeArguments, rubric: &Path, folder: &Path, scene: Option<&Path>) -> Places {
     let places = Places::with_scene(scene).reads("RUBRIC", rubric);
     let places = arguments.roster.iter().fold(places, |places, path| places.reads("--roster", path));
+    let places = overrides(arguments, rubric).iter().fold(places, |places, path| places.reads("--overrides", path));
     let standard = arguments.submissions.iter().filter(|path| storage::is_standard(path));
     let places = standard.fold(places, |places, path| places.reads("SUBMISSION", path));
     results(folder).iter().fold(places, |places, path| places.writes_once(storage::output_name(path), path))

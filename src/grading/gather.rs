@@ -226,6 +226,7 @@ impl Row {
             id: None,
             system: None,
             is_late: false,
+            days_late: None,
             roots: vec![entry],
         };
         Self { submission, key: None }
@@ -233,11 +234,12 @@ impl Row {
 
     fn of_student(entry: Entry, student: Student) -> Self {
         let name = entry.name.clone();
-        let Student { system, name: student, id, is_late, file } = student;
+        let Student { system, name: student, id, is_late, days_late, file } = student;
         let key = (entry.place.folders(), system, composed(&student).into_owned(), id.clone());
         let entry = Entry { name: file.unwrap_or(entry.name), ..entry };
         let student = Some(composed(&student).into_owned());
-        let submission = Submission { name, student, id: Some(id), system: Some(system), is_late, roots: vec![entry] };
+        let submission =
+            Submission { name, student, id: Some(id), system: Some(system), is_late, days_late, roots: vec![entry] };
         Self { submission, key: Some(key) }
     }
 }
@@ -269,6 +271,7 @@ fn add(rows: Vec<Row>, found: &mut Found) {
         } else {
             let first = &mut found.submissions[index];
             first.is_late |= submission.is_late;
+            first.days_late = first.days_late.max(submission.days_late);
             first.roots.extend(submission.roots);
         }
     }

@@ -128,6 +128,8 @@ pub struct Item {
     pub reason: String,
     /// What the verdict rests on.
     pub evidence: Option<Evidence>,
+    /// Whether a teacher gave the points, and no verdict.
+    pub is_by_hand: bool,
 }
 
 impl Item {
@@ -139,7 +141,7 @@ impl Item {
         if !reason.is_empty() && !reason.ends_with(['.', '!', '?']) {
             reason.push('.');
         }
-        Self { kind, points: out_of * share, out_of, reason, evidence }
+        Self { kind, points: out_of * share, out_of, reason, evidence, is_by_hand: false }
     }
 
     /// Whether points are missing.

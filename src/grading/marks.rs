@@ -63,6 +63,12 @@ pub struct Marks {
     pub system: Option<System>,
     /// Whether the course system says that it came late.
     pub is_late: bool,
+    /// How many days late, where that is known: days that have begun.
+    pub days_late: Option<u32>,
+    /// The points that lateness costs.
+    pub late_points: f64,
+    /// What a teacher says of it.
+    pub comment: Option<String>,
     /// What was graded, in the rubric's order.
     pub items: Vec<Item>,
     /// One diagnosis for each sample file that is read.
@@ -108,6 +114,9 @@ impl Marks {
             is_missing: false,
             system: submission.system,
             is_late: submission.is_late,
+            days_late: submission.days_late,
+            late_points: 0.0,
+            comment: None,
             items,
             samples,
             keyframe_file,
@@ -130,6 +139,9 @@ impl Marks {
             is_missing: true,
             system: None,
             is_late: false,
+            days_late: None,
+            late_points: 0.0,
+            comment: None,
             items: rubric.items().map(|(kind, out_of)| Item::new(kind, out_of, verdict())).collect(),
             samples: Vec::new(),
             keyframe_file: None,
@@ -149,10 +161,16 @@ impl Marks {
         (!sections.is_empty()).then(|| sections.join(", "))
     }
 
-    /// The points of all items.
+    /// The points of all items, without what lateness costs.
+    #[must_use]
+    pub fn earned(&self) -> f64 {
+        self.items.iter().map(|item| item.points).sum()
+    }
+
+    /// The points: those of all items, less what lateness costs.
     #[must_use]
     pub fn points(&self) -> f64 {
-        self.items.iter().map(|item| item.points).sum()
+        self.earned() - self.late_points
     }
 
     /// The points that could be had.

@@ -22,6 +22,12 @@ pub fn composed(text: &str) -> Cow<'_, str> {
     icu_normalizer::ComposingNormalizerBorrowed::new_nfc().normalize(text)
 }
 
+/// A student's number as it is compared: in small letters.
+#[must_use]
+pub fn id_key(id: &str) -> String {
+    composed(id.trim()).to_lowercase()
+}
+
 /// Whether a name belongs to the system or to tools, and never to a student's work.
 #[must_use]
 pub fn is_hidden(name: &str) -> bool {

@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use super::marks::Marks;
-use super::names::composed;
+use super::names::{composed, id_key};
 use super::person::Person;
 use super::rubric::Rubric;
 use crate::files::{self, FileError};
@@ -39,11 +39,6 @@ fn index(entries: impl Iterator<Item = (String, usize)>) -> Index {
         index.entry(key).and_modify(|known| *known = known.filter(|known| *known == person)).or_insert(Some(person));
     }
     index
-}
-
-/// A number as it is compared: in small letters.
-fn id_key(id: &str) -> String {
-    composed(id.trim()).to_lowercase()
 }
 
 /// A name as it is compared: composed, in small letters, without signs, its parts in order. `Kim, Ann` is `ann kim`.

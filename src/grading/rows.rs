@@ -84,8 +84,14 @@ mod tests {
 
     #[test]
     fn items_of_which_there_is_the_same_to_say_are_one_row() {
-        let item =
-            |kind, points, reason: &str| Item { kind, points, out_of: 2.0, reason: reason.to_owned(), evidence: None };
+        let item = |kind, points, reason: &str| Item {
+            kind,
+            points,
+            out_of: 2.0,
+            reason: reason.to_owned(),
+            evidence: None,
+            is_by_hand: false,
+        };
         let playback = ItemKind::Playback(Interpolation::CatmullRom);
         let items = [
             item(ItemKind::KeyframeCount, 2.0, "right"),

@@ -17,6 +17,7 @@ use super::check::Revealed;
 use super::folder::{self, Traced};
 use super::hash::Hashed;
 use super::item::ItemKind;
+use super::late::Late;
 use super::names::PreferredNames;
 use super::requirements::{Requirement, Requirements};
 use crate::animation_diff::Tolerances;
@@ -48,6 +49,8 @@ pub struct Rubric {
     pub fps: u32,
     /// The right keyframes, where submissions are compared with some.
     pub reference: Option<Reference>,
+    /// What lateness costs; `None` if nothing.
+    pub late: Option<Late>,
     /// The numbers of the requirements.
     pub requirements: Requirements,
     /// How keyframe files are named, to choose among several.
@@ -154,6 +157,7 @@ impl Rubric {
             samples_per_interval: text.samples_per_interval as usize,
             fps: text.fps,
             reference,
+            late: text.late,
             requirements,
             keyframe_file,
             script,

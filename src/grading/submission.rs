@@ -39,6 +39,8 @@ pub struct Submission {
     pub system: Option<System>,
     /// Whether the course system says that it came late.
     pub is_late: bool,
+    /// How many days late, where the course system says it.
+    pub days_late: Option<u32>,
     /// Its folders and files, at least one: the entry, and its name in the submission.
     pub(super) roots: Vec<Entry>,
 }
@@ -94,7 +96,15 @@ impl Submission {
     #[must_use]
     pub fn in_memory(name: &str, bytes: Vec<u8>) -> Self {
         let root = Entry { name: name.to_owned(), kind: EntryKind::File, place: Place::Memory(bytes.into()) };
-        Self { name: name.to_owned(), student: None, id: None, system: None, is_late: false, roots: vec![root] }
+        Self {
+            name: name.to_owned(),
+            student: None,
+            id: None,
+            system: None,
+            is_late: false,
+            days_late: None,
+            roots: vec![root],
+        }
     }
 
     /// The files and folders on the disk that it is, or the archive that it is in.

@@ -10,6 +10,10 @@ use super::marks::Marks;
 use super::rows::rows;
 use super::rubric::Rubric;
 
+/// The columns after those of items.
+const LAST_COLUMNS: [&str; 8] =
+    ["keyframe_file", "reasons", "notes", "section", "missing", "days_late", "late_points", "comment"];
+
 /// A row for each submission, a column for each item; the keyframes have one column together, or with `is_wide` one each. It begins with
 /// the mark of UTF-8, and no cell is a formula.
 #[must_use]
@@ -18,7 +22,7 @@ pub fn csv(marks: &[Marks], is_wide: bool) -> String {
     let mut header: Vec<String> = first.map(str::to_owned).into();
     // Every submission has the same items.
     header.extend(marks.iter().take(1).flat_map(|marks| columns(&marks.items, is_wide)).map(|(name, _)| name));
-    header.extend(["keyframe_file", "reasons", "notes", "section", "missing"].map(str::to_owned));
+    header.extend(LAST_COLUMNS.map(str::to_owned));
     let mut text = String::from(UTF8_MARK);
     text.push_str(&row(&header));
     for marks in marks {
@@ -39,6 +43,9 @@ pub fn csv(marks: &[Marks], is_wide: bool) -> String {
         cells.push(marks.notes.iter().map(|note| note.text.as_str()).collect::<Vec<_>>().join(" "));
         cells.push(marks.section().unwrap_or_default());
         cells.push(if marks.is_missing { "missing".to_owned() } else { String::new() });
+        cells.push(marks.days_late.map(|days| days.to_string()).unwrap_or_default());
+        cells.push(if marks.late_points > 0.0 { number(marks.late_points) } else { String::new() });
+        cells.push(marks.comment.clone().unwrap_or_default());
         text.push_str(&row(&cells));
     }
     text
@@ -86,7 +93,7 @@ pub fn json(marks: &[Marks], passed_over: &[PassedOver], rubric: &Rubric) -> Str
             .iter()
             .map(|item| {
                 let evidence = item.evidence.map(Evidence::id);
-                json!({"item": item.kind.id(), "points": item.points, "out_of": item.out_of, "evidence": evidence, "reason": item.reason})
+                json!({"item": item.kind.id(), "points": item.points, "out_of": item.out_of, "evidence": evidence, "reason": item.reason, "by_hand": item.is_by_hand})
             })
             .collect();
         let samples: Vec<Value> = marks
@@ -107,7 +114,8 @@ pub fn json(marks: &[Marks], passed_over: &[PassedOver], rubric: &Rubric) -> Str
         json!({
             "name": marks.name, "student": marks.student, "id": marks.id, "late": marks.is_late, "points": marks.points(), "out_of": marks.out_of(), "keyframe_file": marks.keyframe_file,
             "items": items, "samples": samples, "notes": marks.notes.iter().map(|note| &note.text).collect::<Vec<_>>(), "files": hashes(&marks.files),
-            "section": marks.section(), "missing": marks.is_missing,
+            "section": marks.section(), "missing": marks.is_missing, "days_late": marks.days_late, "late_points": marks.late_points,
+            "comment": marks.comment,
         })
     };
     let passed = |passed: &PassedOver| json!({"name": passed.name, "reason": passed.reason});

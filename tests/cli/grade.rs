@@ -355,7 +355,7 @@ fn a_bad_rubric_is_bad_input() {
         sandbox.run(&["grade", "bad.json", "all", "-o", "out", "--no-images"])
     };
     run(RUBRIC.replace("\"title\"", "\"tittle\"")).refuses(
-        "bad.json: line 1 column 53: unknown field \"tittle\", expected format, version, title, reference, script, keyframe_file, tolerances, fps, playback, samples_per_interval, bands, share_of_frames, follow_through, align_keyframes, points or requirements",
+        "bad.json: line 1 column 53: unknown field \"tittle\", expected format, version, title, reference, script, keyframe_file, tolerances, fps, playback, samples_per_interval, bands, share_of_frames, follow_through, align_keyframes, late, points or requirements",
     );
     run(RUBRIC.replace("\"readable\": 2", "\"readable\": -2"))
         .refuses("bad.json: points.readable is -2, expected 0 to 1000000");
@@ -401,7 +401,7 @@ fn a_rubric_in_toml_is_the_same() {
         (
             "title =",
             "tittle =",
-            "line 4 column 1: unknown field \"tittle\", expected format, version, title, reference, script, keyframe_file, tolerances, fps, playback, samples_per_interval, bands, share_of_frames, follow_through, align_keyframes, points or requirements",
+            "line 4 column 1: unknown field \"tittle\", expected format, version, title, reference, script, keyframe_file, tolerances, fps, playback, samples_per_interval, bands, share_of_frames, follow_through, align_keyframes, late, points or requirements",
         ),
         ("readable = 10", "readable = -2", "points.readable is -2, expected 0 to 1000000"),
         ("readable = 10", "readable = nan", "points.readable is NaN, expected 0 to 1000000"),

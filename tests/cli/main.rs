@@ -21,6 +21,7 @@ mod help;
 mod journal;
 mod marks;
 mod other_files;
+mod overrides;
 mod places;
 mod playback;
 mod render;

@@ -52,7 +52,10 @@ fn the_table_has_a_column_a_keyframe_only_where_it_is_wide() {
     let after = ["each_keyframe", "linear_playback", "catmull_rom_playback", "range_and_end", "script"];
     assert_eq!(rows[0][8..10], ["readable", "keyframe_count"]);
     assert_eq!(rows[0][10..15], after);
-    assert_eq!(rows[0][15..], ["keyframe_file", "reasons", "notes", "section", "missing"]);
+    assert_eq!(
+        rows[0][15..],
+        ["keyframe_file", "reasons", "notes", "section", "missing", "days_late", "late_points", "comment"]
+    );
     let of_keyframes = rows[1..].iter().map(|row| row[10].as_str()).collect::<Vec<_>>();
     assert_eq!(of_keyframes, ["8", "7", "0"]);
     assert_eq!(rows[3][0], "'＝cem.json");

@@ -53,6 +53,9 @@ pub struct GradeArguments {
     /// name,id,section. Who handed nothing in gets a row.
     #[arg(long, value_name = "FILE.csv")]
     pub roster: Option<PathBuf>,
+    /// A teacher's points, comments and late days, instead of the file overrides.toml beside the rubric.
+    #[arg(long, value_name = "FILE")]
+    pub overrides: Option<PathBuf>,
     /// End with status 1 where a submission has no keyframes that can be read. Everything is written all the same.
     #[arg(long)]
     pub strict: bool,
@@ -63,13 +66,13 @@ pub struct GradeArguments {
     #[arg(long)]
     pub wide: bool,
     /// Grade nothing: say which known mistakes the rubric's reference reveals, and which keyframes would reveal the others.
-    #[arg(long, conflicts_with_all = ["submissions", "output", "classes", "one", "no_images", "wide", "to", "strict", "fail_under", "roster"])]
+    #[arg(long, conflicts_with_all = ["submissions", "output", "classes", "one", "no_images", "wide", "to", "strict", "fail_under", "roster", "overrides"])]
     pub check: bool,
     /// Print JSON: what grades.json holds; with --check, what the reference reveals.
     #[arg(long, conflicts_with = "example")]
     pub json: bool,
     /// Grade nothing: write a rubric, a reference, a script and a README to start from into this folder.
-    #[arg(long, value_name = "DIR", conflicts_with_all = ["rubric", "submissions", "output", "classes", "one", "no_images", "wide", "to", "strict", "fail_under", "roster", "check"])]
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["rubric", "submissions", "output", "classes", "one", "no_images", "wide", "to", "strict", "fail_under", "roster", "overrides", "check"])]
     pub example: Option<PathBuf>,
 }
 

@@ -13,6 +13,7 @@ use crate::words::texts;
 pub fn lines(
     marks: &[Marks],
     matched: &Matched,
+    unmatched: &[String],
     passed_over: &[PassedOver],
     rubric: &Rubric,
     report: &Path,
@@ -40,6 +41,9 @@ pub fn lines(
     }
     for (name, submissions) in &matched.repeated {
         let _ = writeln!(text, "{}", texts::grade_repeated(name, submissions.join(", ")));
+    }
+    for student in unmatched {
+        let _ = writeln!(text, "{}", texts::grade_nobody(student));
     }
     if let Some(percent) = arguments.fail_under {
         for marks in below(marks, percent) {

@@ -38,5 +38,15 @@ fn suite(marks: &Marks) -> Suite {
             properties: points.into_iter().chain(evidence).collect(),
         }
     };
-    Suite { name: marks.name.clone(), cases: marks.items.iter().map(case).collect() }
+    let mut cases: Vec<Case> = marks.items.iter().map(case).collect();
+    if marks.late_points > 0.0 {
+        cases.push(Case {
+            name: "late".to_owned(),
+            class_name: marks.name.clone(),
+            file: None,
+            outcome: Outcome::Failed(format!("Lateness costs {} points.", number(marks.late_points))),
+            properties: vec![("points".to_owned(), number(-marks.late_points))],
+        });
+    }
+    Suite { name: marks.name.clone(), cases }
 }

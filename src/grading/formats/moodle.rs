@@ -46,9 +46,14 @@ fn files(marks: &[Marks], _: &Rubric, _: &Given) -> Vec<ResultFile> {
     vec![ResultFile { path: "moodle.csv".to_owned(), text }]
 }
 
-/// The points and the reasons for those that were lost, in sentences.
+/// The points, the teacher's comment, what lateness costs, and the reasons for points that were lost: sentences.
 fn feedback(marks: &Marks) -> String {
-    let points = format!("{} of {} points.", number(marks.points()), number(marks.out_of()));
-    let reasons = lost_reasons(marks);
-    if reasons.is_empty() { points } else { format!("{points} {reasons}") }
+    let mut parts = vec![format!("{} of {} points.", number(marks.points()), number(marks.out_of()))];
+    parts.extend(marks.comment.clone());
+    if marks.late_points > 0.0 {
+        parts.push(format!("Lateness costs {} points.", number(marks.late_points)));
+    }
+    parts.push(lost_reasons(marks));
+    parts.retain(|part| !part.is_empty());
+    parts.join(" ")
 }

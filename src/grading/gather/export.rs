@@ -24,6 +24,8 @@ pub struct Student {
     pub id: String,
     /// Whether it came late.
     pub is_late: bool,
+    /// How many days late, where the system says it.
+    pub days_late: Option<u32>,
     /// The file's own name, where the student is put before it.
     pub file: Option<String>,
 }
@@ -50,7 +52,14 @@ fn canvas(name: &str) -> Option<Student> {
     if student.is_empty() || file.is_empty() {
         return None;
     }
-    Some(Student { system: System::Canvas, name: student, id: parts[first].to_owned(), is_late, file: Some(file) })
+    Some(Student {
+        system: System::Canvas,
+        name: student,
+        id: parts[first].to_owned(),
+        is_late,
+        days_late: None,
+        file: Some(file),
+    })
 }
 
 fn moodle(name: &str) -> Option<Student> {
@@ -61,7 +70,14 @@ fn moodle(name: &str) -> Option<Student> {
     }
     let (_, file) = rest.split_once('_').unwrap_or((rest, ""));
     let file = (!file.is_empty()).then(|| file.to_owned());
-    Some(Student { system: System::Moodle, name: student.to_owned(), id: id.to_owned(), is_late: false, file })
+    Some(Student {
+        system: System::Moodle,
+        name: student.to_owned(),
+        id: id.to_owned(),
+        is_late: false,
+        days_late: None,
+        file,
+    })
 }
 
 #[cfg(test)]
@@ -71,7 +87,7 @@ mod tests {
     #[test]
     fn names_of_exports() {
         let read = |name: &str| {
-            let Student { system, name, id, is_late, file } = student_of(name, None)?;
+            let Student { system, name, id, is_late, file, .. } = student_of(name, None)?;
             Some((system, name, id, is_late, file.unwrap_or_default()))
         };
         let student = |system, name: &str, id: &str, is_late, file: &str| {

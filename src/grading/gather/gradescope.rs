@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use saphyr::Yaml;
 
 use super::super::archive::Unread;
+use super::super::late;
 use super::super::place::{Entry, Place};
 use super::export::{Student, System};
 use crate::storage::EntryKind;
@@ -82,7 +83,7 @@ impl Metadata {
         let late = field(yaml, "late").or_else(|| field(yaml, "lateness")).and_then(text).unwrap_or_default();
         let is_late = !["", "false", "~", "null", "0", "0.0", "00:00:00"].contains(&late.as_str());
         let id = if id.is_empty() { all("email") } else { id };
-        Some(Student { system: System::Gradescope, name, id, is_late, file: None })
+        Some(Student { system: System::Gradescope, name, id, is_late, days_late: late::days_of(&late), file: None })
     }
 
     /// Who made the submission in the folder, file or archive of a name.

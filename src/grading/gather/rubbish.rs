@@ -35,6 +35,7 @@ pub fn reason(entry: &Entry, has_results: bool) -> Option<String> {
         "xlsx" | "xls" | "xlsm" | "ods" | "numbers" => Some("a spreadsheet".to_owned()),
         "csv" | "tsv" if is_list_of_students(entry) => Some("a list of students or grades".to_owned()),
         "json" | "toml" if start(entry).contains("inbetween.rubric") => Some("a rubric".to_owned()),
+        "toml" if start(entry).contains("inbetween.overrides") => Some("a teacher's overrides".to_owned()),
         _ => None,
     }
 }

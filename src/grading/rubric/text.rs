@@ -8,6 +8,7 @@ use super::Points;
 use super::credit::{self, Band};
 use crate::animation_diff::Tolerances;
 use crate::decode::{self, DecodeError};
+use crate::grading::late::Late;
 use crate::grading::requirements::{Requirements, RequirementsText};
 
 #[derive(Deserialize)]
@@ -39,6 +40,8 @@ pub(super) struct RubricText {
     pub follow_through: bool,
     #[serde(default)]
     pub align_keyframes: bool,
+    #[serde(default)]
+    pub late: Option<Late>,
     pub points: Points,
     #[serde(default)]
     pub requirements: RequirementsText,
@@ -179,6 +182,9 @@ impl RubricText {
             return Some("playback is \"assumed\", but reference names no file to compare with".to_owned());
         }
         if let Some(problem) = credit::problem(self.tolerances.tolerances(), &self.bands()) {
+            return Some(problem);
+        }
+        if let Some(problem) = self.late.as_ref().and_then(Late::problem) {
             return Some(problem);
         }
         let has_no_script = script > 0.0 && self.script.is_none();
