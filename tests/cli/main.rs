@@ -23,6 +23,8 @@ mod marks;
 mod other_files;
 mod overrides;
 mod places;
+#[cfg(unix)]
+mod platforms;
 mod playback;
 mod render;
 mod report;
