@@ -9,6 +9,7 @@ use super::item::ItemKind;
 use super::marks::Marks;
 use super::names::{composed, id_key};
 use super::note::Note;
+use super::person::Person;
 use super::rubric::Rubric;
 use crate::decode;
 use crate::files::{self, FileError};
@@ -79,7 +80,7 @@ impl Overrides {
 
 /// Whether a number or a row's name is that of marks.
 fn is_of(student: &str, marks: &Marks) -> bool {
-    let ids = marks.people.iter().flat_map(|person| person.ids()).chain(marks.id.as_deref());
+    let ids = marks.people.iter().flat_map(Person::ids).chain(marks.id.as_deref());
     composed(student) == composed(&marks.name) || ids.into_iter().any(|id| id_key(id) == id_key(student))
 }
 

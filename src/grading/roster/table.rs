@@ -1,5 +1,7 @@
 //! Reading a table of students: its text, its cells, its columns.
 
+use std::borrow::Cow;
+
 use encoding_rs::{EUC_KR, WINDOWS_1252};
 
 use crate::grading::person::Person;
@@ -13,7 +15,7 @@ pub fn decoded(bytes: &[u8]) -> String {
         return text.to_owned();
     }
     let korean = EUC_KR.decode_without_bom_handling_and_without_replacement(bytes);
-    korean.map_or_else(|| WINDOWS_1252.decode_without_bom_handling(bytes).0.into_owned(), |text| text.into_owned())
+    korean.map_or_else(|| WINDOWS_1252.decode_without_bom_handling(bytes).0.into_owned(), Cow::into_owned)
 }
 
 /// The students of a table.
