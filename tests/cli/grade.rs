@@ -240,7 +240,7 @@ fn what_a_submission_unpacks_to_is_bounded() {
     assert_eq!(reason("large.zip"), "there is no keyframe file; skipped a.json: larger than 16 MiB.");
     assert_eq!(
         reason("many.zip"),
-        "there is no keyframe file; looked at: 0.json, 1.json, 10.json, 100.json and 196 more"
+        "there is no keyframe file; looked at: 0.json, 1.json, 10.json, 100.json and 196 more."
     );
     let note = graded["many.zip"]["notes"].as_array().unwrap().last().unwrap();
     assert_eq!(note, "Skipped 99.json: at most 200 files and 64 MiB of a submission are read.");
