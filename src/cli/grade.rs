@@ -13,8 +13,7 @@ use super::{CliError, Common, Ended, misuse, output};
 use crate::export::Painter;
 use crate::files::{self, scene};
 use crate::grading::{
-    self, Found, Given, Naming, Overrides, PICTURE_SIZE, ReportPictures, ResultFile, Roster, Rubric, Studio,
-    USUAL_OVERRIDES,
+    self, Found, Given, Naming, Overrides, ReportPictures, ResultFile, Roster, Rubric, Studio, USUAL_OVERRIDES,
 };
 use crate::storage;
 use crate::words::texts;
@@ -44,7 +43,7 @@ pub fn run(arguments: &GradeArguments, common: Common<'_>) -> Result<Ended, CliE
         return Err(misuse(&problem.to_string()));
     }
     own_places().check()?;
-    let painter = if arguments.no_images { None } else { Some(Painter::headless(PICTURE_SIZE, None)?) };
+    let painter = if arguments.no_images { None } else { Some(Painter::headless(arguments.image_size, None)?) };
     let scene = scene::load(named_scene)?;
     let rubric = Rubric::load(rubric_path, &scene)?;
     let overrides = overrides(arguments, rubric_path).map(|path| Overrides::load(&path, &rubric)).transpose()?;
@@ -75,7 +74,8 @@ pub fn run(arguments: &GradeArguments, common: Common<'_>) -> Result<Ended, CliE
         let mut progress = Progress::of_items("submission", marks.len(), common);
         for marks in &marks {
             progress.begin(&marks.name);
-            pictures.of_submissions.push(grading::pictures_of(marks, &rubric, &scene, &mut studio)?);
+            let most = usize::from(arguments.images);
+            pictures.of_submissions.push(grading::pictures_of(marks, &rubric, &scene, &mut studio, most)?);
             progress.step();
         }
         for mistake in &mistakes {

@@ -5,18 +5,22 @@ use num_rational::BigRational;
 use super::item::ItemKind;
 use super::marks::Marks;
 use super::rubric::{Reference, Rubric};
-use super::shown::{FRAMES, ShownPose, ShownPoses, farthest};
+use super::shown::{FRAMES, MOMENTS, ShownPose, ShownPoses, farthest};
 use super::studio::{ReportPicture, Studio};
 use crate::animation_diff::{Played, compare, frame_times_ms};
 use crate::export::ExportError;
 use crate::interpolation::Interpolation;
 use crate::keyframe::{DEFAULT_MS_BETWEEN_KEYFRAMES, KeyframeList, PlayRange, whole};
 use crate::scene::SceneGraph;
+use crate::words::Phrase;
 
 /// The most frames among which the moments are looked for.
 const MOST_FRAMES: usize = 2_000;
+/// Submitted, reference, difference.
+const PICTURES_OF_A_MOMENT: usize = 3;
 
-/// Draws the pictures of a submission, in the order in which they are shown; none where it cannot be played.
+/// Draws the pictures of a submission, at most `most`, in the order in which they are shown; none where it cannot be played. Each playback
+/// gets its film before any gets its moments, and each its first moment before any gets its second.
 ///
 /// # Errors
 /// [`ExportError`]: the GPU fails.
@@ -25,10 +29,25 @@ pub fn pictures_of(
     rubric: &Rubric,
     scene: &SceneGraph,
     studio: &mut Studio,
+    most: usize,
 ) -> Result<Vec<ReportPicture>, ExportError> {
+    let playbacks = shown_playbacks(marks, rubric).into_iter();
+    let mut playbacks: Vec<ShownPlayback> =
+        playbacks.filter_map(|kind| shown(marks, kind, rubric)).take(most).collect();
+    let mut left = most - playbacks.len();
+    let mut moments = vec![0; playbacks.len()];
+    for moment in 0..MOMENTS {
+        for (count, playback) in moments.iter_mut().zip(&playbacks) {
+            if playback.poses.moments.len() > moment && left >= PICTURES_OF_A_MOMENT {
+                left -= PICTURES_OF_A_MOMENT;
+                *count += 1;
+            }
+        }
+    }
     let mut pictures = Vec::new();
-    for interpolation in shown_playbacks(marks, rubric) {
-        pictures.extend(of_playback(marks, interpolation, rubric, scene, studio)?);
+    for (playback, moments) in playbacks.iter_mut().zip(moments) {
+        playback.poses.moments.truncate(moments);
+        pictures.extend(draw(playback, scene, studio)?);
     }
     Ok(pictures)
 }
@@ -49,31 +68,35 @@ fn shown_playbacks(marks: &Marks, rubric: &Rubric) -> Vec<Interpolation> {
     if wrong.is_empty() { vec![graded.last().copied().unwrap_or(Interpolation::CatmullRom)] } else { wrong }
 }
 
+/// A playback as pictures show it.
+struct ShownPlayback {
+    label: Phrase,
+    caption: String,
+    poses: ShownPoses,
+}
+
 /// The poses of the student's samples if there are any; otherwise the keyframes as this program plays them.
-fn of_playback(
-    marks: &Marks,
-    interpolation: Interpolation,
-    rubric: &Rubric,
-    scene: &SceneGraph,
-    studio: &mut Studio,
-) -> Result<Vec<ReportPicture>, ExportError> {
+fn shown(marks: &Marks, interpolation: Interpolation, rubric: &Rubric) -> Option<ShownPlayback> {
     let label = interpolation.title();
     let of_samples = marks.samples.iter().find(|samples| samples.interpolation == interpolation);
     let (poses, caption) = match of_samples.and_then(|samples| Some((samples.shown.as_ref()?, &samples.file))) {
         Some((shown, file)) => (shown.clone(), format!("{label}, as {file} shows it")),
-        None => match marks.keyframes.as_ref().and_then(|list| played(list, interpolation, rubric)) {
-            Some(poses) => (poses, format!("{label}, as its keyframes play")),
-            None => return Ok(Vec::new()),
-        },
+        None => {
+            let poses = marks.keyframes.as_ref().and_then(|list| played(list, interpolation, rubric))?;
+            (poses, format!("{label}, as its keyframes play"))
+        }
     };
+    (!poses.frames.is_empty()).then_some(ShownPlayback { label, caption, poses })
+}
+
+/// The film, and each moment: submitted, reference, difference.
+fn draw(playback: &ShownPlayback, scene: &SceneGraph, studio: &mut Studio) -> Result<Vec<ReportPicture>, ExportError> {
+    let ShownPlayback { label, caption, poses } = playback;
     let mut frames = Vec::with_capacity(FRAMES);
     for shown in &poses.frames {
         frames.push(studio.draw(scene, &shown.pose, &shown.right)?);
     }
-    if frames.is_empty() {
-        return Ok(Vec::new());
-    }
-    let mut film = studio.picture(&frames, caption)?;
+    let mut film = studio.picture(&frames, caption.clone())?;
     film.starts_row = true;
     let mut pictures = vec![film];
     for shown in &poses.moments {

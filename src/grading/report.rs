@@ -1,22 +1,25 @@
-//! `report.html`: one self-contained page.
+//! `report.html`: one page that needs no other file.
 
-mod html;
+mod alike;
+mod class;
 mod mistakes;
+mod sheet;
 mod student;
+mod table;
 
 use std::fmt::Write as _;
 
 pub use mistakes::{ShownMistake, shown as mistakes_shown};
 
-use super::cells::number;
+use self::sheet::Sheet;
 use super::gather::PassedOver;
 use super::marks::Marks;
 use super::rubric::Rubric;
 use super::studio::ReportPicture;
-use super::tables::diagnoses;
-use crate::markup::escaped;
+use crate::markup::{escaped, policy_hash};
 
 const STYLE: &str = include_str!("../../assets/grading/report.css");
+const SCRIPT: &str = include_str!("../../assets/grading/report.js");
 
 /// The pictures of a report; none where none are wanted.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -27,77 +30,50 @@ pub struct ReportPictures {
     pub of_mistakes: Vec<Option<ReportPicture>>,
 }
 
-/// The report: an overview with a row for each submission; each submission with its points, reasons and pictures; then the known mistakes
-/// that they show.
+impl ReportPictures {
+    /// Those of the submission of an index.
+    fn of(&self, index: usize) -> &[ReportPicture] {
+        self.of_submissions.get(index).map_or(&[], Vec::as_slice)
+    }
+}
+
+/// The report: the class with its numbers and a row for each submission; each submission with its points, reasons and pictures; then the
+/// known mistakes that they show.
 #[must_use]
 pub fn html(marks: &[Marks], passed_over: &[PassedOver], rubric: &Rubric, pictures: &ReportPictures) -> String {
-    let title = if rubric.title.is_empty() { "Grades" } else { &rubric.title };
-    let mut text = format!(
-        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n\
-         <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; style-src 'unsafe-inline'\">\n\
-         <meta name=\"viewport\" content=\"width=device-width\">\n<title>{0}</title>\n<style>\n{STYLE}</style></head><body>\n\
-         <h1 id=\"top\">{0}</h1>\n",
-        escaped(title)
-    );
+    let found = mistakes_shown(marks);
+    let mut sheet = Sheet::default();
+    let mut text = class::summary(marks, rubric);
     if let Some(warning) = rubric.revealed.warning() {
         let _ = writeln!(text, "<p class=\"note\">{}</p>", escaped(&warning));
     }
-    let found = mistakes_shown(marks);
-    text.push_str(&overview(marks, &found, passed_over));
+    text.push_str(&table::of_class(marks));
+    text.push_str(&class::hints(marks, &found, passed_over, rubric));
     for index in 0..marks.len() {
-        let pictures = pictures.of_submissions.get(index).map_or(&[][..], Vec::as_slice);
-        text.push_str(&student::section(marks, index, pictures));
+        text.push_str(&student::section(marks, index, pictures.of(index), &mut sheet));
     }
     if !found.is_empty() {
-        text.push_str(&mistakes::sections(marks, &found, &pictures.of_mistakes));
+        text.push_str(&mistakes::sections(marks, &found, &pictures.of_mistakes, &mut sheet));
     }
-    text.push_str("</body></html>\n");
-    text
+    page(title(rubric), &text, &sheet, Some(SCRIPT))
 }
 
-/// A row for each submission.
-fn overview(all: &[Marks], found: &[ShownMistake], passed_over: &[PassedOver]) -> String {
-    let mean = all.iter().map(Marks::points).sum::<f64>() / (all.len().max(1)) as f64;
-    let out_of = all.first().map_or(0.0, Marks::out_of);
-    let has_students = all.iter().any(|marks| student::student(marks).is_some());
-    let mut text = format!(
-        "<p class=\"sum\">{} submissions, {} points on average out of {}.</p>\n",
-        all.len(),
-        number((mean * 100.0).round() / 100.0),
-        number(out_of)
-    );
-    if !found.is_empty() {
-        text.push_str(&mistakes::list(found));
-    }
-    let _ = writeln!(
-        text,
-        "<section><table class=\"overview\">\
-         <thead><tr><th>submission</th>{}<th>points</th><th class=\"share\"></th><th>evidence</th><th>samples show</th></tr></thead>",
-        if has_students { "<th>student</th>" } else { "" }
-    );
-    for (index, marks) in all.iter().enumerate() {
-        let of_student = escaped(&student::student(marks).unwrap_or_default());
-        let of_student = if has_students { format!("<td>{of_student}</td>") } else { String::new() };
-        let mut shown = diagnoses(marks);
-        shown.dedup();
-        let share = if marks.out_of() > 0.0 { 100.0 * marks.points() / marks.out_of() } else { 0.0 };
-        let _ = writeln!(
-            text,
-            "<tr><td><a href=\"#s{index}\">{}</a></td>{of_student}<td class=\"n\">{} / {}</td>\
-             <td class=\"share\"><span class=\"bar\"><i style=\"width:{share:.0}%\"></i></span></td><td>{}</td><td>{}</td></tr>",
-            escaped(&marks.name),
-            number(marks.points()),
-            number(marks.out_of()),
-            escaped(&marks.evidence()),
-            escaped(&shown.join(", "))
-        );
-    }
-    text.push_str("</table>\n");
-    if !passed_over.is_empty() {
-        let passed = passed_over.iter().map(|passed| format!("{} ({})", passed.name, passed.reason));
-        let passed = passed.collect::<Vec<_>>().join(", ");
-        let _ = writeln!(text, "<p class=\"sum\">Passed over: {}.</p>", escaped(&passed));
-    }
-    text.push_str("</section>\n");
-    text
+/// The title of pages.
+fn title(rubric: &Rubric) -> &str {
+    if rubric.title.is_empty() { "Grades" } else { &rubric.title }
+}
+
+/// A page that loads nothing and runs no script but its own. The pictures come last, so that the text is shown before they are read.
+fn page(title: &str, body: &str, sheet: &Sheet<'_>, script: Option<&str>) -> String {
+    let policy = script.map_or_else(String::new, |script| format!("; script-src {}", policy_hash(script)));
+    let script = script.map_or_else(String::new, |script| format!("<script>{script}</script>\n"));
+    format!(
+        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n\
+         <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; style-src 'unsafe-inline'{policy}\">\n\
+         <meta name=\"viewport\" content=\"width=device-width\">\n<meta name=\"color-scheme\" content=\"light dark\">\n\
+         <title>{title}</title>\n<style>\n{STYLE}</style></head><body>\n\
+         <h1 id=\"top\">{title}</h1>\n{body}{script}{}</body></html>\n",
+        sheet.style(),
+        title = escaped(title)
+    )
 }

@@ -12,9 +12,9 @@ use crate::pose::Pose;
 use crate::rbt::Rbt;
 
 /// The frames of an animated picture.
-pub const FRAMES: usize = 16;
+pub const FRAMES: usize = 12;
 /// The number of moments that are shown beside the reference.
-const MOMENTS: usize = 2;
+pub const MOMENTS: usize = 2;
 /// NaN and infinity count as this many tolerances.
 const NOT_FINITE: f64 = 1e6;
 

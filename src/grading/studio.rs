@@ -10,10 +10,10 @@ use crate::picture::Image;
 use crate::pose::Pose;
 use crate::scene::SceneGraph;
 
-/// Width and height of a drawn picture in pixels.
-pub const SIZE: Size = Size { width: 200, height: 150 };
+/// The usual width and height of a drawn picture in pixels.
+pub const SIZE: Size = Size { width: 180, height: 135 };
 /// How long a picture of a film is shown, in milliseconds.
-const FRAME_MS: u16 = 150;
+const FRAME_MS: u16 = 200;
 /// From so many poses the colours are chosen.
 const MOST_SAMPLES: usize = 4;
 /// Channels that differ by no more are alike: the sky is drawn with as much noise.
@@ -43,7 +43,7 @@ pub struct Studio {
 }
 
 impl Studio {
-    /// A studio on a painter whose pictures are of [`SIZE`]. The colours are those of the rubric's reference or, without one, of the scene.
+    /// A studio on a painter. The colours are those of the rubric's reference or, without one, of the scene.
     ///
     /// # Errors
     /// [`ExportError`]: the GPU fails.

@@ -28,6 +28,7 @@ mod platforms;
 mod playback;
 mod render;
 mod report;
+mod report_class;
 mod requirements;
 mod results;
 mod roster;

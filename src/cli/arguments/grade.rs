@@ -8,6 +8,10 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use crate::grading::{FORMATS, Format, format_named};
 use crate::words::texts;
 
+use super::values::size;
+use crate::export::Size;
+use crate::grading::PICTURE_SIZE;
+
 /// The long help.
 pub const HELP: &str = "\
 Grade submissions by a rubric: grades.csv, grades.json and report.html, one page with pictures that needs nothing else.
@@ -65,6 +69,12 @@ pub struct GradeArguments {
     /// In grades.csv, give each keyframe a column of its own.
     #[arg(long)]
     pub wide: bool,
+    /// The most pictures of a submission: first a film of each playback, then three for each moment at which it is farthest off.
+    #[arg(long, value_name = "N", default_value_t = 8, value_parser = clap::value_parser!(u8).range(1..), conflicts_with = "no_images")]
+    pub images: u8,
+    /// The size of a picture in pixels.
+    #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = size, default_value_t = PICTURE_SIZE, conflicts_with = "no_images")]
+    pub image_size: Size,
     /// Grade nothing: say which known mistakes the rubric's reference reveals, and which keyframes would reveal the others.
     #[arg(long, conflicts_with_all = ["submissions", "output", "classes", "one", "no_images", "wide", "to", "strict", "fail_under", "roster", "overrides"])]
     pub check: bool,

@@ -5,7 +5,8 @@ use std::fmt::Write as _;
 use super::super::marks::Marks;
 use super::super::samples::SampleDiagnosis;
 use super::super::studio::ReportPicture;
-use super::html::figure;
+use super::class::links;
+use super::sheet::Sheet;
 use crate::diagnosis::{Candidate, Diagnosis, Fact, Mistake};
 use crate::interpolation::Interpolation;
 use crate::markup::escaped;
@@ -73,40 +74,48 @@ pub fn link(mistake: &Mistake) -> String {
     format!("<a href=\"#{0}\">{0}</a>", mistake.name)
 }
 
-/// The mistakes with the numbers of submissions that show them: a sentence with links.
-pub fn list(found: &[ShownMistake]) -> String {
-    let name = |shown: &ShownMistake| format!("{} ({})", link(shown.mistake), shown.shown_by.len());
-    let names: Vec<String> = found.iter().map(name).collect();
-    format!("<p class=\"sum\">Known mistakes that samples show: {}.</p>\n", names.join(", "))
-}
-
 /// A section for each mistake, with its film where there is one.
-pub fn sections(all: &[Marks], found: &[ShownMistake], films: &[Option<ReportPicture>]) -> String {
+pub fn sections<'a>(
+    all: &[Marks],
+    found: &[ShownMistake],
+    films: &'a [Option<ReportPicture>],
+    sheet: &mut Sheet<'a>,
+) -> String {
     let mut text = String::from("<div class=\"mistakes\">\n");
     for (number, ShownMistake { mistake, shown_by, .. }) in found.iter().enumerate() {
-        let _ = writeln!(
-            text,
-            "<section class=\"mistake\" id=\"{0}\"><h2><span>{1}</span> {0}</h2>\n<p>{2}</p>",
-            mistake.name,
-            counted(shown_by.len(), "submission"),
-            escaped(mistake.what)
-        );
-        if let Some(film) = films.get(number).and_then(Option::as_ref) {
-            text.push_str(&figure(film));
-        }
-        text.push_str("<dl>");
-        for Fact { title, text: fact, is_code } in mistake.facts() {
-            let fact = if is_code { format!("<code>{}</code>", escaped(fact)) } else { escaped(fact) };
-            let _ = write!(text, "<dt>{title}</dt><dd>{fact}</dd>");
-        }
-        let by = |index: &usize| format!("<a href=\"#s{index}\">{}</a>", escaped(&all[*index].name));
-        let by: Vec<String> = shown_by.iter().map(by).collect();
+        let film = films.get(number).and_then(Option::as_ref);
+        let count = counted(shown_by.len(), "submission");
+        text.push_str(&opening(mistake, Some(&count), film, sheet));
         let _ = writeln!(
             text,
             "<dt>Shown by</dt><dd>{}</dd></dl>\n<nav><a href=\"#top\">↑ overview</a></nav></section>",
-            by.join(", ")
+            links(all, shown_by)
         );
     }
     text.push_str("</div>\n");
+    text
+}
+
+/// The section of a mistake, open after its last fact.
+pub fn opening<'a>(
+    mistake: &Mistake,
+    count: Option<&str>,
+    film: Option<&'a ReportPicture>,
+    sheet: &mut Sheet<'a>,
+) -> String {
+    let count = count.map_or_else(String::new, |count| format!("<span>{count}</span> "));
+    let mut text = format!(
+        "<section class=\"mistake\" id=\"{0}\"><h2>{count}{0}</h2>\n<p>{1}</p>\n",
+        mistake.name,
+        escaped(mistake.what)
+    );
+    if let Some(film) = film {
+        text.push_str(&sheet.figure(film));
+    }
+    text.push_str("<dl>");
+    for Fact { title, text: fact, is_code } in mistake.facts() {
+        let fact = if is_code { format!("<code>{}</code>", escaped(fact)) } else { escaped(fact) };
+        let _ = write!(text, "<dt>{title}</dt><dd>{fact}</dd>");
+    }
     text
 }

@@ -7,8 +7,8 @@ use super::super::item::Evidence;
 use super::super::marks::Marks;
 use super::super::rows::rows;
 use super::super::studio::ReportPicture;
-use super::html::figure;
 use super::mistakes;
+use super::sheet::Sheet;
 use crate::markup::escaped;
 
 /// What the course system says of the student, where it says more than the submission's name.
@@ -22,11 +22,16 @@ pub fn student(marks: &Marks) -> Option<String> {
     Some(parts.join(", "))
 }
 
-/// The section of the submission of an index among all: points with reasons, notes and pictures.
-pub fn section(all: &[Marks], index: usize, pictures: &[ReportPicture]) -> String {
-    let marks = &all[index];
+/// The section of the submission of an index among all: points with reasons, notes, pictures, and links to its neighbours.
+pub fn section<'a>(all: &[Marks], index: usize, pictures: &'a [ReportPicture], sheet: &mut Sheet<'a>) -> String {
+    let open = format!("<section class=\"student\" id=\"s{index}\">");
+    format!("{open}{}{}</section>\n", content(&all[index], pictures, sheet), neighbours(all, index))
+}
+
+/// What is said of one submission, and nothing of others.
+pub fn content<'a>(marks: &Marks, pictures: &'a [ReportPicture], sheet: &mut Sheet<'a>) -> String {
     let mut text = format!(
-        "<section class=\"student\" id=\"s{index}\"><h2><span>{} / {}</span> {}</h2>\n",
+        "<h2><span>{} / {}</span> {}</h2>\n",
         number(marks.points()),
         number(marks.out_of()),
         escaped(&marks.name)
@@ -76,12 +81,10 @@ pub fn section(all: &[Marks], index: usize, pictures: &[ReportPicture]) -> Strin
             if picture.starts_row {
                 text.push_str("</div><div class=\"pictures\">\n");
             }
-            text.push_str(&figure(picture));
+            text.push_str(&sheet.figure(picture));
         }
         text.push_str("</div>\n");
     }
-    text.push_str(&neighbours(all, index));
-    text.push_str("</section>\n");
     text
 }
 
