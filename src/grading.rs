@@ -14,6 +14,7 @@
 //! `formats` writes results as course systems read them, `person` says how these know a student, and `roster`
 //! whose each submission is. `overrides` and `late` change points afterwards.
 //! Tables and report share `rows` (items as people read them), `note` and `cells`. `hash` says which files results are of.
+//! `anonymous` takes the names out of marks before any is written.
 //!
 //! `check` says what a rubric's reference reveals, `requirements` judges animations without a reference, and `example` is what a rubric
 //! begins with.
@@ -23,6 +24,7 @@
 //! by counts, not by a clock, so that results are the same on every machine.
 
 mod alignment;
+mod anonymous;
 mod archive;
 mod cells;
 mod check;
@@ -64,10 +66,11 @@ mod verdicts;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
+pub use anonymous::make_anonymous;
 pub use cells::number;
 pub use check::{Revealed, RubricCheck};
 pub use example::example;
-pub use film::film_of;
+pub use film::{MistakeFilm, film_of};
 pub use formats::{FORMATS, Format, Given, ResultFile, format_named};
 pub use gather::{Found, Naming, PassedOver, System, find};
 pub use hash::Hashed;
@@ -79,7 +82,7 @@ pub use overrides::{Overrides, USUAL_NAME as USUAL_OVERRIDES};
 pub use parsed::Parsed;
 pub use person::Person;
 pub use pictures::pictures_of;
-pub use report::{ReportPictures, ShownMistake, html, mistakes_shown};
+pub use report::{Feedback, ReportPictures, ShownMistake, feedback, html, mistakes_shown};
 pub use requirements::{Requirement, Requirements};
 pub use roster::{Matched, Roster};
 pub use rubric::{Band, Credit, Reference, Rubric};

@@ -1,4 +1,4 @@
-//! Text in HTML and XML: escapes, Base64, and the hashes that a page's Content Security Policy names.
+//! Text in HTML, XML and Markdown: escapes, Base64, and the hashes that a page's Content Security Policy names.
 
 use sha2::{Digest as _, Sha256};
 
@@ -15,6 +15,24 @@ pub fn escaped(text: &str) -> String {
             '"' => safe.push_str("&quot;"),
             '\'' => safe.push_str("&#39;"),
             '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{fffe}' | '\u{ffff}' => safe.push(' '),
+            c if c.is_control() => safe.push(' '),
+            c => safe.push(c),
+        }
+    }
+    safe
+}
+
+/// Text escaped for a line of Markdown: signs are signs, and nothing in it is markup or HTML. Control characters, and those that change the
+/// direction of writing, become blanks.
+#[must_use]
+pub fn markdown_escaped(text: &str) -> String {
+    let mut safe = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '\\' | '`' | '*' | '_' | '{' | '}' | '[' | ']' | '<' | '>' | '#' | '|' | '~' | '&' | '!' => {
+                safe.extend(['\\', c])
+            }
+            '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' => safe.push(' '),
             c if c.is_control() => safe.push(' '),
             c => safe.push(c),
         }
@@ -58,6 +76,11 @@ mod tests {
     #[test]
     fn nothing_that_is_escaped_ends_its_place() {
         assert_eq!(escaped("<a title=\"b\">&'\u{1b}\u{202e}\u{ffff}é"), "&lt;a title=&quot;b&quot;&gt;&amp;&#39;   é");
+    }
+
+    #[test]
+    fn nothing_that_is_escaped_is_markdown() {
+        assert_eq!(markdown_escaped("a|b <i>_c_\n[x](y)"), r"a\|b \<i\>\_c\_ \[x\](y)");
     }
 
     #[test]

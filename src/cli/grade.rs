@@ -13,7 +13,8 @@ use super::{CliError, Common, Ended, misuse, output};
 use crate::export::Painter;
 use crate::files::{self, scene};
 use crate::grading::{
-    self, Found, Given, Naming, Overrides, ReportPictures, ResultFile, Roster, Rubric, Studio, USUAL_OVERRIDES,
+    self, Feedback, Found, Given, Naming, Overrides, ReportPictures, ResultFile, Roster, Rubric, Studio,
+    USUAL_OVERRIDES,
 };
 use crate::storage;
 use crate::words::texts;
@@ -34,9 +35,18 @@ pub fn run(arguments: &GradeArguments, common: Common<'_>) -> Result<Ended, CliE
         return beginning::check(rubric_path, arguments.json, named_scene).map(|()| Ended::Well);
     }
     let Some(folder) = &arguments.output else { return Ok(Ended::Well) };
-    let own_places = || places(arguments, rubric_path, folder, named_scene);
+    let own_places = || {
+        let places = places(arguments, rubric_path, folder, named_scene);
+        match &arguments.key {
+            Some(key) => places.writes_once(storage::output_name(key), key),
+            None => places,
+        }
+    };
     if storage::is_standard(folder) {
         return Err(misuse(&texts::places_no_folder("--output").to_string()));
+    }
+    if arguments.feedback.as_deref().is_some_and(storage::is_standard) {
+        return Err(misuse(&texts::places_no_folder("--feedback").to_string()));
     }
     let given = given(arguments);
     if let Some(problem) = arguments.to.iter().find_map(|format| (format.problem)(&given)) {
@@ -53,7 +63,7 @@ pub fn run(arguments: &GradeArguments, common: Common<'_>) -> Result<Ended, CliE
         (_, true) => Naming::Classes,
         _ => Naming::Guessed,
     };
-    let Found { submissions, passed_over } = grading::find(&arguments.submissions, naming, &rubric.keyframe_file)?;
+    let Found { submissions, mut passed_over } = grading::find(&arguments.submissions, naming, &rubric.keyframe_file)?;
     let places = rubric
         .files
         .iter()
@@ -67,6 +77,7 @@ pub fn run(arguments: &GradeArguments, common: Common<'_>) -> Result<Ended, CliE
     if let Some(late) = &rubric.late {
         late.apply(&mut marks);
     }
+    let key = arguments.anonymous.then(|| grading::make_anonymous(&mut marks, &mut passed_over));
     let mut pictures = ReportPictures::default();
     if let Some(painter) = painter {
         let mut studio = Studio::new(painter, &rubric, &scene)?;
@@ -94,6 +105,16 @@ pub fn run(arguments: &GradeArguments, common: Common<'_>) -> Result<Ended, CliE
             files::create_folder(path.parent().unwrap_or(folder))?;
             files::write(&path, text.as_bytes())?;
         }
+    }
+    if let Some(folder) = &arguments.feedback {
+        files::create_folder(folder)?;
+        for Feedback { name, html, markdown } in grading::feedback(&marks, &rubric, &pictures) {
+            files::write(&folder.join(format!("{name}.html")), html.as_bytes())?;
+            files::write(&folder.join(format!("{name}.md")), markdown.as_bytes())?;
+        }
+    }
+    if let (Some(path), Some(key)) = (&arguments.key, key) {
+        files::write(path, key.as_bytes())?;
     }
     if arguments.json {
         output::list(&results)?;

@@ -14,6 +14,15 @@ use crate::scene::SceneGraph;
 /// The frames of a film: somewhat more than an interval.
 const FRAMES: usize = 16;
 
+/// The film of a known mistake.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MistakeFilm {
+    /// The film.
+    pub picture: ReportPicture,
+    /// Whether it is made of the reference, and not of the keyframes of the first submission that shows the mistake.
+    pub is_of_reference: bool,
+}
+
 /// Draws the film of a mistake on the rubric's reference, if it has one, about the moment at which it shows most; where it does not show there, on the
 /// keyframes of the first submission that shows it. `None` where it shows on neither.
 ///
@@ -25,13 +34,13 @@ pub fn film_of(
     rubric: &Rubric,
     scene: &SceneGraph,
     studio: &mut Studio,
-) -> Result<Option<ReportPicture>, ExportError> {
+) -> Result<Option<MistakeFilm>, ExportError> {
     let of_first = shown.shown_by.first().map(|index| &marks[*index]);
-    let own = of_first.and_then(|marks| Some((marks.keyframes.as_ref()?, marks.name.as_str())));
-    let reference = rubric.reference.as_ref().map(|reference| (&reference.list, "the reference"));
-    for (list, name) in reference.into_iter().chain(own) {
-        if let Some(film) = film_on(list, name, shown, rubric, scene, studio)? {
-            return Ok(Some(film));
+    let own = of_first.and_then(|marks| Some((marks.keyframes.as_ref()?, marks.name.as_str(), false)));
+    let reference = rubric.reference.as_ref().map(|reference| (&reference.list, "the reference", true));
+    for (list, name, is_of_reference) in reference.into_iter().chain(own) {
+        if let Some(picture) = film_on(list, name, shown, rubric, scene, studio)? {
+            return Ok(Some(MistakeFilm { picture, is_of_reference }));
         }
     }
     Ok(None)

@@ -2,6 +2,7 @@
 
 mod alike;
 mod class;
+mod feedback;
 mod mistakes;
 mod sheet;
 mod student;
@@ -9,9 +10,11 @@ mod table;
 
 use std::fmt::Write as _;
 
+pub use feedback::{Feedback, feedback};
 pub use mistakes::{ShownMistake, shown as mistakes_shown};
 
 use self::sheet::Sheet;
+use super::film::MistakeFilm;
 use super::gather::PassedOver;
 use super::marks::Marks;
 use super::rubric::Rubric;
@@ -27,7 +30,7 @@ pub struct ReportPictures {
     /// Of each submission.
     pub of_submissions: Vec<Vec<ReportPicture>>,
     /// The film of each known mistake, in the order of [`mistakes_shown`].
-    pub of_mistakes: Vec<Option<ReportPicture>>,
+    pub of_mistakes: Vec<Option<MistakeFilm>>,
 }
 
 impl ReportPictures {

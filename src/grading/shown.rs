@@ -12,7 +12,7 @@ use crate::pose::Pose;
 use crate::rbt::Rbt;
 
 /// The frames of an animated picture.
-pub const FRAMES: usize = 12;
+pub const FRAMES: usize = 11;
 /// The number of moments that are shown beside the reference.
 pub const MOMENTS: usize = 2;
 /// NaN and infinity count as this many tolerances.

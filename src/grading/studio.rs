@@ -13,7 +13,7 @@ use crate::scene::SceneGraph;
 /// The usual width and height of a drawn picture in pixels.
 pub const SIZE: Size = Size { width: 180, height: 135 };
 /// How long a picture of a film is shown, in milliseconds.
-const FRAME_MS: u16 = 200;
+const FRAME_MS: u16 = 220;
 /// From so many poses the colours are chosen.
 const MOST_SAMPLES: usize = 4;
 /// Channels that differ by no more are alike: the sky is drawn with as much noise.

@@ -11,6 +11,7 @@ mod convert;
 mod diagnose;
 mod diff;
 mod even;
+mod feedback;
 mod films;
 mod formats;
 mod frames;

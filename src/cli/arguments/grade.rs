@@ -75,14 +75,23 @@ pub struct GradeArguments {
     /// The size of a picture in pixels.
     #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = size, default_value_t = PICTURE_SIZE, conflicts_with = "no_images")]
     pub image_size: Size,
+    /// Also write a page for each student to hand back, with nothing of others, into this folder: ID.html and ID.md.
+    #[arg(long, value_name = "DIR")]
+    pub feedback: Option<PathBuf>,
+    /// Write numbers in place of the names and ids of students, in everything.
+    #[arg(long, conflicts_with = "to")]
+    pub anonymous: bool,
+    /// With --anonymous: the file that says who each number is, JSON.
+    #[arg(long, value_name = "FILE", requires = "anonymous")]
+    pub key: Option<PathBuf>,
     /// Grade nothing: say which known mistakes the rubric's reference reveals, and which keyframes would reveal the others.
-    #[arg(long, conflicts_with_all = ["submissions", "output", "classes", "one", "no_images", "wide", "to", "strict", "fail_under", "roster", "overrides"])]
+    #[arg(long, conflicts_with_all = ["submissions", "output", "classes", "one", "no_images", "wide", "to", "strict", "fail_under", "roster", "overrides", "feedback", "anonymous"])]
     pub check: bool,
     /// Print JSON: what grades.json holds; with --check, what the reference reveals.
     #[arg(long, conflicts_with = "example")]
     pub json: bool,
     /// Grade nothing: write a rubric, a reference, a script and a README to start from into this folder.
-    #[arg(long, value_name = "DIR", conflicts_with_all = ["rubric", "submissions", "output", "classes", "one", "no_images", "wide", "to", "strict", "fail_under", "roster", "overrides", "check"])]
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["rubric", "submissions", "output", "classes", "one", "no_images", "wide", "to", "strict", "fail_under", "roster", "overrides", "feedback", "anonymous", "check"])]
     pub example: Option<PathBuf>,
 }
 

@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use super::super::film::MistakeFilm;
 use super::super::marks::Marks;
 use super::super::samples::SampleDiagnosis;
 use super::super::studio::ReportPicture;
@@ -78,12 +79,12 @@ pub fn link(mistake: &Mistake) -> String {
 pub fn sections<'a>(
     all: &[Marks],
     found: &[ShownMistake],
-    films: &'a [Option<ReportPicture>],
+    films: &'a [Option<MistakeFilm>],
     sheet: &mut Sheet<'a>,
 ) -> String {
     let mut text = String::from("<div class=\"mistakes\">\n");
     for (number, ShownMistake { mistake, shown_by, .. }) in found.iter().enumerate() {
-        let film = films.get(number).and_then(Option::as_ref);
+        let film = films.get(number).and_then(Option::as_ref).map(|film| &film.picture);
         let count = counted(shown_by.len(), "submission");
         text.push_str(&opening(mistake, Some(&count), film, sheet));
         let _ = writeln!(

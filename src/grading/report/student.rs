@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use super::super::cells::number;
 use super::super::item::Evidence;
 use super::super::marks::Marks;
+use super::super::note::Note;
 use super::super::rows::rows;
 use super::super::studio::ReportPicture;
 use super::mistakes;
@@ -39,8 +40,7 @@ pub fn content<'a>(marks: &Marks, pictures: &'a [ReportPicture], sheet: &mut She
     if let Some(student) = student(marks) {
         let _ = writeln!(text, "<p class=\"sum\">{}</p>", escaped(&student));
     }
-    // Skip notes that repeat an item's reason.
-    for note in marks.notes.iter().filter(|note| marks.items.iter().all(|item| item.reason != note.text)) {
+    for note in notes(marks) {
         let class = if note.wants_a_look { "note" } else { "quiet" };
         let _ = writeln!(text, "<p class=\"{class}\">{}</p>", escaped(&note.text));
     }
@@ -86,6 +86,11 @@ pub fn content<'a>(marks: &Marks, pictures: &'a [ReportPicture], sheet: &mut She
         text.push_str("</div>\n");
     }
     text
+}
+
+/// The notes, but those that repeat an item's reason.
+pub fn notes(marks: &Marks) -> impl Iterator<Item = &Note> {
+    marks.notes.iter().filter(|note| marks.items.iter().all(|item| item.reason != note.text))
 }
 
 /// Links to the submissions before and after one, and to the overview.
