@@ -79,12 +79,12 @@ struct ShownPlayback {
 fn shown(marks: &Marks, interpolation: Interpolation, rubric: &Rubric) -> Option<ShownPlayback> {
     let label = interpolation.title();
     let of_samples = marks.samples.iter().find(|samples| samples.interpolation == interpolation);
-    let (poses, caption) = match of_samples.and_then(|samples| Some((samples.shown.as_ref()?, &samples.file))) {
-        Some((shown, file)) => (shown.clone(), format!("{label}, as {file} shows it")),
-        None => {
-            let poses = marks.keyframes.as_ref().and_then(|list| played(list, interpolation, rubric))?;
-            (poses, format!("{label}, as its keyframes play"))
-        }
+    let of_samples = of_samples.and_then(|samples| Some((samples.shown.as_ref()?, &samples.file)));
+    let (poses, caption) = if let Some((shown, file)) = of_samples {
+        (shown.clone(), format!("{label}, as {file} shows it"))
+    } else {
+        let poses = marks.keyframes.as_ref().and_then(|list| played(list, interpolation, rubric))?;
+        (poses, format!("{label}, as its keyframes play"))
     };
     (!poses.frames.is_empty()).then_some(ShownPlayback { label, caption, poses })
 }

@@ -76,7 +76,7 @@ impl<'a> Lexer<'a> {
             return (line.len(), Token::Mark(line));
         }
         // Nothing but a number begins as one does.
-        let begins_number = is_plain(&run[0]) && !run[0].is_ascii_alphabetic();
+        let begins_number = is_plain(run[0]) && !run[0].is_ascii_alphabetic();
         let kind = if begins_number { MarkKind::Other } else { MarkKind::of(&run[..run.len().min(LONGEST_WORD)]) };
         if kind == MarkKind::Frame && !self.is_line_start {
             let line = line(rest).trim_ascii_end();
@@ -174,14 +174,14 @@ const LONGEST_WORD: usize = 40;
 
 /// The bytes up to the next blank, separator or line end, or as many as are looked at.
 fn run(rest: &[u8]) -> &[u8] {
-    let plain = rest.iter().position(|byte| !is_plain(byte)).unwrap_or(rest.len());
+    let plain = rest.iter().position(|&byte| !is_plain(byte)).unwrap_or(rest.len());
     let longest = &rest[..rest.len().min(plain + LONGEST_RUN)];
     let is_end = |&byte: &u8| is_blank(byte) || matches!(byte, b'\n' | b',' | b';');
     &rest[..longest.iter().position(is_end).unwrap_or(longest.len())]
 }
 
 /// Whether numbers may be written with a byte.
-fn is_plain(byte: &u8) -> bool {
+fn is_plain(byte: u8) -> bool {
     matches!(byte, b'0'..=b'9' | b'+' | b'-' | b'.' | b'e' | b'E')
 }
 
@@ -230,7 +230,7 @@ fn is_sign(byte: u8) -> bool {
 
 fn number(run: &[u8]) -> Option<f32> {
     // The standard library also accepts `inf` and `nan`.
-    if run.iter().all(is_plain) { std::str::from_utf8(run).ok()?.parse().ok() } else { None }
+    if run.iter().copied().all(is_plain) { std::str::from_utf8(run).ok()?.parse().ok() } else { None }
 }
 
 /// The output of C and C++ programs for NaN and infinity: `nan`, `-nan(ind)`, `inf`, `1.#QNAN`, `-1.#IND`.

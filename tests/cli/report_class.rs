@@ -22,7 +22,7 @@ fn the_report_begins_with_the_class() {
     let points: Vec<f64> = table.lines().skip(1).map(|line| line.split(',').nth(4).unwrap().parse().unwrap()).collect();
     let mut sorted = points.clone();
     sorted.sort_by(f64::total_cmp);
-    let rounded = |value: f64| format!("{:.2}", value).trim_end_matches('0').trim_end_matches('.').to_owned();
+    let rounded = |value: f64| format!("{value:.2}").trim_end_matches('0').trim_end_matches('.').to_owned();
     let (mean, median) = (rounded(points.iter().sum::<f64>() / 5.0), rounded(sorted[2]));
     let head = between(&html, "<p class=\"sum\">", "</p>")[0];
     assert!(head.starts_with(&format!("5 submissions, 4 read; {mean} points on average out of ")), "{head}");
