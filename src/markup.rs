@@ -30,7 +30,7 @@ pub fn markdown_escaped(text: &str) -> String {
     for c in text.chars() {
         match c {
             '\\' | '`' | '*' | '_' | '{' | '}' | '[' | ']' | '<' | '>' | '#' | '|' | '~' | '&' | '!' => {
-                safe.extend(['\\', c])
+                safe.extend(['\\', c]);
             }
             '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' => safe.push(' '),
             c if c.is_control() => safe.push(' '),

@@ -87,17 +87,14 @@ fn replaced(text: &str, part: &str, by: &str) -> String {
             let is_inside = |c: Option<char>| c.is_some_and(char::is_alphanumeric);
             !is_inside(before) && !is_inside(rest[end..].chars().next())
         };
-        match beginning(rest, part).filter(|end| is_alone(*end)) {
-            Some(end) => {
-                hidden.push_str(by);
-                before = rest[..end].chars().next_back();
-                rest = &rest[end..];
-            }
-            None => {
-                hidden.push(c);
-                before = Some(c);
-                rest = &rest[c.len_utf8()..];
-            }
+        if let Some(end) = beginning(rest, part).filter(|end| is_alone(*end)) {
+            hidden.push_str(by);
+            before = rest[..end].chars().next_back();
+            rest = &rest[end..];
+        } else {
+            hidden.push(c);
+            before = Some(c);
+            rest = &rest[c.len_utf8()..];
         }
     }
     hidden
