@@ -6,6 +6,9 @@ use assert_cmd::Command;
 use inbetween::scene::{DEFAULT_SCENE, built_in_scene};
 use serde_json::{Value, json};
 
+/// A folder that cannot be, in place of the user's folders.
+const NOWHERE: &str = "/dev/null/nowhere";
+
 /// A temporary folder in which the binary runs.
 pub struct Sandbox(tempfile::TempDir);
 
@@ -53,6 +56,8 @@ impl Sandbox {
         command.current_dir(self.0.path()).args(arguments);
         // These tests may themselves run there.
         command.env_remove("GITHUB_ACTIONS").env_remove("GITHUB_STEP_SUMMARY");
+        // The user's own settings and journals must not show, and these tests leave none.
+        command.env("XDG_CONFIG_HOME", NOWHERE).env("XDG_STATE_HOME", NOWHERE);
         command
     }
 

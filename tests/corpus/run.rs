@@ -95,6 +95,9 @@ fn section(case: &Case, root: &Path) -> String {
             .stdin(Stdio::null())
             .env_remove("DISPLAY")
             .env_remove("WAYLAND_DISPLAY")
+            // The user's own settings and journals must not show.
+            .env("XDG_CONFIG_HOME", root.join("config"))
+            .env("XDG_STATE_HOME", root.join("state"))
             .env_remove("GITHUB_ACTIONS")
             .env_remove("GITHUB_STEP_SUMMARY")
             .envs(case.environment.iter().map(|(name, value)| (name, value)))
