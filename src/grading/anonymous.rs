@@ -66,6 +66,10 @@ fn hide(marks: &mut Marks, number: &str) {
     marks.unread.iter_mut().for_each(hide);
     marks.comment.iter_mut().for_each(hide);
     marks.files.iter_mut().for_each(|file| hide(&mut file.name));
+    for picture in marks.pictures.iter_mut().flatten() {
+        hide(&mut picture.caption);
+        hide(&mut picture.alt);
+    }
     number.clone_into(&mut marks.name);
     (marks.student, marks.id) = (None, None);
     // The section alone tells who a student is in a small course.

@@ -1,5 +1,7 @@
 //! The film of a known mistake: right playback beside what a program shows that makes it.
 
+use serde::{Deserialize, Serialize};
+
 use super::marks::Marks;
 use super::report::ShownMistake;
 use super::rubric::Rubric;
@@ -15,7 +17,7 @@ use crate::scene::SceneGraph;
 const FRAMES: usize = 16;
 
 /// The film of a known mistake.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct MistakeFilm {
     /// The film.
     pub picture: ReportPicture,
@@ -36,7 +38,7 @@ pub fn film_of(
     studio: &mut Studio,
 ) -> Result<Option<MistakeFilm>, ExportError> {
     let of_first = shown.shown_by.first().map(|index| &marks[*index]);
-    let own = of_first.and_then(|marks| Some((marks.keyframes.as_ref()?, marks.name.as_str(), false)));
+    let own = of_first.and_then(|marks| Some((marks.keyframes.as_ref()?, "the first submission that shows it", false)));
     let reference = rubric.reference.as_ref().map(|reference| (&reference.list, "the reference", true));
     for (list, name, is_of_reference) in reference.into_iter().chain(own) {
         if let Some(picture) = film_on(list, name, shown, rubric, scene, studio)? {

@@ -12,6 +12,8 @@ mod rubbish;
 use std::collections::{BTreeMap, HashSet};
 use std::path::{Path, PathBuf};
 
+use serde::{Deserialize, Serialize};
+
 pub use self::export::System;
 use self::export::{Student, student_of};
 use self::gradescope::Metadata;
@@ -45,7 +47,7 @@ pub enum Naming {
 }
 
 /// An entry of a class that is no submission.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize, Serialize)]
 pub struct PassedOver {
     /// Its name.
     pub name: String,

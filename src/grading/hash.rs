@@ -1,9 +1,11 @@
 //! Files by their content, so that results say what they are of.
 
+use serde::{Deserialize, Serialize};
+
 use crate::storage::sha256;
 
 /// A file that was read.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Deserialize, Serialize)]
 pub struct Hashed {
     /// Its name in the submission, or as the rubric names it.
     pub name: String,

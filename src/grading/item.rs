@@ -63,6 +63,15 @@ pub enum Evidence {
 }
 
 impl Evidence {
+    /// All.
+    const ALL: [Self; 4] = [Self::Samples, Self::Trace, Self::Script, Self::Assumed];
+
+    /// The one of a name in tables.
+    #[must_use]
+    pub fn from_id(id: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|evidence| evidence.id() == id)
+    }
+
     /// The name in tables.
     #[must_use]
     pub const fn id(self) -> &'static str {

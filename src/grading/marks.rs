@@ -1,5 +1,7 @@
 //! The marks of a submission: points with reasons, and the diagnosis of its samples.
 
+use super::cache::Key;
+use super::finding::SampleFinding;
 use super::gather::System;
 use super::hash::Hashed;
 use super::item::{Evidence, Item, ItemKind, Verdict};
@@ -7,7 +9,8 @@ use super::note::Note;
 use super::parsed::Parsed;
 use super::person::Person;
 use super::rubric::Rubric;
-use super::samples::{SampleDiagnosis, note_of_too_many, sample_diagnoses};
+use super::samples::{note_of_too_many, sample_diagnoses};
+use super::studio::ReportPicture;
 use super::submission::Submission;
 use super::verdicts::{ComparedKeyframes, Marker};
 use crate::keyframe::KeyframeList;
@@ -47,7 +50,7 @@ pub fn evidence_counts(marks: &[Marks]) -> Option<String> {
 }
 
 /// All marks of a submission.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Marks {
     /// The submission's name.
     pub name: String,
@@ -71,8 +74,8 @@ pub struct Marks {
     pub comment: Option<String>,
     /// What was graded, in the rubric's order.
     pub items: Vec<Item>,
-    /// One diagnosis for each sample file that is read.
-    pub samples: Vec<SampleDiagnosis>,
+    /// What each sample file that is read shows.
+    pub samples: Vec<SampleFinding>,
     /// The file that its keyframes are from, or the script that made them.
     pub keyframe_file: Option<String>,
     /// Why no keyframes could be read.
@@ -83,6 +86,10 @@ pub struct Marks {
     pub notes: Vec<Note>,
     /// The files of the submission that were read, by name.
     pub files: Vec<Hashed>,
+    /// Its pictures; `None` before they are drawn.
+    pub pictures: Option<Vec<ReportPicture>>,
+    /// The key under which marks and pictures are kept; empty where nothing was handed in.
+    pub key: Key,
 }
 
 impl Marks {
@@ -107,23 +114,26 @@ impl Marks {
         let read = parsed.keyframes.as_ref().ok();
         let keyframe_file = read.map(|read| read.file.clone());
         Self {
-            name: submission.name.clone(),
-            student: submission.student.clone(),
-            id: submission.id.clone(),
-            people: Vec::new(),
-            is_missing: false,
-            system: submission.system,
-            is_late: submission.is_late,
-            days_late: submission.days_late,
-            late_points: 0.0,
-            comment: None,
             items,
-            samples,
+            samples: samples.into_iter().map(SampleFinding::from).collect(),
             keyframe_file,
             unread: parsed.problem.clone().or_else(|| parsed.keyframes.as_ref().err().cloned()),
             keyframes: read.map(|read| read.list.clone()),
             notes,
-            files: Vec::new(),
+            ..Self::unmarked(submission)
+        }
+    }
+
+    /// What is known of a submission before it is marked.
+    pub(super) fn unmarked(submission: &Submission) -> Self {
+        Self {
+            name: submission.name.clone(),
+            student: submission.student.clone(),
+            id: submission.id.clone(),
+            system: submission.system,
+            is_late: submission.is_late,
+            days_late: submission.days_late,
+            ..Self::default()
         }
     }
 
@@ -137,18 +147,8 @@ impl Marks {
             id: person.ids().next().map(str::to_owned),
             people: vec![person.clone()],
             is_missing: true,
-            system: None,
-            is_late: false,
-            days_late: None,
-            late_points: 0.0,
-            comment: None,
             items: rubric.items().map(|(kind, out_of)| Item::new(kind, out_of, verdict())).collect(),
-            samples: Vec::new(),
-            keyframe_file: None,
-            unread: None,
-            keyframes: None,
-            notes: Vec::new(),
-            files: Vec::new(),
+            ..Self::default()
         }
     }
 

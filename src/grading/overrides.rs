@@ -12,14 +12,14 @@ use super::note::Note;
 use super::person::Person;
 use super::rubric::Rubric;
 use crate::decode;
-use crate::files::{self, FileError};
+use crate::files::FileError;
 use crate::words::{Message, texts};
 
 /// The name of the file that is read where none is named: it stands beside the rubric.
 pub const USUAL_NAME: &str = "overrides.toml";
 
 /// The largest file in bytes: 16 MiB.
-const LARGEST_BYTES: u64 = 16 << 20;
+pub const LARGEST_BYTES: u64 = 16 << 20;
 
 /// What all keyframes get together, as in the table.
 const ALL_KEYFRAMES: &str = "each_keyframe";
@@ -45,20 +45,23 @@ struct Override {
 /// What a teacher says of students, by their numbers or the names of their rows.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Overrides {
+    /// The file's bytes.
+    pub source: Vec<u8>,
     students: BTreeMap<String, Override>,
 }
 
 impl Overrides {
-    /// Reads a file of overrides.
+    /// Reads the bytes of a file of overrides, which `path` names in errors.
     ///
     /// # Errors
-    /// [`FileError`]: it cannot be read, or it names an item without points, more points than there are, or days where the rubric
+    /// [`FileError`]: they are no overrides, or name an item without points, more points than there are, or days where the rubric
     /// charges none.
-    pub fn load(path: &Path, rubric: &Rubric) -> Result<Self, FileError> {
-        let bytes = files::read(path, LARGEST_BYTES)?;
-        let text: OverridesText = decode::toml(&bytes).map_err(|error| FileError::new(path.display(), error))?;
+    pub fn read(path: &Path, bytes: &[u8], rubric: &Rubric) -> Result<Self, FileError> {
+        let text: OverridesText = decode::toml(bytes).map_err(|error| FileError::new(path.display(), error))?;
         let problem = text.problem(rubric);
-        problem.map_or(Ok(Self { students: text.students }), |problem| Err(FileError::new(path.display(), problem)))
+        problem.map_or(Ok(Self { source: bytes.to_vec(), students: text.students }), |problem| {
+            Err(FileError::new(path.display(), problem))
+        })
     }
 
     /// Changes the marks of the students that are named. The result names those whom nobody matches.

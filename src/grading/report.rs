@@ -18,32 +18,18 @@ use super::film::MistakeFilm;
 use super::gather::PassedOver;
 use super::marks::Marks;
 use super::rubric::Rubric;
-use super::studio::ReportPicture;
 use crate::markup::{escaped, policy_hash};
+
+/// What tells pages of `grade` from those of students. It stands near the beginning.
+pub const GENERATOR: &str = "<meta name=\"generator\" content=\"inbetween grade\">";
 
 const STYLE: &str = include_str!("../../assets/grading/report.css");
 const SCRIPT: &str = include_str!("../../assets/grading/report.js");
 
-/// The pictures of a report; none where none are wanted.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct ReportPictures {
-    /// Of each submission.
-    pub of_submissions: Vec<Vec<ReportPicture>>,
-    /// The film of each known mistake, in the order of [`mistakes_shown`].
-    pub of_mistakes: Vec<Option<MistakeFilm>>,
-}
-
-impl ReportPictures {
-    /// Those of the submission of an index.
-    fn of(&self, index: usize) -> &[ReportPicture] {
-        self.of_submissions.get(index).map_or(&[], Vec::as_slice)
-    }
-}
-
 /// The report: the class with its numbers and a row for each submission; each submission with its points, reasons and pictures; then the
-/// known mistakes that they show.
+/// known mistakes that they show. `films` are those of the mistakes in the order of [`mistakes_shown`]; none where none are wanted.
 #[must_use]
-pub fn html(marks: &[Marks], passed_over: &[PassedOver], rubric: &Rubric, pictures: &ReportPictures) -> String {
+pub fn html(marks: &[Marks], passed_over: &[PassedOver], rubric: &Rubric, films: &[Option<MistakeFilm>]) -> String {
     let found = mistakes_shown(marks);
     let mut sheet = Sheet::default();
     let mut text = class::summary(marks, rubric);
@@ -53,10 +39,10 @@ pub fn html(marks: &[Marks], passed_over: &[PassedOver], rubric: &Rubric, pictur
     text.push_str(&table::of_class(marks));
     text.push_str(&class::hints(marks, &found, passed_over, rubric));
     for index in 0..marks.len() {
-        text.push_str(&student::section(marks, index, pictures.of(index), &mut sheet));
+        text.push_str(&student::section(marks, index, &mut sheet));
     }
     if !found.is_empty() {
-        text.push_str(&mistakes::sections(marks, &found, &pictures.of_mistakes, &mut sheet));
+        text.push_str(&mistakes::sections(marks, &found, films, &mut sheet));
     }
     page(title(rubric), &text, &sheet, Some(SCRIPT))
 }
@@ -73,7 +59,7 @@ fn page(title: &str, body: &str, sheet: &Sheet<'_>, script: Option<&str>) -> Str
     format!(
         "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n\
          <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; style-src 'unsafe-inline'{policy}\">\n\
-         <meta name=\"viewport\" content=\"width=device-width\">\n<meta name=\"color-scheme\" content=\"light dark\">\n\
+         <meta name=\"viewport\" content=\"width=device-width\">\n{GENERATOR}\n<meta name=\"color-scheme\" content=\"light dark\">\n\
          <title>{title}</title>\n<style>\n{STYLE}</style></head><body>\n\
          <h1 id=\"top\">{title}</h1>\n{body}{script}{}</body></html>\n",
         sheet.style(),

@@ -59,8 +59,8 @@ pub struct Rubric {
     pub script: Option<RubricScript>,
     /// The files that it names.
     pub files: Vec<PathBuf>,
-    /// Its own file, then those that it names.
-    pub hashes: Vec<Hashed>,
+    /// Its own file, then those that it names: names and bytes.
+    pub sources: Vec<(String, Vec<u8>)>,
     /// Which known mistakes the reference reveals.
     pub revealed: Revealed,
 }
@@ -94,13 +94,31 @@ impl Rubric {
 }
 
 impl Rubric {
+    /// Its own file, then those that it names, by their contents.
+    pub fn hashes(&self) -> impl Iterator<Item = Hashed> {
+        self.sources.iter().map(|(name, bytes)| Hashed::new(name, bytes))
+    }
+
     /// Reads a rubric and the files that it names, by paths from its own folder.
     ///
     /// # Errors
     /// [`FileError`]
     pub fn load(path: &Path, scene: &SceneGraph) -> Result<Self, FileError> {
+        Self::read(path, scene, |_, path| files::read(path, LARGEST_BYTES))
+    }
+
+    /// The same with files that `read` gives, by the names by which the rubric and its text call them, and their paths.
+    ///
+    /// # Errors
+    /// [`FileError`]
+    pub fn read(
+        path: &Path,
+        scene: &SceneGraph,
+        read: impl Fn(&str, &Path) -> Result<Vec<u8>, FileError>,
+    ) -> Result<Self, FileError> {
         let bad = |problem: String| FileError::new(path.display(), problem);
-        let bytes = files::read(path, LARGEST_BYTES)?;
+        let own_name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
+        let bytes = read(&own_name, path)?;
         let text = parse(path, &bytes).map_err(|error| FileError::new(path.display(), error))?;
         if let Some(problem) = text.problem() {
             return Err(bad(problem));
@@ -115,29 +133,28 @@ impl Rubric {
         }
         let keyframe_file =
             PreferredNames::new(&text.keyframe_file).map_err(|problem| bad(format!("keyframe_file: {problem}")))?;
-        let own_name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
-        let mut hashes = vec![Hashed::new(own_name, &bytes)];
+        let mut sources = vec![(own_name, bytes)];
         let folder = path.parent().unwrap_or(Path::new(""));
         // Standard input is read by its own name alone.
         let beside = |name: &str| if name == "-" { PathBuf::from(name) } else { folder.join(name) };
         let files = text.script.iter().chain(&text.reference).map(|name| beside(name)).collect();
         let script = text.script.as_deref().map(|name| {
             let path = beside(name);
-            Ok((files::read(&path, LARGEST_BYTES)?, path))
+            Ok((read(name, &path)?, path))
         });
         let script = script.transpose()?;
-        hashes.extend(script.iter().zip(&text.script).map(|((bytes, _), name)| Hashed::new(name, bytes)));
+        sources.extend(script.iter().zip(&text.script).map(|((bytes, _), name)| (name.clone(), bytes.clone())));
         let lines = script.map(|(bytes, path)| {
             folder::read_script(&bytes, scene).map_err(|problem| FileError::new(path.display(), problem))
         });
         let lines = lines.transpose()?;
-        let reference = text.reference.as_deref().map(|name| Reference::load(&beside(name), scene)).transpose()?;
-        hashes.extend(
-            reference
-                .iter()
-                .zip(&text.reference)
-                .map(|(reference, name)| Hashed { name: name.clone(), sha256: reference.sha256.clone() }),
-        );
+        let reference = text.reference.as_deref().map(|name| {
+            let path = beside(name);
+            let bytes = read(name, &path)?;
+            sources.push((name.to_owned(), bytes.clone()));
+            Reference::read(&path, bytes, scene)
+        });
+        let reference = reference.transpose()?;
         let bytes = reference.as_ref().map(|reference| reference.bytes.as_slice());
         let script =
             lines.map(|lines| RubricScript { expected: folder::run(&lines, scene, bytes).map(|ran| ran.trace), lines });
@@ -162,7 +179,7 @@ impl Rubric {
             keyframe_file,
             script,
             files,
-            hashes,
+            sources,
             revealed: Revealed::default(),
         };
         rubric.revealed = Revealed::by(&rubric);

@@ -2,6 +2,8 @@
 
 use std::slice;
 
+use serde::{Deserialize, Serialize};
+
 use super::rubric::Rubric;
 use crate::export::{ExportError, Painter, Size};
 use crate::film::SmallPng;
@@ -20,7 +22,7 @@ const MOST_SAMPLES: usize = 4;
 const ALIKE: u8 = 6;
 
 /// One picture or film, ready for the page.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct ReportPicture {
     /// The PNG, or animated PNG, in base 64.
     pub base64: String,

@@ -3,6 +3,7 @@
 use serde_json::{Value, json};
 
 use super::cells::{UTF8_MARK, number, row};
+use super::finding::Finding;
 use super::gather::PassedOver;
 use super::hash::Hashed;
 use super::item::{Evidence, Item, ItemKind};
@@ -74,7 +75,7 @@ pub fn lost_reasons(marks: &Marks) -> String {
 
 /// What each file of samples shows: the name of what explains it, `not explained` or `unreadable`.
 pub fn diagnoses(marks: &Marks) -> Vec<String> {
-    let show = |diagnosis: &Result<crate::diagnosis::Diagnosis, String>| match diagnosis {
+    let show = |diagnosis: &Result<Finding, String>| match diagnosis {
         Ok(diagnosis) if diagnosis.is_explained() => diagnosis.best().name.clone(),
         Ok(_) => "not explained".to_owned(),
         Err(_) => "unreadable".to_owned(),
@@ -122,7 +123,7 @@ pub fn json(marks: &[Marks], passed_over: &[PassedOver], rubric: &Rubric) -> Str
     let value = json!({
         "format": "inbetween.grades", "version": 2, "title": rubric.title,
         "program": {"name": env!("CARGO_PKG_NAME"), "version": env!("CARGO_PKG_VERSION")},
-        "rubric": hashes(&rubric.hashes),
+        "rubric": hashes(&rubric.hashes().collect::<Vec<_>>()),
         "submissions": marks.iter().map(submission).collect::<Vec<_>>(),
         "not_revealed": rubric.revealed.not_revealed(),
         "passed_over": passed_over.iter().map(passed).collect::<Vec<_>>(),

@@ -362,10 +362,13 @@ fn rows_have_names_that_tell_them_apart() {
     );
     // Every file is the program's own or a student's: results that stand in the class are not graded.
     sandbox.run(&["grade", "rubric.json", "a", "-o", "a/out", "--no-images"]).succeeds();
-    sandbox.run(&["grade", "rubric.json", "a", "-o", "a", "--no-images"]).succeeds();
+    let beside = ["--feedback", "a/back", "--cache", "a/kept"];
+    sandbox.run(&[&["grade", "rubric.json", "a", "-o", "a", "--no-images"][..], &beside].concat()).succeeds();
+    sandbox.run(&["grade", "rubric.json", "a", "-o", "a/part", "--no-images", "--shard", "1/1"]).succeeds();
+    std::fs::create_dir(sandbox.path("a/.cache")).unwrap();
     let (again, passed_over) = graded(&sandbox, &["a"]);
     assert_eq!(again.into_keys().collect::<Vec<_>>(), ["ann", "bob"]);
-    assert_eq!(passed_over, ["grades.csv", "grades.json", "out", "report.html"]);
+    assert_eq!(passed_over, [".cache", "back", "grades.csv", "grades.json", "kept", "out", "part", "report.html"]);
     std::fs::create_dir(sandbox.path("empty")).unwrap();
     sandbox
         .run(&["grade", "rubric.json", "empty", "-o", "x", "--no-images"])

@@ -8,7 +8,7 @@ use zip::write::SimpleFileOptions;
 use crate::sandbox::Sandbox;
 use crate::student::{LINEAR, Placed, SPLINE, Student, file, varied_keyframes};
 
-const RUBRIC: &str = r#"{"format": "inbetween.rubric", "version": 1, "title": "<b>Six</b>", "reference": "reference.json",
+pub const RUBRIC: &str = r#"{"format": "inbetween.rubric", "version": 1, "title": "<b>Six</b>", "reference": "reference.json",
     "script": "hotkeys.txt", "playback": "assumed", "tolerances": {"translation": 0.001, "rotation_degrees": 0.1},
     "points": {"readable": 2, "keyframe_count": 1, "each_keyframe": 1, "linear_playback": 5, "catmull_rom_playback": 5,
     "range_and_end": 2, "script": 3}}"#;

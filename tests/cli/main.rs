@@ -2,6 +2,7 @@
 
 #[cfg(target_os = "linux")]
 mod action;
+mod again;
 mod bounds;
 mod check;
 mod class;

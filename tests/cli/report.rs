@@ -93,7 +93,10 @@ fn a_known_mistake_has_a_film_of_the_reference_or_of_the_first_who_shows_it() {
     }
     sandbox.write("reference.json", text_of(&turning, "linear"));
     let alt = film(&report(&sandbox, &[]));
-    assert!(alt.starts_with("Film of 16 pictures. Linear playback of ada, key time "), "{alt}");
+    assert!(
+        alt.starts_with("Film of 16 pictures. Linear playback of the first submission that shows it, key time "),
+        "{alt}"
+    );
 }
 
 #[test]

@@ -160,7 +160,7 @@ fn without_pictures(page: &[u8]) -> Vec<u8> {
     let page = String::from_utf8_lossy(page);
     let mut parts = page.split("base64,");
     let first = parts.next().unwrap_or_default().to_owned();
-    let rest = parts.map(|part| part.find('"').map_or(part, |end| &part[end..]));
+    let rest = parts.map(|part| part.find(['"', ')']).map_or(part, |end| &part[end..]));
     rest.fold(first, |text, part| text + "base64," + part).into_bytes()
 }
 
@@ -173,7 +173,9 @@ fn list(root: &Path, folder: &Path, files: &mut Vec<(String, Vec<u8>)>) {
     let mut entries: Vec<PathBuf> = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
     entries.sort();
     for path in entries {
-        if path.is_symlink() {
+        // What is kept between runs, and what is merged, is of this build of the program alone.
+        let is_of_build = path.file_name().is_some_and(|name| name == ".cache" || name == "shard.json");
+        if path.is_symlink() || is_of_build {
             continue;
         }
         if path.is_dir() {

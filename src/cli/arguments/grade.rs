@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
-use crate::grading::{FORMATS, Format, format_named};
+use crate::grading::{FORMATS, Format, MOST_SHARDS, ShardNumber, format_named};
 use crate::words::texts;
 
 use super::values::size;
@@ -30,10 +30,10 @@ that waits for an hour, reads 64 MiB and writes 32 MiB. What is wrong with a sub
 #[derive(Debug, Args)]
 pub struct GradeArguments {
     /// The rubric, JSON or (where its name ends in .toml) TOML, as --example writes one.
-    #[arg(required_unless_present = "example")]
+    #[arg(required_unless_present_any = ["example", "merge"])]
     pub rubric: Option<PathBuf>,
     /// A class: a folder or an archive of submissions. Or several submissions.
-    #[arg(required_unless_present_any = ["check", "example"], value_name = "SUBMISSION")]
+    #[arg(required_unless_present_any = ["check", "example", "merge"], value_name = "SUBMISSION")]
     pub submissions: Vec<PathBuf>,
     /// Each SUBMISSION is a class: a folder or an archive of submissions.
     #[arg(long)]
@@ -84,14 +84,29 @@ pub struct GradeArguments {
     /// With --anonymous: the file that says who each number is, JSON.
     #[arg(long, value_name = "FILE", requires = "anonymous")]
     pub key: Option<PathBuf>,
+    /// Grade only the submission of this name, student or id; of the others, write what earlier runs have kept. May be repeated.
+    #[arg(long, value_name = "NAME", conflicts_with_all = ["anonymous", "shard"])]
+    pub only: Vec<String>,
+    /// The folder in which marks and pictures are kept for the next run. Without it, .cache in --output.
+    #[arg(long, value_name = "DIR")]
+    pub cache: Option<PathBuf>,
+    /// Keep nothing for the next run, and use nothing of earlier ones.
+    #[arg(long, conflicts_with = "cache")]
+    pub no_cache: bool,
+    /// Grade only each N-th submission, from the I-th on, and write nothing but shard.json, for --merge.
+    #[arg(long, value_name = "I/N", value_parser = shard, conflicts_with_all = ["wide", "to", "strict", "fail_under", "roster", "overrides", "feedback", "anonymous", "json"])]
+    pub shard: Option<ShardNumber>,
+    /// Grade nothing: write the results of all shards, which are in these folders. They are those of one run.
+    #[arg(long, value_name = "DIR", num_args = 1.., conflicts_with_all = ["rubric", "submissions", "classes", "one", "no_images", "images", "image_size", "only", "cache", "no_cache", "shard"])]
+    pub merge: Vec<PathBuf>,
     /// Grade nothing: say which known mistakes the rubric's reference reveals, and which keyframes would reveal the others.
-    #[arg(long, conflicts_with_all = ["submissions", "output", "classes", "one", "no_images", "wide", "to", "strict", "fail_under", "roster", "overrides", "feedback", "anonymous"])]
+    #[arg(long, conflicts_with_all = ["submissions", "output", "classes", "one", "no_images", "wide", "to", "strict", "fail_under", "roster", "overrides", "feedback", "anonymous", "only", "cache", "no_cache", "shard", "merge"])]
     pub check: bool,
     /// Print JSON: what grades.json holds; with --check, what the reference reveals.
     #[arg(long, conflicts_with = "example")]
     pub json: bool,
     /// Grade nothing: write a rubric, a reference, a script and a README to start from into this folder.
-    #[arg(long, value_name = "DIR", conflicts_with_all = ["rubric", "submissions", "output", "classes", "one", "no_images", "wide", "to", "strict", "fail_under", "roster", "overrides", "feedback", "anonymous", "check"])]
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["rubric", "submissions", "output", "classes", "one", "no_images", "wide", "to", "strict", "fail_under", "roster", "overrides", "feedback", "anonymous", "only", "cache", "no_cache", "shard", "merge", "check"])]
     pub example: Option<PathBuf>,
 }
 
@@ -103,4 +118,13 @@ fn format() -> impl TypedValueParser<Value = &'static Format> {
 fn percent(text: &str) -> Result<f64, String> {
     let percent = text.parse().ok().filter(|percent| (0.0..=100.0).contains(percent));
     percent.ok_or_else(|| texts::GRADE_BAD_PERCENT.to_string())
+}
+
+fn shard(text: &str) -> Result<ShardNumber, String> {
+    let number = |text: &str| {
+        let is_whole = !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+        text.parse::<usize>().ok().filter(|number| is_whole && (1..=MOST_SHARDS).contains(number))
+    };
+    let both = text.split_once('/').and_then(|(one, of)| Some(ShardNumber { number: number(one)?, of: number(of)? }));
+    both.filter(|shard| shard.number <= shard.of).ok_or_else(|| texts::grade_bad_shard(MOST_SHARDS).to_string())
 }

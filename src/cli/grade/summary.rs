@@ -5,59 +5,69 @@ use std::path::Path;
 
 use crate::cli::arguments::GradeArguments;
 use crate::cli::error::Ended;
-use crate::grading::{Marks, Matched, PassedOver, Rubric, evidence_counts, number};
+use crate::grading::{GradedClass, Marks, Matched, PassedOver, evidence_counts, number};
 use crate::text::counted;
 use crate::words::texts;
 
-/// A line for each thing to know: the counts, who could not be read, who is below the limit, what was passed over.
-pub fn lines(
-    marks: &[Marks],
-    matched: &Matched,
-    unmatched: &[String],
-    passed_over: &[PassedOver],
-    rubric: &Rubric,
-    report: &Path,
-    arguments: &GradeArguments,
-) -> String {
-    let missing: Vec<&Marks> = marks.iter().filter(|marks| marks.is_missing).collect();
-    let handed_in = marks.len() - missing.len();
-    let mut text = format!("{} graded: {}\n", counted(handed_in, "submission"), report.display());
-    if let Some(counts) = evidence_counts(marks) {
-        let _ = writeln!(text, "{counts}");
-    }
-    let unread: Vec<(&Marks, &String)> =
-        marks.iter().filter_map(|marks| Some((marks, marks.unread.as_ref()?))).collect();
-    if !unread.is_empty() {
-        let _ = writeln!(text, "{}", texts::grade_unread_count(unread.len(), handed_in));
-    }
-    for (marks, reason) in unread {
-        let _ = writeln!(text, "{}", texts::grade_unread(&marks.name, reason));
-    }
-    for marks in missing {
-        let _ = writeln!(text, "{}", texts::grade_missing(&marks.name));
-    }
-    for name in &matched.unknown {
-        let _ = writeln!(text, "{}", texts::grade_not_on_roster(name));
-    }
-    for (name, submissions) in &matched.repeated {
-        let _ = writeln!(text, "{}", texts::grade_repeated(name, submissions.join(", ")));
-    }
-    for student in unmatched {
-        let _ = writeln!(text, "{}", texts::grade_nobody(student));
-    }
-    if let Some(percent) = arguments.fail_under {
-        for marks in below(marks, percent) {
-            let points = [marks.points(), marks.out_of()].map(number);
-            let _ = writeln!(text, "{}", texts::grade_below(percent, &marks.name, &points[0], &points[1]));
+/// What there is to say of results.
+pub struct Summary<'a> {
+    /// The results.
+    pub class: &'a GradedClass,
+    /// What of the roster does not go together.
+    pub matched: &'a Matched,
+    /// Overrides for nobody.
+    pub unmatched: &'a [String],
+    /// Submissions that are not in the results.
+    pub left_out: &'a [String],
+}
+
+impl Summary<'_> {
+    /// A line for each thing to know: the counts, who could not be read, who is below the limit, what was passed over.
+    pub fn lines(&self, report: &Path, arguments: &GradeArguments) -> String {
+        let Self { class: GradedClass { marks, rubric, passed_over, .. }, matched, unmatched, left_out } = *self;
+        let missing: Vec<&Marks> = marks.iter().filter(|marks| marks.is_missing).collect();
+        let handed_in = marks.len() - missing.len();
+        let mut text = format!("{} graded: {}\n", counted(handed_in, "submission"), report.display());
+        if let Some(counts) = evidence_counts(marks) {
+            let _ = writeln!(text, "{counts}");
         }
+        let unread: Vec<(&Marks, &String)> =
+            marks.iter().filter_map(|marks| Some((marks, marks.unread.as_ref()?))).collect();
+        if !unread.is_empty() {
+            let _ = writeln!(text, "{}", texts::grade_unread_count(unread.len(), handed_in));
+        }
+        for (marks, reason) in unread {
+            let _ = writeln!(text, "{}", texts::grade_unread(&marks.name, reason));
+        }
+        for marks in missing {
+            let _ = writeln!(text, "{}", texts::grade_missing(&marks.name));
+        }
+        for name in &matched.unknown {
+            let _ = writeln!(text, "{}", texts::grade_not_on_roster(name));
+        }
+        for (name, submissions) in &matched.repeated {
+            let _ = writeln!(text, "{}", texts::grade_repeated(name, submissions.join(", ")));
+        }
+        if !left_out.is_empty() {
+            let _ = writeln!(text, "{}", texts::grade_left_out(left_out.join(", ")));
+        }
+        for student in unmatched {
+            let _ = writeln!(text, "{}", texts::grade_nobody(student));
+        }
+        if let Some(percent) = arguments.fail_under {
+            for marks in below(marks, percent) {
+                let points = [marks.points(), marks.out_of()].map(number);
+                let _ = writeln!(text, "{}", texts::grade_below(percent, &marks.name, &points[0], &points[1]));
+            }
+        }
+        for PassedOver { name, reason } in passed_over {
+            let _ = writeln!(text, "passed over: {name} ({reason})");
+        }
+        if let Some(warning) = rubric.revealed.warning() {
+            let _ = writeln!(text, "{warning}");
+        }
+        text
     }
-    for PassedOver { name, reason } in passed_over {
-        let _ = writeln!(text, "passed over: {name} ({reason})");
-    }
-    if let Some(warning) = rubric.revealed.warning() {
-        let _ = writeln!(text, "{warning}");
-    }
-    text
 }
 
 /// How the command ends where all is written.

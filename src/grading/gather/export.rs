@@ -1,9 +1,11 @@
 //! Names of submissions as course systems export them.
 
+use serde::{Deserialize, Serialize};
+
 use super::gradescope::Metadata;
 
 /// The course system.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Deserialize, Serialize)]
 pub enum System {
     /// `name_LATE_100_2000_file.txt`, all in one folder.
     Canvas,

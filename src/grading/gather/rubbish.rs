@@ -2,6 +2,7 @@
 
 use super::super::names::{ending, is_hidden};
 use super::super::place::Entry;
+use super::super::report::GENERATOR;
 use crate::storage::EntryKind;
 
 /// How many bytes of a file tell what it is.
@@ -12,6 +13,9 @@ const RESULTS: [&str; 6] = ["grades.csv", "grades.json", "report.html", "canvas.
 
 /// Folders of results that `grade` writes beside them.
 const FOLDERS_OF_RESULTS: [&str; 2] = ["gradescope", "classroom50"];
+
+/// Files of what `grade` keeps: results for the next run, a shard.
+const KEPT: [&str; 2] = ["grades.cache", "shard.json"];
 
 /// Why an entry is no submission, if it is none; `has_results` tells that results of `grade` stand beside it.
 pub fn reason(entry: &Entry, has_results: bool) -> Option<String> {
@@ -48,6 +52,17 @@ pub fn are_grades(entry: &Entry) -> bool {
 fn has_results_of_grade(entry: &Entry) -> bool {
     let Ok((entries, _)) = entry.place.list(1000) else { return false };
     entries.iter().any(|entry| entry.name == "report.html") && entries.iter().any(are_grades)
+        || entries.iter().any(|entry| KEPT.contains(&entry.name.as_str()))
+        || is_feedback(&entries)
+}
+
+/// Whether a folder holds pages to hand back, and nothing else.
+fn is_feedback(entries: &[Entry]) -> bool {
+    let has_ending = |entry: &&Entry, wanted: &str| ending(&entry.name) == wanted;
+    let mut shown = entries.iter().filter(|entry| !is_hidden(&entry.name));
+    let mut pages = entries.iter().filter(|entry| has_ending(entry, "html"));
+    shown.all(|entry| has_ending(&entry, "html") || has_ending(&entry, "md"))
+        && pages.next().is_some_and(|page| start(page).contains(GENERATOR))
 }
 
 /// The first line of a table of students: a header with names, and none of a table of keyframes or samples.

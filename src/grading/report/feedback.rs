@@ -9,7 +9,7 @@ use super::super::marks::Marks;
 use super::super::rows::rows;
 use super::super::rubric::Rubric;
 use super::sheet::Sheet;
-use super::{ReportPictures, ShownMistake, mistakes, mistakes_shown, page, student, title};
+use super::{MistakeFilm, ShownMistake, mistakes, mistakes_shown, page, student, title};
 use crate::diagnosis::Fact;
 use crate::markup::markdown_escaped;
 
@@ -30,7 +30,7 @@ pub struct Feedback {
 
 /// The feedback of all submissions, in their order.
 #[must_use]
-pub fn feedback(all: &[Marks], rubric: &Rubric, pictures: &ReportPictures) -> Vec<Feedback> {
+pub fn feedback(all: &[Marks], rubric: &Rubric, films: &[Option<MistakeFilm>]) -> Vec<Feedback> {
     let found = mistakes_shown(all);
     let mut names = HashSet::new();
     let of = |(index, marks): (usize, &Marks)| {
@@ -38,11 +38,11 @@ pub fn feedback(all: &[Marks], rubric: &Rubric, pictures: &ReportPictures) -> Ve
         let own: Vec<(usize, &ShownMistake)> =
             found.iter().enumerate().filter(|(_, shown)| shown.shown_by.contains(&index)).collect();
         let mut sheet = Sheet::default();
-        let content = student::content(marks, pictures.of(index), &mut sheet);
+        let content = student::content(marks, &mut sheet);
         let mut body = format!("<section>{content}</section>\n");
         for (number, shown) in &own {
             // A film of another student's keyframes is none of this student's business.
-            let film = pictures.of_mistakes.get(*number).and_then(Option::as_ref);
+            let film = films.get(*number).and_then(Option::as_ref);
             let film = film.filter(|film| film.is_of_reference || shown.shown_by.first() == Some(&index));
             body.push_str(&mistakes::opening(shown.mistake, None, film.map(|film| &film.picture), &mut sheet));
             body.push_str("</dl></section>\n");

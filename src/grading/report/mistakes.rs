@@ -3,12 +3,12 @@
 use std::fmt::Write as _;
 
 use super::super::film::MistakeFilm;
+use super::super::finding::{Answer, Finding, SampleFinding};
 use super::super::marks::Marks;
-use super::super::samples::SampleDiagnosis;
 use super::super::studio::ReportPicture;
 use super::class::links;
 use super::sheet::Sheet;
-use crate::diagnosis::{Candidate, Diagnosis, Fact, Mistake};
+use crate::diagnosis::{Fact, Mistake};
 use crate::interpolation::Interpolation;
 use crate::markup::escaped;
 use crate::text::counted;
@@ -25,23 +25,23 @@ pub struct ShownMistake {
 }
 
 /// The known mistakes that samples show, if they are explained.
-pub fn named(samples: &SampleDiagnosis) -> Vec<&'static Mistake> {
+pub fn named(samples: &SampleFinding) -> Vec<&'static Mistake> {
     let mistakes = explanation(samples).into_iter().flat_map(|best| best.mistakes.iter().copied());
     mistakes.filter(|mistake| !mistake.is_right()).collect()
 }
 
 /// What else explains samples that show a mistake.
-pub fn also(samples: &SampleDiagnosis) -> impl Iterator<Item = &Candidate> {
+pub fn also(samples: &SampleFinding) -> impl Iterator<Item = &Answer> {
     let wrong = explanation(samples).filter(|best| !best.is_right());
     let diagnosis = samples.diagnosis.as_ref().ok().filter(|_| wrong.is_some());
-    diagnosis.into_iter().flat_map(Diagnosis::also).filter(move |other| {
+    diagnosis.into_iter().flat_map(Finding::also).filter(move |other| {
         // Samples that end early agree with the same without an early end, which says nothing more.
         wrong.is_none_or(|best| !best.mistakes.starts_with(&other.mistakes) && !other.is_right())
     })
 }
 
-fn explanation(samples: &SampleDiagnosis) -> Option<&Candidate> {
-    samples.diagnosis.as_ref().ok().filter(|diagnosis| diagnosis.is_explained()).map(Diagnosis::best)
+fn explanation(samples: &SampleFinding) -> Option<&Answer> {
+    samples.diagnosis.as_ref().ok().filter(|diagnosis| diagnosis.is_explained()).map(Finding::best)
 }
 
 /// The known mistakes of a class, the commonest first.
@@ -56,11 +56,7 @@ pub fn shown(all: &[Marks]) -> Vec<ShownMistake> {
                     Some(known) if known.shown_by.last() == Some(&index) => {}
                     Some(known) => known.shown_by.push(index),
                     None => {
-                        found.push(ShownMistake {
-                            mistake,
-                            interpolation: best.interpolation(),
-                            shown_by: vec![index],
-                        });
+                        found.push(ShownMistake { mistake, interpolation: best.interpolation, shown_by: vec![index] });
                     }
                 }
             }

@@ -7,7 +7,6 @@ use super::super::item::Evidence;
 use super::super::marks::Marks;
 use super::super::note::Note;
 use super::super::rows::rows;
-use super::super::studio::ReportPicture;
 use super::mistakes;
 use super::sheet::Sheet;
 use crate::markup::escaped;
@@ -24,13 +23,13 @@ pub fn student(marks: &Marks) -> Option<String> {
 }
 
 /// The section of the submission of an index among all: points with reasons, notes, pictures, and links to its neighbours.
-pub fn section<'a>(all: &[Marks], index: usize, pictures: &'a [ReportPicture], sheet: &mut Sheet<'a>) -> String {
+pub fn section<'a>(all: &'a [Marks], index: usize, sheet: &mut Sheet<'a>) -> String {
     let open = format!("<section class=\"student\" id=\"s{index}\">");
-    format!("{open}{}{}</section>\n", content(&all[index], pictures, sheet), neighbours(all, index))
+    format!("{open}{}{}</section>\n", content(&all[index], sheet), neighbours(all, index))
 }
 
 /// What is said of one submission, and nothing of others.
-pub fn content<'a>(marks: &Marks, pictures: &'a [ReportPicture], sheet: &mut Sheet<'a>) -> String {
+pub fn content<'a>(marks: &'a Marks, sheet: &mut Sheet<'a>) -> String {
     let mut text = format!(
         "<h2><span>{} / {}</span> {}</h2>\n",
         number(marks.points()),
@@ -75,6 +74,7 @@ pub fn content<'a>(marks: &Marks, pictures: &'a [ReportPicture], sheet: &mut She
     if !links.is_empty() {
         let _ = writeln!(text, "<p class=\"quiet\">What it is and how to mend it: {}.</p>", links.join(", "));
     }
+    let pictures = marks.pictures.as_deref().unwrap_or_default();
     if !pictures.is_empty() {
         text.push_str("<div class=\"pictures\">\n");
         for picture in pictures {

@@ -2,13 +2,11 @@
 
 use std::path::Path;
 
-use super::LARGEST_BYTES;
-use crate::files::{self, FileError};
+use crate::files::FileError;
 use crate::grading::folder;
 use crate::interpolation::Interpolation;
 use crate::keyframe::{KeyframeList, PlayRange};
 use crate::scene::SceneGraph;
-use crate::storage;
 use crate::text_layouts::read_keyframes;
 
 /// The right keyframes.
@@ -22,19 +20,15 @@ pub struct Reference {
     pub ms_between_keyframes: u32,
     /// The bytes of a file that holds them; of a script, a keyframe file of what it made.
     pub bytes: Vec<u8>,
-    /// The SHA-256 of the file that the rubric names.
-    pub sha256: String,
 }
 
 impl Reference {
-    /// Reads a keyframe file, or runs a script that makes one.
+    /// Reads a keyframe file, or runs a script that makes one. `path` is named in errors.
     ///
     /// # Errors
     /// [`FileError`]
-    pub(super) fn load(path: &Path, scene: &SceneGraph) -> Result<Self, FileError> {
+    pub(super) fn read(path: &Path, given: Vec<u8>, scene: &SceneGraph) -> Result<Self, FileError> {
         let bad = |problem: String| FileError::new(path.display(), problem);
-        let given = files::read(path, LARGEST_BYTES)?;
-        let sha256 = storage::sha256(&given);
         let (bytes, file) = match read_keyframes(&given, scene) {
             Ok(read) => (given, read.file),
             Err(problems) => {
@@ -48,7 +42,7 @@ impl Reference {
         };
         let (list, interpolation, ms_between_keyframes) = file.into_parts();
         PlayRange::new(&list).map_err(|error| bad(error.to_string()))?;
-        Ok(Self { list, interpolation, ms_between_keyframes, bytes, sha256 })
+        Ok(Self { list, interpolation, ms_between_keyframes, bytes })
     }
 
     /// The played part of the keyframes.
