@@ -136,7 +136,7 @@ fn perform(arguments: Arguments) -> Result<Ended, CliError> {
         Subcommand::Verify(arguments) => return verify::run(&arguments, common),
         Subcommand::Compare(arguments) => return compare::run(&arguments, common),
         Subcommand::Script(arguments) => return script::run(&arguments, common),
-        Subcommand::Info(arguments) => info::run(&arguments, common)?,
+        Subcommand::Info(arguments) => return info::run(&arguments, common),
         Subcommand::Join(arguments) => join::run(&arguments, common)?,
         Subcommand::Nodes(arguments) => nodes::run(&arguments, common)?,
         Subcommand::Render(arguments) => render::run(&arguments, common)?,

@@ -104,7 +104,9 @@ fn write(
     kept::write(kept.as_deref(), &graded.cache)?;
     if arguments.json {
         output::list(&results)?;
-    } else if !common.is_quiet {
+    } else if common.is_quiet {
+        output::say(&summary::failures(&graded.marks, arguments))?;
+    } else {
         let summary = Summary { class: &graded, matched: &matched, unmatched: &unmatched, left_out: &left_out };
         output::say(&summary.lines(&report, arguments))?;
     }

@@ -1,13 +1,15 @@
 //! `inbetween info`: what a keyframe file holds, and how long its film is.
 
 use std::fmt::Write as _;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
 
 use super::arguments::InfoArguments;
+use super::each::{Done, Telling, each, tell};
 use super::places::Places;
-use super::{CliError, Common, output, reading, scene};
+use super::reading::Notes;
+use super::{CliError, Common, Ended, output, reading, scene};
 use crate::export::{Animation, ExportError, FrameTime, Moments, Source, Span, Viewpoint};
 use crate::keyframe::PlayRange;
 use crate::scene::{Channel, NodeKind, SceneGraph, Tracks};
@@ -15,21 +17,47 @@ use crate::storage::input_name;
 use crate::text::counted;
 use crate::text_layouts::Report;
 
-/// Prints what the file and the scene hold.
+/// Prints what the files and the scene hold; of several, each by itself.
 ///
 /// # Errors
 /// [`CliError`]
-pub fn run(arguments: &InfoArguments, common: Common<'_>) -> Result<(), CliError> {
+pub fn run(arguments: &InfoArguments, common: Common<'_>) -> Result<Ended, CliError> {
     let places = Places::with_scene(common.scene);
-    arguments.file.iter().fold(places, |places, file| places.reads("FILE", file)).check()?;
+    arguments.files.iter().fold(places, |places, file| places.reads("FILE", file)).check()?;
     let scene = &scene::load(common.scene)?;
-    let file = arguments.file.as_deref();
-    let read = file.map(|file| reading::keyframes(file, scene, common)).transpose()?;
+    if let [] | [_] = arguments.files.as_slice() {
+        let mut notes = Notes::default();
+        let (lines, fields) =
+            described(arguments.files.first().map(PathBuf::as_path), scene, arguments, common, &mut notes)?;
+        notes.say();
+        output::say(&if arguments.json { format!("{fields:#}\n") } else { lines })?;
+        return Ok(Ended::Well);
+    }
+    let shown = |file: &PathBuf| input_name(file);
+    let named = |file: &PathBuf| json!({"file": input_name(file)});
+    let mut is_first = true;
+    let outcomes = each(&arguments.files, common, shown, named, |file, notes| {
+        let (lines, fields) = described(Some(file), scene, arguments, common, notes)?;
+        let before = if std::mem::take(&mut is_first) { "" } else { "\n" };
+        Ok(Done::well(format!("{before}{lines}"), fields))
+    })?;
+    tell(outcomes, Telling { is_json: arguments.json, data: None })
+}
+
+/// What a file and the scene hold, in lines and as JSON.
+fn described(
+    file: Option<&Path>,
+    scene: &SceneGraph,
+    arguments: &InfoArguments,
+    common: Common<'_>,
+    notes: &mut Notes,
+) -> Result<(String, Value), CliError> {
+    let read = file.map(|file| reading::noted_keyframes(file, scene, common, notes)).transpose()?;
     let report = read.as_ref().and_then(|read| read.report.clone());
     let animation = read.map(|read| Animation::of(read.file, None));
     let film = Film::of(Source { scene, animation: animation.as_ref(), file }, arguments.fps)?;
     let info = Info { file, scene, animation: animation.as_ref(), report: report.as_ref(), film, fps: arguments.fps };
-    output::say(&if arguments.json { info.json() } else { info.lines() })
+    Ok((info.lines(), info.json()))
 }
 
 /// The film that `render` makes of the whole file.
@@ -70,7 +98,7 @@ struct Info<'a> {
 }
 
 impl Info<'_> {
-    fn json(&self) -> String {
+    fn json(&self) -> Value {
         let (keys, last_second) = self.timed_keys();
         let keyframes = self.animation.map(|animation| {
             json!({
@@ -81,7 +109,7 @@ impl Info<'_> {
                 "durations": animation.keyframes.as_slice().iter().map(|keyframe| keyframe.duration).collect::<Vec<f64>>(),
             })
         });
-        let value: Value = json!({
+        json!({
             "file": self.file.map(input_name),
             "text": self.report.map(|report| report.summary.to_string()),
             "scene": self.scene.name(),
@@ -92,8 +120,7 @@ impl Info<'_> {
             "seconds": self.film.seconds,
             "fps": self.fps,
             "frames": self.film.frames,
-        });
-        format!("{value:#}\n")
+        })
     }
 
     fn lines(&self) -> String {

@@ -61,7 +61,7 @@ const ROWS: [Row; 17] = [
         standard_input: Does("info -"),
         input: "a.json",
         standard_output: Refuses("info a.json -o -"),
-        several: Refuses("info a.json b.json"),
+        several: Does("info a.json b.json"),
         json: Does("info rows.txt --json"),
         quiet: Does("info rows.txt --quiet"),
         text: Does("info rows.txt"),

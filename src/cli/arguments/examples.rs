@@ -27,7 +27,7 @@ const ALL: [Below; 18] = [
     Below {
         command: "info",
         page: "farms",
-        examples: &["inbetween info walk.json", "inbetween info walk.json --fps 25 --json"],
+        examples: &["inbetween info walk.json", "inbetween info walk.json --fps 25 --json", "inbetween info *.json"],
     },
     Below {
         command: "nodes",

@@ -31,14 +31,7 @@ impl Summary<'_> {
         if let Some(counts) = evidence_counts(marks) {
             let _ = writeln!(text, "{counts}");
         }
-        let unread: Vec<(&Marks, &String)> =
-            marks.iter().filter_map(|marks| Some((marks, marks.unread.as_ref()?))).collect();
-        if !unread.is_empty() {
-            let _ = writeln!(text, "{}", texts::grade_unread_count(unread.len(), handed_in));
-        }
-        for (marks, reason) in unread {
-            let _ = writeln!(text, "{}", texts::grade_unread(&marks.name, reason));
-        }
+        text.push_str(&unread(marks));
         for marks in missing {
             let _ = writeln!(text, "{}", texts::grade_missing(&marks.name));
         }
@@ -54,12 +47,7 @@ impl Summary<'_> {
         for student in unmatched {
             let _ = writeln!(text, "{}", texts::grade_nobody(student));
         }
-        if let Some(percent) = arguments.fail_under {
-            for marks in below(marks, percent) {
-                let points = [marks.points(), marks.out_of()].map(number);
-                let _ = writeln!(text, "{}", texts::grade_below(percent, &marks.name, &points[0], &points[1]));
-            }
-        }
+        text.push_str(&told_below(marks, arguments));
         for PassedOver { name, reason } in passed_over {
             let _ = writeln!(text, "passed over: {name} ({reason})");
         }
@@ -68,6 +56,37 @@ impl Summary<'_> {
         }
         text
     }
+}
+
+/// Who could not be read: the count, and a line each.
+fn unread(marks: &[Marks]) -> String {
+    let unread: Vec<(&Marks, &String)> =
+        marks.iter().filter_map(|marks| Some((marks, marks.unread.as_ref()?))).collect();
+    if unread.is_empty() {
+        return String::new();
+    }
+    let handed_in = marks.iter().filter(|marks| !marks.is_missing).count();
+    let mut text = format!("{}\n", texts::grade_unread_count(unread.len(), handed_in));
+    for (marks, reason) in unread {
+        let _ = writeln!(text, "{}", texts::grade_unread(&marks.name, reason));
+    }
+    text
+}
+
+/// Who is below the limit, a line each; nothing without a limit.
+fn told_below(marks: &[Marks], arguments: &GradeArguments) -> String {
+    let Some(percent) = arguments.fail_under else { return String::new() };
+    let line = |marks: &Marks| {
+        let points = [marks.points(), marks.out_of()].map(number);
+        format!("{}\n", texts::grade_below(percent, &marks.name, &points[0], &points[1]))
+    };
+    below(marks, percent).map(line).collect()
+}
+
+/// Why the command ends as it does, which also a quiet one says; empty where all is well.
+pub fn failures(marks: &[Marks], arguments: &GradeArguments) -> String {
+    let unread = if arguments.strict { unread(marks) } else { String::new() };
+    unread + &told_below(marks, arguments)
 }
 
 /// How the command ends where all is written.

@@ -175,7 +175,7 @@ pub(super) const ROWS: [Mistake; 17] = [
     },
     Mistake {
         name: LAST_SAMPLE_MISSING,
-        what: "All is right up to the end, and the last pose is never shown.",
+        what: "The samples stop before the end: the last pose is never shown.",
         change: "At or past key time n - 1, show the last played keyframe before ending.",
         wrong: "t >= n - 1: return, and show nothing",
         right: "t >= n - 1: show keyframe n, then end",
