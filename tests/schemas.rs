@@ -4,6 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use boon::{Compiler, SchemaIndex, Schemas};
+use inbetween::grading::{Overrides, Rubric};
 use inbetween::interpolation::Interpolation;
 use inbetween::keyframe::{Easing, keyframes_from_json};
 use inbetween::references::read_list;
@@ -211,6 +212,36 @@ fn lists_of_pictures() {
         ],
     });
     check("pictures", &list.to_string(), &reader_of_pictures());
+}
+
+/// A value without null as TOML writes it within a line.
+fn toml(value: &Value) -> String {
+    match value {
+        Value::Object(fields) => {
+            let fields = fields.iter().map(|(name, value)| format!("{} = {}", json!(name), toml(value)));
+            format!("{{{}}}", fields.collect::<Vec<_>>().join(", "))
+        }
+        Value::Array(items) => format!("[{}]", items.iter().map(toml).collect::<Vec<_>>().join(", ")),
+        other => other.to_string(),
+    }
+}
+
+#[test]
+fn overrides() {
+    let rubric = json!({"format": "inbetween.rubric", "version": 1, "points": {"readable": 5, "linear_playback": 20}, "late": {}});
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("rubric.json");
+    fs::write(&path, rubric.to_string()).unwrap();
+    let rubric = Rubric::load(&path, &scene("two-robots")).unwrap();
+    let reads: Reader = Box::new(move |text| {
+        let Value::Object(fields) = value(text) else { return false };
+        let text: String = fields.iter().map(|(name, value)| format!("{} = {}\n", json!(name), toml(value))).collect();
+        Overrides::read(Path::new("overrides.toml"), text.as_bytes(), &rubric).is_ok()
+    });
+    let sample = json!({"format": "inbetween.overrides", "version": 1, "students": {
+        "00420": {"points": {"readable": 2.5, "linear_playback": 0}, "comment": "Shown to me.", "late_days": 2},
+    }});
+    check("overrides", &sample.to_string(), &reads);
 }
 
 #[test]

@@ -156,7 +156,9 @@ impl Structure {
             }
             Token::Number(_) | Token::Word(_) => {
                 let is_first = self.numbers == 0 && self.named.count == 0;
-                if is_first && let Some(error) = self.unexpected_mark(bytes) {
+                if (is_first || self.is_prose(bytes))
+                    && let Some(error) = self.unexpected_mark(bytes)
+                {
                     return Err(error);
                 }
                 let expected = if is_first { texts::TEXT_EXPECTED_KEYFRAMES } else { NUMBER };
@@ -194,6 +196,12 @@ impl Structure {
     pub(super) fn first_other_mark<'a>(&self, bytes: &'a [u8]) -> Option<(usize, &'a [u8])> {
         let [at, end] = self.other.first;
         (self.other.count > 0).then(|| (at, &bytes[at..end]))
+    }
+
+    /// Whether a word after the first number, which is that of a list, shows a text of words: it holds no keyframes.
+    fn is_prose(&self, bytes: &[u8]) -> bool {
+        let number = || bytes[self.first_at..].split(u8::is_ascii_whitespace).next().unwrap_or_default();
+        self.numbers == 1 && self.named.count == 0 && self.other.first[0] < self.first_at && number().ends_with(b".")
     }
 
     /// The error for the first mark of a text that holds no keyframes.

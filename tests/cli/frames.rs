@@ -77,7 +77,7 @@ fn a_part_of_a_film_that_is_no_folder_is_a_film_of_these_frames() {
 #[test]
 fn frames_that_the_film_does_not_have_are_refused() {
     let sandbox = sandbox();
-    let outside = "a.json: there is no frame 15: at 10 frames a second they are 0 to 14";
+    let outside = "a.json: there is no frame 15: at 10 fps they are 0 to 14";
     render(&sandbox, &["-o", "f", "--frames", "0-15"]).refuses(outside);
     render(&sandbox, &["-o", "f", "--frames", "0,15"]).refuses(outside);
     for wrong in ["", "3-1", "1-9:0", "a", "-1", "1,,2"] {

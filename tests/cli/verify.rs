@@ -220,7 +220,7 @@ fn one_entry_asks_for_many_pictures_and_defaults_are_for_all() {
     assert!(
         outcome
             .stderr
-            .contains("FAIL film-00009: dir/a.json: there is no frame 9: at 2 frames a second they are 0 to 8\n"),
+            .contains("FAIL film-00009: dir/a.json: there is no frame 9: at 2 fps they are 0 to 8\n"),
         "{}",
         outcome.stderr
     );

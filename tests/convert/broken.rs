@@ -155,6 +155,10 @@ fn other_files_say_what_was_expected() {
             "{sentence}"
         );
     }
+    // A list in prose begins with a number, and is no row.
+    let prose = refusal("# Title\n\nSome words, and 1.0.\n\n1. `inbetween mine.json` opens the window.\n");
+    assert!(prose.starts_with("line 3 column 1: found \"Some\", expected keyframes: numbers"), "{prose}");
+    assert_eq!(refusal("tx,ty,tz\n1 x 2 3"), "line 2 column 3: found \"x\", expected a number");
     assert_eq!(refusal("6 22\n0 0,,0"), "line 2 column 5: found \",\", expected a number");
     assert_eq!(refusal("6 22\n0 \u{e9}t\u{e9}"), "line 2 column 3: found \"\u{e9}t\u{e9}\", expected a number");
 }
