@@ -126,14 +126,16 @@ impl io::Write for Draft {
     }
 }
 
-/// A new file that another program writes, next to the one that it replaces at the end. If it is dropped before, it is removed.
+/// A new file that another program writes, next to the one that it replaces at the end, or in the folder of temporary files where a stream
+/// gets its content at the end. If it is dropped before, it is removed.
 #[derive(Debug)]
 pub struct Foreign(ForeignOutput);
 
 #[derive(Debug)]
 enum ForeignOutput {
     Beside(Beside),
-    Stream(PathBuf),
+    /// Programs go back in what they write, which no stream allows.
+    Stream(Beside, File),
 }
 
 impl Foreign {
@@ -143,28 +145,32 @@ impl Foreign {
     /// [`StorageError`]: the destination is a folder, is in no folder, is read-only, or the system refuses.
     pub fn new(path: &Path) -> Result<Self, StorageError> {
         Ok(Self(match destination_of(path)? {
-            Destination::Stream(_) => ForeignOutput::Stream(path.to_owned()),
+            Destination::Stream(stream) => {
+                ForeignOutput::Stream(Beside::new(&std::env::temp_dir().join("stream"))?, stream)
+            }
             Destination::File { target } => ForeignOutput::Beside(Beside::new(&target)?),
         }))
     }
 
-    /// The path to which the other program writes: an empty file, or a device or pipe.
+    /// The path to which the other program writes: an empty file.
     #[must_use]
     pub fn path(&self) -> &Path {
         match &self.0 {
-            ForeignOutput::Beside(beside) => beside.draft.path(),
-            ForeignOutput::Stream(path) => path,
+            ForeignOutput::Beside(beside) | ForeignOutput::Stream(beside, _) => beside.draft.path(),
         }
     }
 
-    /// Replaces the destination by the draft.
+    /// Replaces the destination by the draft, or writes it to the stream.
     ///
     /// # Errors
-    /// [`StorageError::System`]; the destination is then unchanged.
+    /// [`StorageError::System`]; a regular file is then unchanged.
     pub fn commit(self) -> Result<(), StorageError> {
         match self.0 {
             ForeignOutput::Beside(beside) => Ok(beside.commit(true).map(|_| ())?),
-            ForeignOutput::Stream(_) => Ok(()),
+            ForeignOutput::Stream(beside, mut stream) => {
+                io::copy(&mut File::open(beside.draft.path())?, &mut stream)?;
+                Ok(())
+            }
         }
     }
 }

@@ -248,6 +248,20 @@ mod with_a_made_ffmpeg {
         done(&run_with(&sandbox, &["join", "frames", "--fps", "10", "-o", "joined.mp4"]));
         assert_eq!(bytes(&sandbox, "joined.mp4"), bytes(&sandbox, "x.mp4"));
         assert_eq!(sandbox.names(), ["a.json", "bin", "frames", "joined.mp4", "x.mp4", "x.y4m"]);
+        // A stream cannot be gone back in, as ffmpeg does: it gets the whole film at the end.
+        let script = format!("{script}[ -f \"$last\" ] || exit 9\n").replace("exec /bin/cat", "/bin/cat");
+        sandbox.write("bin/ffmpeg", script);
+        for arguments in [
+            &["render", "a.json", "--size", "64x48", "--fps", "10", "-o", "-", "--format", "mp4"][..],
+            &["join", "frames", "--fps", "10", "-o", "-", "--format", "mp4"],
+        ] {
+            let mut command = sandbox.command(arguments);
+            command.env("PATH", sandbox.path("bin")).env("TMPDIR", sandbox.path("temporary"));
+            std::fs::create_dir_all(sandbox.path("temporary")).unwrap();
+            let output = command.output().unwrap();
+            assert!(output.status.success() && output.stdout == bytes(&sandbox, "x.mp4"), "{output:?}");
+            assert_eq!(std::fs::read_dir(sandbox.path("temporary")).unwrap().count(), 0);
+        }
     }
 
     #[test]

@@ -218,9 +218,7 @@ fn one_entry_asks_for_many_pictures_and_defaults_are_for_all() {
     sandbox.write("dir/pictures.json", beyond.to_string());
     let outcome = sandbox.run(&["verify", "dir"]);
     assert!(
-        outcome
-            .stderr
-            .contains("FAIL film-00009: dir/a.json: there is no frame 9: at 2 fps they are 0 to 8\n"),
+        outcome.stderr.contains("FAIL film-00009: dir/a.json: there is no frame 9: at 2 fps they are 0 to 8\n"),
         "{}",
         outcome.stderr
     );
