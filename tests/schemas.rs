@@ -235,7 +235,8 @@ fn overrides() {
     let rubric = Rubric::load(&path, &scene("two-robots")).unwrap();
     let reads: Reader = Box::new(move |text| {
         let Value::Object(fields) = value(text) else { return false };
-        let text: String = fields.iter().map(|(name, value)| format!("{} = {}\n", json!(name), toml(value))).collect();
+        let lines = fields.iter().map(|(name, value)| format!("{} = {}", json!(name), toml(value)));
+        let text = lines.collect::<Vec<_>>().join("\n");
         Overrides::read(Path::new("overrides.toml"), text.as_bytes(), &rubric).is_ok()
     });
     let sample = json!({"format": "inbetween.overrides", "version": 1, "students": {

@@ -131,6 +131,7 @@ impl Cache {
     }
 
     /// The results of this run, with their keys.
+    #[must_use]
     pub fn used(&self) -> &[(Key, String)] {
         &self.used
     }

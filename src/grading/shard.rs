@@ -65,7 +65,7 @@ struct Form {
 pub struct Shard {
     format: String,
     version: u64,
-    shard: ShardNumber,
+    part: ShardNumber,
     basis: Basis,
     /// The hash of the names of all submissions of the class.
     class: Key,
@@ -108,10 +108,13 @@ fn as_bytes(text: &str) -> Option<Vec<u8>> {
     text.chars().map(|c| u8::try_from(c).ok()).collect()
 }
 
+/// A sentence with the names of two files.
+type Sentence = fn(&str, &str) -> Message;
+
 impl Shard {
     /// A part as text; `names` are those of all submissions of the class.
     #[must_use]
-    pub fn written(shard: ShardNumber, names: &[String], class: &GradedClass) -> String {
+    pub fn written(part: ShardNumber, names: &[String], class: &GradedClass) -> String {
         let submission = |marks: &Marks| ShardSubmission {
             name: marks.name.clone(),
             student: marks.student.clone(),
@@ -125,7 +128,7 @@ impl Shard {
         let shard = Self {
             format: FORMAT.to_owned(),
             version: 1,
-            shard,
+            part,
             basis: class.basis.clone(),
             class: hash_of_names(names),
             rubric: class.rubric.sources.iter().map(|(name, bytes)| (name.clone(), as_text(bytes))).collect(),
@@ -152,15 +155,15 @@ impl Shard {
     }
 
     /// Why this part and another one do not go together.
-    fn differs(&self, other: &Self) -> Option<fn(&str, &str) -> Message> {
+    fn differs(&self, other: &Self) -> Option<Sentence> {
         let (one, two) = (&self.basis, &other.basis);
-        let sentences: [(bool, fn(&str, &str) -> Message); 7] = [
+        let sentences: [(bool, Sentence); 7] = [
             (one.program != two.program, |one, two| texts::grade_shards_programs(one, two)),
             (one.rubric != two.rubric, |one, two| texts::grade_shards_rubrics(one, two)),
             (one.scene != two.scene, |one, two| texts::grade_shards_scenes(one, two)),
             (one.images != two.images, |one, two| texts::grade_shards_images(one, two)),
             (self.overrides != other.overrides, |one, two| texts::grade_shards_overrides(one, two)),
-            (self.shard.of != other.shard.of, |one, two| texts::grade_shards_counts(one, two)),
+            (self.part.of != other.part.of, |one, two| texts::grade_shards_counts(one, two)),
             (self.class != other.class || self.passed_over != other.passed_over, |one, two| {
                 texts::grade_shards_classes(one, two)
             }),
@@ -180,16 +183,16 @@ impl Shard {
         if first.basis.program != *program {
             return Err(FileError::new(first_name, texts::GRADE_SHARD_OTHER_PROGRAM));
         }
-        let mut in_order: Vec<Option<&(String, Self)>> = vec![None; first.shard.of.min(MOST_SHARDS)];
+        let mut in_order: Vec<Option<&(String, Self)>> = vec![None; first.part.of.min(MOST_SHARDS)];
         for part in parts {
             let (name, shard) = part;
             if let Some(sentence) = first.differs(shard) {
                 return Err(FileError::of_sentences(vec![sentence(first_name, name).to_string()]));
             }
             let place =
-                shard.shard.number.checked_sub(1).and_then(|at| in_order.get_mut(at)).ok_or_else(|| broken(name))?;
+                shard.part.number.checked_sub(1).and_then(|at| in_order.get_mut(at)).ok_or_else(|| broken(name))?;
             if let Some((other, _)) = place.replace(part) {
-                let ShardNumber { number, of } = shard.shard;
+                let ShardNumber { number, of } = shard.part;
                 return Err(FileError::of_sentences(vec![
                     texts::grade_shards_doubled(other, name, number, of).to_string(),
                 ]));
@@ -201,7 +204,7 @@ impl Shard {
             .map(|(number, _): (usize, _)| number.to_string())
             .collect();
         if !missing.is_empty() {
-            return Err(FileError::new("--merge", texts::grade_shards_missing(missing.join(", "), first.shard.of)));
+            return Err(FileError::new("--merge", texts::grade_shards_missing(missing.join(", "), first.part.of)));
         }
         let scene = scene_from_json(&first.scene).map_err(|_| broken(first_name))?;
         let (own_name, _) = first.rubric.first().ok_or_else(|| broken(first_name))?;
@@ -221,7 +224,7 @@ impl Shard {
             }
             for (at, submission) in shard.submissions.iter().enumerate() {
                 let restored = submission.restored(&cache, &rubric).ok_or_else(|| broken(name))?;
-                marks.push((at * shard.shard.of + shard.shard.number - 1, restored));
+                marks.push((at * shard.part.of + shard.part.number - 1, restored));
             }
         }
         marks.sort_by_key(|(index, _)| *index);

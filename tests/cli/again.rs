@@ -168,10 +168,8 @@ fn files(sandbox: &Sandbox, folder: &str) -> BTreeMap<PathBuf, Vec<u8>> {
     while let Some(folder) = folders.pop() {
         for entry in std::fs::read_dir(folder).unwrap() {
             let path = entry.unwrap().path();
-            if path.ends_with(".cache") {
-                continue;
-            } else if path.is_dir() {
-                folders.push(path);
+            if path.is_dir() {
+                folders.extend((!path.ends_with(".cache")).then_some(path));
             } else {
                 found.insert(path.strip_prefix(&root).unwrap().to_owned(), std::fs::read(&path).unwrap());
             }

@@ -108,6 +108,11 @@ fn what_could_not_be_read_is_said_and_may_end_with_status_1() {
         (outcome.status, outcome.stdout)
     };
     assert_eq!(ends(&["--strict"]), (1, said.clone()));
+    // A quiet one says why it fails, and nothing else.
+    assert_eq!(ends(&["--quiet"]), (0, String::new()));
+    let (status, reasons) = ends(&["--strict", "--quiet"]);
+    let are_reasons = reasons.lines().all(|line| line.contains("could not be read"));
+    assert!(status == 1 && !reasons.is_empty() && are_reasons, "{reasons}");
     assert_eq!(ends(&["--fail-under", "0"]), (0, said));
     let (status, said) = ends(&["--fail-under", "1"]);
     assert!(status == 1 && said.contains("\nbelow 1 %: ＝cem.json (0 of 26 points)\n"), "{said}");
