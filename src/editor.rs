@@ -4,6 +4,7 @@
 //! which a [`Host`] performs. The editor knows no window, no GPU, no file system and no clock, so it cannot fail because of them.
 
 mod apply;
+mod choice;
 mod command;
 pub mod commands;
 mod document;
@@ -28,6 +29,7 @@ mod view;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+pub use choice::Choice;
 pub use command::{
     ClipboardCommand, Command, Edit, Effect, FileCommand, GestureCommand, PlaybackCommand, SelectionCommand,
     TimelineEdit, ViewCommand, WindowCommand,
@@ -69,8 +71,8 @@ pub enum SkyMode {
 /// State of viewing, selecting and playing. It is in no file, and undo leaves it alone.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Session {
-    /// The node that drags move; `None`: the eye.
-    pub chosen: Option<RbtIndex>,
+    /// The nodes that drags move; none: the eye.
+    pub chosen: Choice,
     /// The index of the eye in [`SceneGraph::eyes`].
     pub eye: usize,
     /// What the sky camera moves about.
@@ -159,7 +161,7 @@ impl Editor {
             document,
             history: History::default(),
             session: Session {
-                chosen: None,
+                chosen: Choice::default(),
                 eye: 0,
                 sky_mode: SkyMode::default(),
                 is_picking: false,

@@ -204,6 +204,7 @@ fn any_view() -> impl Strategy<Value = Command> {
     prop_oneof![
         (0..SCENE.eyes().len()).prop_map(ViewCommand::SetEye),
         prop::option::of(any_node()).prop_map(ViewCommand::Choose),
+        any_node().prop_map(ViewCommand::ChooseAlso),
         any::<bool>().prop_map(ViewCommand::SetAutoKeys),
         any::<u8>().prop_map(ViewCommand::SetGhosts),
         any_f64().prop_map(ViewCommand::ScrubSeconds),
@@ -336,6 +337,7 @@ fn lines_are_as_people_write_them_where_that_is_exact() {
         (Command::Playback(PlaybackCommand::Step(-1)), "step -1"),
         (Command::View(ViewCommand::Choose(None)), "select none"),
         (Command::View(ViewCommand::Choose(Some(RbtIndex::new(3)))), "select \"none\""),
+        (Command::View(ViewCommand::ChooseAlso(RbtIndex::new(3))), "select-also \"none\""),
         (
             Command::Selection(SelectionCommand::Keyframes([1, 2, 3, 7, 5].map(KeyframeIndex::new).to_vec())),
             "select-keyframes 1-3 7 5",
@@ -370,6 +372,7 @@ fn what_the_editor_always_refuses_has_no_line() {
         Command::Edit(Edit::SetTranslation(RbtIndex::new(99), Vec3::ZERO)),
         Command::Edit(Edit::Wheel(Rbt::from_translation(Vec3::INFINITY))),
         Command::View(ViewCommand::Choose(Some(RbtIndex::new(usize::MAX)))),
+        Command::View(ViewCommand::ChooseAlso(RbtIndex::new(usize::MAX))),
         Command::View(ViewCommand::SetEye(9)),
         Command::View(ViewCommand::ScrubSeconds(f64::NAN)),
         Command::Edit(Edit::Scene(SceneEdit::RemoveControl("nowhere".into()))),

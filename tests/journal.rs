@@ -134,6 +134,7 @@ fn any_step() -> impl Strategy<Value = Step> {
     ];
     let view = prop_oneof![
         2 => prop::option::of(0usize..24).prop_map(|rbt| Command::View(ViewCommand::Choose(rbt.map(RbtIndex::new)))),
+        2 => (0usize..24).prop_map(|rbt| Command::View(ViewCommand::ChooseAlso(RbtIndex::new(rbt)))),
         1 => Just(Command::View(ViewCommand::NextEye)),
         1 => Just(Command::View(ViewCommand::ToggleAutoKeys)),
         1 => Just(Command::View(ViewCommand::ToggleSkyMode)),

@@ -148,13 +148,33 @@ fn the_empty_timeline_teaches() {
 }
 
 #[test]
+fn a_click_with_ctrl_or_shift_chooses_several() {
+    let mut harness = harness(editor(0));
+    let chosen = |harness: &Harness<'_, App>| {
+        harness.state().editor.session().chosen.iter().map(|rbt| rbt.get()).collect::<Vec<_>>()
+    };
+    click(&mut harness, "robot1/right_shoulder");
+    for (modifiers, label, expected) in [
+        (Modifiers::COMMAND, "robot1/right_shoulder/right_elbow", vec![3, 4]),
+        (Modifiers::SHIFT, "robot1", vec![3, 4, 2]),
+        (Modifiers::SHIFT, "robot1/right_shoulder/right_elbow", vec![3, 2]),
+        (Modifiers::NONE, "robot1/right_shoulder", vec![3]),
+        (Modifiers::NONE, "robot1/right_shoulder", vec![]),
+    ] {
+        harness.get_by_label(label).click_modifiers(modifiers);
+        harness.run();
+        assert_eq!(chosen(&harness), expected, "{label} with {modifiers:?}");
+    }
+}
+
+#[test]
 fn a_clicked_node_is_chosen_and_clicked_again_is_not() {
     let mut harness = harness(editor(0));
     click(&mut harness, "robot1/right_shoulder");
-    let chosen = harness.state().editor.session().chosen.unwrap();
+    let chosen = harness.state().editor.session().chosen.primary().unwrap();
     assert_eq!(harness.state().editor.scene().rbt_path(chosen), "robot1/right_shoulder");
     click(&mut harness, "robot1/right_shoulder");
-    assert_eq!(harness.state().editor.session().chosen, None);
+    assert_eq!(harness.state().editor.session().chosen.primary(), None);
 }
 
 #[test]

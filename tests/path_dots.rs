@@ -92,7 +92,7 @@ fn the_scene_follows_where_the_keyframe_is_on_screen() {
     press(&mut editor, "a");
     assert_eq!(shown(&editor), "0 1 [2] 3 4 5 | 2");
     drag(&mut editor, 2, Vec2::new(30.0, 0.0));
-    let x = editor.document().live_pose.get(editor.session().chosen.unwrap()).translation.x;
+    let x = editor.document().live_pose.get(editor.session().chosen.primary().unwrap()).translation.x;
     assert!(x > 2.05, "{x}");
     assert_eq!(shown(&editor), format!("0 1 [{x}] 3 4 5 | {x}"));
     press(&mut editor, "ctrl+z");

@@ -134,6 +134,7 @@ fn any_step() -> impl Strategy<Value = Step> {
         1 => Just(Command::View(ViewCommand::ToggleSkyMode)),
         1 => Just(Command::View(ViewCommand::StartPicking)),
         2 => prop::option::of(0usize..24).prop_map(|rbt| Command::View(ViewCommand::Choose(rbt.map(RbtIndex::new)))),
+        2 => (0usize..24).prop_map(|rbt| Command::View(ViewCommand::ChooseAlso(RbtIndex::new(rbt)))),
         2 => Just(Command::Gesture(GestureCommand::Begin)),
         3 => any_rbt().prop_map(|motion| Command::Gesture(GestureCommand::Move(motion))),
         1 => Just(Command::Gesture(GestureCommand::Commit)),

@@ -186,7 +186,7 @@ fn a_control_node_is_put_above_any_node_and_taken_away() {
     assert_ne!(at(&editor), stood);
     edit(&mut editor, SceneEdit::RemoveControl(control()));
     assert_eq!((bytes(&editor), editor.displayed_pose()), before);
-    assert_eq!(editor.session().chosen, Some(head), "the choice stays");
+    assert_eq!(editor.session().chosen.primary(), Some(head), "the choice stays");
     press(&mut editor, "ctrl+z ctrl+z ctrl+z");
     assert_eq!((bytes(&editor), editor.displayed_pose()), before);
 }

@@ -134,8 +134,15 @@ type Look = fn(&Session) -> String;
 
 /// Lines that change how things are looked at and played: what they leave, which undo leaves alone.
 const SESSIONS: &[(&str, &str, Look)] = &[
-    ("select robot1/head", "Some(RbtIndex(11))", |session| format!("{:?}", session.chosen)),
-    ("select none", "None", |session| format!("{:?}", session.chosen)),
+    ("select robot1/head", "[RbtIndex(11)]", |session| format!("{:?}", &*session.chosen)),
+    ("select-also robot1/head", "[RbtIndex(11)]", |session| format!("{:?}", &*session.chosen)),
+    ("select ground\nselect-also robot1/head", "[RbtIndex(1), RbtIndex(11)]", |session| {
+        format!("{:?}", &*session.chosen)
+    }),
+    ("select sky\nselect-also ground\nselect-also sky", "[RbtIndex(1)]", |session| format!("{:?}", &*session.chosen)),
+    ("select sky\nselect-also sky", "[]", |session| format!("{:?}", &*session.chosen)),
+    ("select sky\nselect-also ground\nselect robot1", "[RbtIndex(2)]", |session| format!("{:?}", &*session.chosen)),
+    ("select none", "[]", |session| format!("{:?}", &*session.chosen)),
     ("select-keyframes 4 1-2", "1 2 4", |session| {
         session.selected.iter().map(|index| index.get().to_string()).collect::<Vec<_>>().join(" ")
     }),

@@ -395,7 +395,7 @@ fn a_pose_goes_to_the_other_robot_by_keys() {
     click(&mut harness, "Row of robot1");
     key(&mut harness, "ctrl+shift+c");
     click(&mut harness, "Row of robot2");
-    assert_eq!(harness.state().editor.session().chosen, Some(robot(&harness, "robot2")));
+    assert_eq!(harness.state().editor.session().chosen.primary(), Some(robot(&harness, "robot2")));
     let before = harness.state().editor.displayed_pose();
     key(&mut harness, "ctrl+shift+v");
     assert_eq!(harness.state().editor.displayed_pose().get(elbow2).rotation, turned);
@@ -498,7 +498,7 @@ fn rows_unfold_scroll_and_choose() {
     scroll(&mut harness, over, vec2(0.0, -400.0), Modifiers::SHIFT);
     click(&mut harness, "Row of robot2");
     let editor = &harness.state().editor;
-    assert_eq!(editor.session().chosen.map(|rbt| editor.scene().rbt_path(rbt)), Some("robot2"));
+    assert_eq!(editor.session().chosen.primary().map(|rbt| editor.scene().rbt_path(rbt)), Some("robot2"));
 }
 
 fn secondary_click(harness: &mut Timeline, at: Pos2) {

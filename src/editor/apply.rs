@@ -167,14 +167,14 @@ impl Editor {
                 )
             }
             Edit::RotateChosen { axis_in_node, radians } => {
-                let chosen = self.session.chosen.ok_or_else(|| self.nothing_chosen())?;
+                let chosen = self.session.chosen.primary().ok_or_else(|| self.nothing_chosen())?;
                 let turn = unit(rotation_about_axis(axis_in_node, radians))
                     .ok_or(CommandError::NotAValue { what: texts::VALUE_ROTATION })?;
                 let turned = |from: Rbt| Rbt { rotation: from.rotation * turn, ..from }.renormalized();
                 self.change_node(chosen, turned, texts::ACT_TURN_A_NODE, None)
             }
             Edit::TranslateChosen(by) => {
-                let chosen = self.session.chosen.ok_or_else(|| self.nothing_chosen())?;
+                let chosen = self.session.chosen.primary().ok_or_else(|| self.nothing_chosen())?;
                 self.change_node(
                     chosen,
                     |from| Rbt { translation: from.translation + by, ..from },

@@ -212,8 +212,10 @@ pub enum ViewCommand {
     ToggleSkyMode,
     /// The next click in the view chooses the node to move.
     StartPicking,
-    /// Chooses the node to move, or none.
+    /// Chooses the node to move and no other, or none.
     Choose(Option<RbtIndex>),
+    /// Adds a node to the chosen ones as the primary, or takes it out if it is one of them.
+    ChooseAlso(RbtIndex),
     /// Shows or hides the arcball.
     ToggleArcball,
     /// Shows or hides the help.

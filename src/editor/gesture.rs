@@ -50,7 +50,7 @@ impl Editor {
     }
 
     fn drag_to(&mut self, placed: Rbt, is_turn: bool) -> CommandResult {
-        let label = match self.session.chosen {
+        let label = match self.session.chosen.primary() {
             None => texts::ACT_MOVE_THE_EYE,
             Some(_) if is_turn => texts::ACT_TURN_A_NODE,
             Some(_) => texts::ACT_MOVE_A_NODE,

@@ -86,10 +86,10 @@ impl Manipulation {
 }
 
 impl Editor {
-    /// The node that a drag moves: the chosen one, or the eye.
+    /// The node whose frame a drag goes by: the primary of the chosen ones, or the eye.
     #[must_use]
     pub fn dragged_node(&self) -> RbtIndex {
-        self.session.chosen.unwrap_or_else(|| self.eye())
+        self.session.chosen.primary().unwrap_or_else(|| self.eye())
     }
 
     /// The camera of what is displayed, for a picture of this size in pixels.
@@ -106,7 +106,7 @@ impl Editor {
         if self.dragged_node() != self.eye() {
             Style::Node
         } else if self.session.eye == 0
-            && self.session.chosen.is_none()
+            && self.session.chosen.is_empty()
             && self.session.sky_mode == SkyMode::WorldCentre
         {
             Style::Orbit

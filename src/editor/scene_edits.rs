@@ -84,7 +84,7 @@ impl Editor {
                 self.put_control_above(id)
             }
             SceneEdit::PutControlAboveChosen => {
-                let chosen = self.session.chosen.ok_or_else(|| self.nothing_chosen())?;
+                let chosen = self.session.chosen.primary().ok_or_else(|| self.nothing_chosen())?;
                 self.put_control_above(self.document.scene.rbt_node(chosen))
             }
             SceneEdit::RemoveControl(path) => {

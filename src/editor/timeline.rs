@@ -149,7 +149,7 @@ impl Editor {
     }
 
     pub(super) fn copy_pose(&mut self) -> CommandResult {
-        let chosen = self.session.chosen.ok_or_else(|| self.nothing_chosen())?;
+        let chosen = self.session.chosen.primary().ok_or_else(|| self.nothing_chosen())?;
         self.clipboard.pose = Some((chosen, self.displayed_pose().in_bounds()));
         Ok(Some(texts::pose_copied(self.document.scene.rbt_path(chosen))))
     }
@@ -286,7 +286,7 @@ impl Editor {
 
     /// Pairs of the copied node and the chosen one, each with all below it, matched by their paths.
     fn paste_pose(&mut self) -> CommandResult {
-        let chosen = self.session.chosen.ok_or_else(|| self.nothing_chosen())?;
+        let chosen = self.session.chosen.primary().ok_or_else(|| self.nothing_chosen())?;
         let (source, pose) = self.clipboard.pose.clone().ok_or(CommandError::NoPoseCopied)?;
         let (source_path, chosen_path) =
             (self.document.scene.rbt_path(source).to_owned(), self.document.scene.rbt_path(chosen).to_owned());

@@ -1,7 +1,7 @@
 //! View commands: changes of the session, which undo leaves alone.
 
 use super::apply::CommandResult;
-use super::{Command, CommandError, Editor, Message, SkyMode, ViewCommand};
+use super::{Choice, Command, CommandError, Editor, Message, SkyMode, ViewCommand};
 use crate::frame::MOST_GHOSTS;
 use crate::keyframe::Blend;
 use crate::pose::RbtIndex;
@@ -17,7 +17,7 @@ impl Editor {
             ViewCommand::NextEye => self.set_eye((self.session.eye + 1) % self.document.scene.eyes().len()),
             ViewCommand::SetEye(eye) => self.set_eye(eye),
             ViewCommand::ToggleSkyMode => {
-                if self.session.eye != 0 || self.session.chosen.is_some() {
+                if self.session.eye != 0 || !self.session.chosen.is_empty() {
                     return Err(CommandError::NoSkyMode);
                 }
                 self.commit_gesture();
@@ -32,7 +32,12 @@ impl Editor {
                 self.session.is_picking = true;
                 Ok(Some(texts::VIEW_PICKING.into()))
             }
-            ViewCommand::Choose(rbt) => self.choose(rbt),
+            ViewCommand::Choose(rbt) => self.choose(rbt, |_| Choice::from(rbt)),
+            ViewCommand::ChooseAlso(rbt) => self.choose(Some(rbt), |chosen| {
+                let mut chosen = chosen.clone();
+                chosen.toggle(rbt);
+                chosen
+            }),
             ViewCommand::ToggleAutoKeys => self.view(ViewCommand::SetAutoKeys(!self.session.auto_keys)),
             ViewCommand::SetAutoKeys(is_on) => {
                 self.session.auto_keys = is_on;
@@ -93,16 +98,19 @@ impl Editor {
         Ok(Some(texts::view_looks_from(self.document.scene.rbt_path(rbt))))
     }
 
-    fn choose(&mut self, rbt: Option<RbtIndex>) -> CommandResult {
+    fn choose(&mut self, rbt: Option<RbtIndex>, change: impl FnOnce(&Choice) -> Choice) -> CommandResult {
         if rbt.is_some_and(|rbt| rbt.get() >= self.document.scene.rbt_count()) {
             return Err(CommandError::NotInScene { what: texts::VALUE_NODE });
         }
         self.commit_gesture();
-        self.session.chosen = rbt;
+        self.session.chosen = change(&self.session.chosen);
         self.session.is_picking = false;
-        Ok(Some(match rbt {
-            Some(rbt) => texts::view_chosen(self.document.scene.rbt_path(rbt)),
-            None => texts::VIEW_NOTHING_CHOSEN.into(),
+        Ok(Some(match *self.session.chosen {
+            [] => texts::VIEW_NOTHING_CHOSEN.into(),
+            [rbt] => texts::view_chosen(self.document.scene.rbt_path(rbt)),
+            [.., primary] => {
+                texts::view_chosen_several(self.session.chosen.len(), self.document.scene.rbt_path(primary))
+            }
         }))
     }
 
@@ -110,11 +118,12 @@ impl Editor {
     #[must_use]
     pub fn view_sentence(&self) -> Message {
         let eye = self.document.scene.node(self.document.scene.rbt_node(self.eye())).name.as_str();
-        let moves: Message = match (self.session.chosen, self.session.eye, self.session.sky_mode) {
-            (Some(chosen), ..) => texts::moves_node(self.document.scene.rbt_path(chosen)),
-            (None, 0, SkyMode::WorldCentre) => texts::WORLD_SKY.into(),
-            (None, 0, SkyMode::Eye) => texts::SKY_SKY.into(),
-            (None, ..) => texts::MOVES_ITSELF.into(),
+        let moves: Message = match (&*self.session.chosen, self.session.eye, self.session.sky_mode) {
+            ([], 0, SkyMode::WorldCentre) => texts::WORLD_SKY.into(),
+            ([], 0, SkyMode::Eye) => texts::SKY_SKY.into(),
+            ([], ..) => texts::MOVES_ITSELF.into(),
+            ([chosen], ..) => texts::moves_node(self.document.scene.rbt_path(*chosen)),
+            (chosen, ..) => texts::moves_nodes(chosen.len()),
         };
         texts::view_of(eye, moves)
     }

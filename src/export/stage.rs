@@ -69,7 +69,7 @@ impl<'a> Stage<'a> {
     pub fn frame(&self, moment: &Moment) -> Result<Frame, ExportError> {
         let pose = self.pose(moment.shown)?;
         let camera = self.camera(&pose, moment);
-        let mut frame = frame_of_scene(self.source.scene, &pose, moment.seconds, &camera, None);
+        let mut frame = frame_of_scene(self.source.scene, &pose, moment.seconds, &camera);
         if self.ghosts > 0 {
             self.add_ghosts(&mut frame, moment);
         }
@@ -118,7 +118,7 @@ impl<'a> Stage<'a> {
         let pose = pose.unwrap_or_else(|_| scene.rest_pose().clone());
         let camera =
             Camera { world_from_eye: Rbt::IDENTITY, vertical_fov: scene.vertical_fov(), size_px: self.size_px };
-        let frame = frame_of_scene(scene, &pose, 0.0, &camera, None);
+        let frame = frame_of_scene(scene, &pose, 0.0, &camera);
         let reach = |item: &DrawItem| {
             let matrix = Mat3::from(item.world_from_shape.matrix3);
             let radius = (0..8_u8)

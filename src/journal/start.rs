@@ -36,7 +36,9 @@ fn session(editor: &Editor) -> Vec<Command> {
     // Only the sky camera, which a new editor has as its eye, can change what it moves about.
     commands.extend(toggled(session.sky_mode != SkyMode::default(), ViewCommand::ToggleSkyMode));
     commands.push(view(ViewCommand::SetEye(session.eye)));
-    commands.push(view(ViewCommand::Choose(session.chosen)));
+    let mut chosen = session.chosen.iter().copied();
+    commands.push(view(ViewCommand::Choose(chosen.next())));
+    commands.extend(chosen.map(|rbt| view(ViewCommand::ChooseAlso(rbt))));
     commands.extend(toggled(session.is_picking, ViewCommand::StartPicking));
     commands.extend(toggled(!session.shows_arcball, ViewCommand::ToggleArcball));
     commands.extend(toggled(!session.shows_motion_path, ViewCommand::ToggleMotionPath));

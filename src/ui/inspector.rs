@@ -26,7 +26,7 @@ pub fn show(ui: &mut Ui, editor: &Editor, angles: &mut ShownAngles, keymap: &Key
     let node = scene.node(scene.rbt_node(rbt));
     ui.horizontal(|ui| {
         ui.label(RichText::new(&node.name).strong().size(14.0));
-        let what = match (editor.session().chosen, node.path.rsplit_once('/')) {
+        let what = match (editor.session().chosen.primary(), node.path.rsplit_once('/')) {
             (None, _) => words.say(texts::THE_EYE_NOTHING_IS_CHOSEN),
             (Some(_), Some((above, _))) => above,
             (Some(_), None) => "",
@@ -76,7 +76,7 @@ pub fn show(ui: &mut Ui, editor: &Editor, angles: &mut ShownAngles, keymap: &Key
         let key = |command| key_of(keymap, &Command::Playback(command));
         let (stop, pause) = (key(PlaybackCommand::PlayOrStop), key(PlaybackCommand::PauseOrResume));
         words.message(texts::stop_or_pause_to_change(&stop, &pause))
-    } else if editor.session().chosen.is_none() {
+    } else if editor.session().chosen.is_empty() {
         words.say(texts::CTRL_CLICK_A_PART_TO_CHOOSE_IT).to_owned()
     } else {
         words.say(texts::DRAG_THE_NUMBERS_OR_CLICK_AND_TYPE).to_owned()

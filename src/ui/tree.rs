@@ -70,7 +70,7 @@ impl Tree {
         let tokens = Tokens::of(ui);
         let words = Words::of(ui);
         let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::click());
-        let is_chosen = editor.session().chosen == Some(row.rbt);
+        let is_chosen = editor.session().chosen.contains(&row.rbt);
         response.widget_info(|| {
             WidgetInfo::selected(Role::ListBoxOption, true, is_chosen, editor.scene().rbt_path(row.rbt))
         });
@@ -99,7 +99,7 @@ impl Tree {
         });
         super::timeline::node_menu(&response, editor, row.rbt, commands);
         if was_pressed(&response) {
-            commands.push(Command::View(ViewCommand::Choose((!is_chosen).then_some(row.rbt))));
+            commands.push(choice_by_click(ui, editor, row.rbt));
         }
     }
 
@@ -154,6 +154,14 @@ impl Tree {
             commands.push(Command::View(ViewCommand::SetEye(eye)));
         }
     }
+}
+
+/// What a click on a node's name chooses: with Ctrl or Shift this node as well, or no longer; without, this node alone, or none if it
+/// was chosen alone.
+pub(super) fn choice_by_click(ui: &Ui, editor: &Editor, rbt: RbtIndex) -> Command {
+    let adds = ui.input(|input| input.modifiers.command || input.modifiers.shift);
+    let is_alone = *editor.session().chosen == [rbt];
+    Command::View(if adds { ViewCommand::ChooseAlso(rbt) } else { ViewCommand::Choose((!is_alone).then_some(rbt)) })
 }
 
 fn highlight(ui: &Ui, rect: Rect, response: &Response, is_chosen: bool) {

@@ -22,7 +22,7 @@ pub(super) fn add_comparison(frame: &mut Frame, editor: &Editor) {
     if !editor.is_playing() {
         return;
     }
-    let (Some(chosen), Some(key_time)) = (editor.session().chosen, editor.key_time()) else { return };
+    let (Some(chosen), Some(key_time)) = (editor.session().chosen.primary(), editor.key_time()) else { return };
     let Ok(range) = PlayRange::new(&editor.document().keyframes) else { return };
     let scene = editor.scene();
     let robot = outermost_rbt(editor, chosen);
@@ -31,7 +31,7 @@ pub(super) fn add_comparison(frame: &mut Frame, editor: &Editor) {
             scene.world_from_nodes_with(editor.seconds(), |rbt| range.blended_at(key_time, blend, rbt));
         for node in scene.subtree(scene.rbt_node(robot)) {
             let NodeKind::Shape(placed) = &scene.nodes()[node].kind else { continue };
-            let mut item = draw_item(placed, world_from_node[node], editor.seconds(), node, false);
+            let mut item = draw_item(placed, world_from_node[node], editor.seconds(), node);
             item.colour = tint;
             frame.ghosts.push(Ghost { item, opacity: OPACITY });
         }

@@ -5,12 +5,12 @@ use glam::Vec2;
 use super::comparison::add_comparison;
 use super::ghosts::{Neighbours, add_ghosts};
 use super::motion_path::add_path;
-use super::scene::frame_of_scene;
+use super::scene::{frame_of_scene, outline};
 use crate::editor::Editor;
 use crate::frame::{ArcballMark, Frame};
 use crate::pose::Pose;
 
-/// The picture that an editor displays, `size_px` pixels wide and high, with the chosen node outlined and the arcball.
+/// The picture that an editor displays, `size_px` pixels wide and high, with the chosen nodes outlined and the arcball.
 #[must_use]
 pub fn frame_of_editor(editor: &Editor, size_px: Vec2) -> Frame {
     frame_of_displayed(editor, &editor.displayed_pose(), size_px)
@@ -22,7 +22,7 @@ pub fn picture_of_editor(editor: &Editor, size_px: Vec2, has_overlays: bool) -> 
     if has_overlays {
         return frame_of_editor(editor, size_px);
     }
-    frame_of_scene(editor.scene(), &editor.displayed_pose(), editor.seconds(), &editor.camera(size_px), None)
+    frame_of_scene(editor.scene(), &editor.displayed_pose(), editor.seconds(), &editor.camera(size_px))
 }
 
 /// Like [`frame_of_editor`], if the caller already has the displayed pose ([`Editor::displayed_pose`]).
@@ -30,7 +30,8 @@ pub fn picture_of_editor(editor: &Editor, size_px: Vec2, has_overlays: bool) -> 
 pub fn frame_of_displayed(editor: &Editor, pose: &Pose, size_px: Vec2) -> Frame {
     let camera = editor.camera(size_px);
     let session = editor.session();
-    let mut frame = frame_of_scene(editor.scene(), pose, editor.seconds(), &camera, session.chosen);
+    let mut frame = frame_of_scene(editor.scene(), pose, editor.seconds(), &camera);
+    outline(&mut frame, editor.scene(), &session.chosen);
     if session.shows_arcball && !editor.is_playing() {
         frame.arcball = editor
             .manipulation(&camera)

@@ -190,7 +190,7 @@ impl WindowSurface {
         meter.add(Work::Evaluation, start, evaluated);
         let mut frame = frame_of_displayed(editor, &pose, self.view.size_px);
         if let Some(hovered) = hovered {
-            outline(&mut frame, editor.scene(), hovered);
+            outline(&mut frame, editor.scene(), &[hovered]);
         }
         if let Some(dot) = dot {
             mark_dot(&mut frame, dot);

@@ -103,7 +103,7 @@ pub fn assert_invariants(editor: &Editor, after: &str) {
     assert!(!(editor.is_playing() && editor.is_dragging()), "after {after}: plays during a drag");
     assert!(editor.session().eye < editor.scene().eyes().len());
     let (session, scene) = (editor.session(), editor.scene());
-    assert!(session.chosen.is_none_or(|rbt| rbt.get() < count), "after {after}: what is chosen is in no scene");
+    assert!(session.chosen.iter().all(|rbt| rbt.get() < count), "after {after}: what is chosen is in no scene");
     assert!(
         session.selected.iter().all(|index| index.get() < keyframes.len()),
         "after {after}: selected beyond the list"

@@ -34,7 +34,7 @@ fn chosen() -> Vec<Row> {
         edit_with("rotate", texts::ACT_TURN_A_NODE, |command| {
             matches!(edit_of(command), Some(Edit::RotateChosen { .. }))
         })
-        .can(|editor, _| editor.session.chosen.is_some())
+        .can(|editor, _| !editor.session.chosen.is_empty())
         .line(
             Line::new(
                 "rotate AXIS DEGREES",
@@ -75,7 +75,7 @@ fn chosen() -> Vec<Row> {
         edit_with("translate", texts::ACT_MOVE_A_NODE, |command| {
             matches!(edit_of(command), Some(Edit::TranslateChosen(_)))
         })
-        .can(|editor, _| editor.session.chosen.is_some())
+        .can(|editor, _| !editor.session.chosen.is_empty())
         .line(Line::new(
             "translate X Y Z",
             "moves the chosen node, in its parent's space",

@@ -229,7 +229,7 @@ fn window() -> Vec<Row> {
     vec![
         Row::listed(Changes::Document, control)
             .refused(texts::ACT_EDIT_THE_SCENE)
-            .can(|editor, _| editor.session.chosen.is_some()),
+            .can(|editor, _| !editor.session.chosen.is_empty()),
         Row::listed(Changes::Window, rename.section(8))
             .can(|editor, command| !editor.is_playing() && has_keyframes(editor, command)),
         fit("timeline-fit-all", WindowCommand::FitTimeline, &["f"]),
@@ -242,9 +242,9 @@ fn poses() -> Vec<Row> {
     let paste = binding("pose-paste", edit(TimelineEdit::PastePose), &["Ctrl+Shift+V"]);
     vec![
         Row::listed(Changes::Session, copy)
-            .can(|editor, _| editor.session.chosen.is_some())
+            .can(|editor, _| !editor.session.chosen.is_empty())
             .word("copy-pose", "copies what is on screen of the chosen node and all below it"),
         listed_edit(paste, "paste-pose", "gives it to the chosen node, of the other robot, say")
-            .can(|editor, _| editor.has_copied_pose() && editor.session.chosen.is_some()),
+            .can(|editor, _| editor.has_copied_pose() && !editor.session.chosen.is_empty()),
     ]
 }

@@ -66,8 +66,26 @@ fn eyes() -> Vec<Row> {
             )
             .ending(Ending::NodePath),
         ),
+        Row::of(Changes::Session, "select-also", |command| matches!(command, Command::View(ViewCommand::ChooseAlso(_))))
+            .line(
+                Line::new(
+                    "select-also PATH",
+                    "adds a node to the chosen ones, or takes it out if it is one of them; the last one added is the one whose numbers show",
+                    |arguments| {
+                        if arguments.words.is_empty() {
+                            return Ok(None);
+                        }
+                        Ok(Some(Command::View(ViewCommand::ChooseAlso(arguments.rbt(arguments.text)?))))
+                    },
+                    |command, scene| {
+                        let Command::View(ViewCommand::ChooseAlso(rbt)) = command else { return None };
+                        rbt_path_text(*rbt, scene)
+                    },
+                )
+                .ending(Ending::NodePath),
+            ),
         Row::listed(Changes::Session, sky.hotkeys(&["m"]))
-            .can(|editor, _| editor.session.eye == 0 && editor.session.chosen.is_none()),
+            .can(|editor, _| editor.session.eye == 0 && editor.session.chosen.is_empty()),
     ]
 }
 

@@ -95,7 +95,7 @@ impl Graphs {
             self.follow(ui, &dragged, editor, at, commands);
             return true;
         }
-        let Some(rbt) = editor.session().chosen else { return false };
+        let Some(rbt) = editor.session().chosen.primary() else { return false };
         let origin = ui.input(|input| input.pointer.press_origin());
         let found = self.dot_at(origin.unwrap_or(at), target, editor, rbt);
         self.hovered = found.filter(|_| response.hovered() && !editor.is_playing());
@@ -158,7 +158,7 @@ impl Graphs {
     /// Shows a tooltip for the dot or warning under the pointer. Returns whether there is one.
     pub fn tip(&self, response: &Response, look: &Look<'_>) -> bool {
         let Some(at) = response.hover_pos() else { return false };
-        let Some(rbt) = look.editor.session().chosen else { return false };
+        let Some(rbt) = look.editor.session().chosen.primary() else { return false };
         if let Some(dot) = self.hovered {
             let keyframe = look.editor.document().keyframes.get(KeyframeIndex::new(dot.index));
             let value = keyframe.map_or(0.0, |keyframe| keyframe.pose.get(rbt).translation[dot.axis]);
@@ -185,7 +185,7 @@ impl Graphs {
         let (column, tokens) = (look.target.layout.labels, look.tokens);
         let painter = ui.painter().with_clip_rect(column.intersect(ui.clip_rect()));
         let scene = look.editor.scene();
-        let chosen = look.editor.session().chosen;
+        let chosen = look.editor.session().chosen.primary();
         let node =
             chosen.map_or(look.words.say(texts::NOTHING_CHOSEN), |rbt| scene.node(scene.rbt_node(rbt)).name.as_str());
         let colour = if chosen.is_some() { tokens.accent } else { tokens.dim };
@@ -233,7 +233,8 @@ impl Graphs {
         let tracks = look.target.layout.tracks;
         let painter = painter.with_clip_rect(tracks.intersect(painter.clip_rect()));
         self.lanes.clear();
-        let (Some(rbt), Ok(range)) = (look.editor.session().chosen, PlayRange::new(&look.editor.document().keyframes))
+        let (Some(rbt), Ok(range)) =
+            (look.editor.session().chosen.primary(), PlayRange::new(&look.editor.document().keyframes))
         else {
             let text = if look.target.range.is_none() {
                 look.words.say(texts::FOUR_KEYFRAMES_MAKE_AN_ANIMATION_AND_AN)

@@ -7,11 +7,12 @@ use super::paint::Look;
 use super::rows::{Row, Subject};
 use super::{Ask, Tab, Timeline, timed_key_menu};
 use crate::editor::keymap::Binding;
-use crate::editor::{Command, ViewCommand, WindowCommand};
+use crate::editor::{Command, WindowCommand};
 use crate::pose::RbtIndex;
 use crate::ui::binding_of;
 use crate::ui::icons::{Icon, button_at, was_pressed};
 use crate::ui::theme::{CORNER, ROW, Tokens, small_font, text_font};
+use crate::ui::tree::choice_by_click;
 use crate::ui::words::Words;
 use crate::words::texts;
 
@@ -93,7 +94,7 @@ fn name(
 ) {
     let tokens = look.tokens;
     let scene = look.editor.scene();
-    let is_chosen = look.editor.session().chosen == Some(rbt);
+    let is_chosen = look.editor.session().chosen.contains(&rbt);
     let response = ui.interact(seen.shrink2(vec2(1.0, 0.0)), ui.scope_id().with(("row", rbt)), Sense::click());
     let path = scene.rbt_path(rbt);
     response.widget_info(|| {
@@ -125,7 +126,7 @@ fn name(
     let response = response.on_hover_text(tip);
     timed_key_menu::of_rbt(&response, look.editor, row.node, commands);
     if was_pressed(&response) {
-        commands.push(Command::View(ViewCommand::Choose((!is_chosen).then_some(rbt))));
+        commands.push(choice_by_click(ui, look.editor, rbt));
     }
 }
 
