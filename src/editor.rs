@@ -17,6 +17,7 @@ mod host;
 pub mod keymap;
 mod manipulate;
 mod motion_path;
+mod placing;
 mod playback;
 mod playing;
 mod said;
@@ -29,7 +30,7 @@ mod view;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-pub use choice::Choice;
+pub use choice::{Choice, Pivot};
 pub use command::{
     ClipboardCommand, Command, Edit, Effect, FileCommand, GestureCommand, PlaybackCommand, SelectionCommand,
     TimelineEdit, ViewCommand, WindowCommand,
@@ -73,6 +74,8 @@ pub enum SkyMode {
 pub struct Session {
     /// The nodes that drags move; none: the eye.
     pub chosen: Choice,
+    /// What several chosen nodes turn about.
+    pub pivot: Pivot,
     /// The index of the eye in [`SceneGraph::eyes`].
     pub eye: usize,
     /// What the sky camera moves about.
@@ -162,6 +165,7 @@ impl Editor {
             history: History::default(),
             session: Session {
                 chosen: Choice::default(),
+                pivot: Pivot::default(),
                 eye: 0,
                 sky_mode: SkyMode::default(),
                 is_picking: false,

@@ -9,7 +9,7 @@ use glam::{Quat, Vec3};
 use inbetween::colour::Colour;
 use inbetween::editor::commands::{self, Changes};
 use inbetween::editor::{
-    Command, Edit, FileCommand, GestureCommand, KeyAt, PlayMode, PlaybackCommand, SceneEdit, SelectionCommand,
+    Command, Edit, FileCommand, GestureCommand, KeyAt, Pivot, PlayMode, PlaybackCommand, SceneEdit, SelectionCommand,
     TimelineEdit, ViewCommand,
 };
 use inbetween::interpolation::Interpolation;
@@ -205,6 +205,7 @@ fn any_view() -> impl Strategy<Value = Command> {
         (0..SCENE.eyes().len()).prop_map(ViewCommand::SetEye),
         prop::option::of(any_node()).prop_map(ViewCommand::Choose),
         any_node().prop_map(ViewCommand::ChooseAlso),
+        prop::sample::select(&[Pivot::Own, Pivot::Common]).prop_map(ViewCommand::SetPivot),
         any::<bool>().prop_map(ViewCommand::SetAutoKeys),
         any::<u8>().prop_map(ViewCommand::SetGhosts),
         any_f64().prop_map(ViewCommand::ScrubSeconds),
@@ -241,7 +242,8 @@ fn any_gesture() -> impl Strategy<Value = Command> {
         Just(GestureCommand::Commit),
         Just(GestureCommand::Abort),
         any_rbt().prop_map(GestureCommand::Move),
-        (any_rbt(), any::<bool>()).prop_map(|(placed, is_turn)| GestureCommand::MoveTo { placed, is_turn }),
+        (prop::collection::vec(any_rbt(), 1..3), any::<bool>())
+            .prop_map(|(placed, is_turn)| GestureCommand::MoveTo { placed, is_turn }),
     ]
     .prop_map(Command::Gesture)
 }

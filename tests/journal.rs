@@ -8,7 +8,7 @@ use std::sync::LazyLock;
 use common::{editor, editor_with, press};
 use glam::{Quat, Vec3};
 use inbetween::editor::{
-    ClipboardCommand, Command, Edit, Editor, FileAccess, FileCommand, GestureCommand, KeyAt, PlaybackCommand,
+    ClipboardCommand, Command, Edit, Editor, FileAccess, FileCommand, GestureCommand, KeyAt, Pivot, PlaybackCommand,
     SceneEdit, SelectionCommand, TimelineEdit, ViewCommand, Written,
 };
 use inbetween::journal::{self, Ending, Writer, play_alone, survey};
@@ -134,6 +134,7 @@ fn any_step() -> impl Strategy<Value = Step> {
     ];
     let view = prop_oneof![
         2 => prop::option::of(0usize..24).prop_map(|rbt| Command::View(ViewCommand::Choose(rbt.map(RbtIndex::new)))),
+        1 => prop::sample::select(&[Pivot::Own, Pivot::Common]).prop_map(|pivot| Command::View(ViewCommand::SetPivot(pivot))),
         2 => (0usize..24).prop_map(|rbt| Command::View(ViewCommand::ChooseAlso(RbtIndex::new(rbt)))),
         1 => Just(Command::View(ViewCommand::NextEye)),
         1 => Just(Command::View(ViewCommand::ToggleAutoKeys)),

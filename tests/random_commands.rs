@@ -8,8 +8,8 @@ use std::sync::LazyLock;
 use common::{apply, editor, press};
 use glam::{Quat, Vec3};
 use inbetween::editor::{
-    ClipboardCommand, Command, Edit, Editor, GestureCommand, KeyAt, PlaybackCommand, SceneEdit, SelectionCommand,
-    TimelineEdit, ViewCommand, Written,
+    ClipboardCommand, Command, Edit, Editor, GestureCommand, KeyAt, Pivot, PlaybackCommand, SceneEdit,
+    SelectionCommand, TimelineEdit, ViewCommand, Written,
 };
 use inbetween::interpolation::Interpolation;
 use inbetween::keyframe::{Easing, KeyframeIndex, keyframes_to_json};
@@ -134,6 +134,7 @@ fn any_step() -> impl Strategy<Value = Step> {
         1 => Just(Command::View(ViewCommand::ToggleSkyMode)),
         1 => Just(Command::View(ViewCommand::StartPicking)),
         2 => prop::option::of(0usize..24).prop_map(|rbt| Command::View(ViewCommand::Choose(rbt.map(RbtIndex::new)))),
+        1 => prop::sample::select(&[Pivot::Own, Pivot::Common]).prop_map(|pivot| Command::View(ViewCommand::SetPivot(pivot))),
         2 => (0usize..24).prop_map(|rbt| Command::View(ViewCommand::ChooseAlso(RbtIndex::new(rbt)))),
         2 => Just(Command::Gesture(GestureCommand::Begin)),
         3 => any_rbt().prop_map(|motion| Command::Gesture(GestureCommand::Move(motion))),

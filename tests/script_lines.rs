@@ -142,6 +142,8 @@ const SESSIONS: &[(&str, &str, Look)] = &[
     ("select sky\nselect-also ground\nselect-also sky", "[RbtIndex(1)]", |session| format!("{:?}", &*session.chosen)),
     ("select sky\nselect-also sky", "[]", |session| format!("{:?}", &*session.chosen)),
     ("select sky\nselect-also ground\nselect robot1", "[RbtIndex(2)]", |session| format!("{:?}", &*session.chosen)),
+    ("pivot common", "Common", |session| format!("{:?}", session.pivot)),
+    ("pivot common\ndo pivot-own", "Own", |session| format!("{:?}", session.pivot)),
     ("select none", "[]", |session| format!("{:?}", &*session.chosen)),
     ("select-keyframes 4 1-2", "1 2 4", |session| {
         session.selected.iter().map(|index| index.get().to_string()).collect::<Vec<_>>().join(" ")

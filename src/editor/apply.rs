@@ -8,9 +8,8 @@ use super::{
     SelectionCommand, ViewCommand,
 };
 use crate::keyframe::{Keyframe, KeyframeIndex, KeyframeList, MS_BETWEEN_KEYFRAMES_RANGE};
-use crate::pose::RbtIndex;
 use crate::rbt::Rbt;
-use crate::rotation_rules::{Mending, rotation_about_axis, unit};
+use crate::rotation_rules::unit;
 use crate::words::{Argument, Phrase, texts};
 
 /// Change of the ms between keyframes by one `+` or `-`, in milliseconds.
@@ -18,21 +17,6 @@ const MS_STEP: u32 = 100;
 
 /// The message of a command, if it has one, or the reason why it was refused.
 pub(super) type CommandResult = Result<Option<Message>, CommandError>;
-
-/// The transform as a document can hold it: in bounds, with a rotation that files keep bit for bit.
-pub(super) fn placeable(placed: Rbt) -> Result<Rbt, CommandError> {
-    if placed.translation.is_nan() || !placed.rotation.is_finite() {
-        return Err(CommandError::NotAValue { what: texts::VALUE_POSITION });
-    }
-    if !placed.is_in_bounds() {
-        return Err(CommandError::TooFar);
-    }
-    match Mending::of_length(placed.rotation.as_dquat().length()) {
-        Mending::Keep => Ok(placed),
-        Mending::Normalise => Ok(placed.renormalized()),
-        Mending::Refuse => Err(CommandError::NotAValue { what: texts::VALUE_ROTATION }),
-    }
-}
 
 impl Editor {
     /// Runs a command, and returns the effect that the host must perform. Afterwards, [`Editor::message`] is its message or its refusal.
@@ -151,40 +135,18 @@ impl Editor {
             Edit::Faster => self.set_ms(self.document.ms_between_keyframes.saturating_sub(MS_STEP)),
             Edit::Slower => self.set_ms(self.document.ms_between_keyframes.saturating_add(MS_STEP)),
             Edit::SetMsBetweenKeyframes(ms) => self.set_ms(ms),
-            Edit::SetTranslation(rbt, translation) => self.change_node(
-                rbt,
-                |parent_from_node| Rbt { translation, ..parent_from_node },
-                texts::ACT_MOVE_A_NODE,
-                None,
-            ),
+            Edit::SetTranslation(rbt, translation) => {
+                self.change_node(rbt, |from| Rbt { translation, ..from }, texts::ACT_MOVE_A_NODE)
+            }
             Edit::SetRotation(rbt, rotation) => {
                 let rotation = unit(rotation).ok_or(CommandError::NotAValue { what: texts::VALUE_ROTATION })?;
-                self.change_node(
-                    rbt,
-                    |parent_from_node| Rbt { rotation, ..parent_from_node },
-                    texts::ACT_TURN_A_NODE,
-                    None,
-                )
+                self.change_node(rbt, |from| Rbt { rotation, ..from }, texts::ACT_TURN_A_NODE)
             }
-            Edit::RotateChosen { axis_in_node, radians } => {
-                let chosen = self.session.chosen.primary().ok_or_else(|| self.nothing_chosen())?;
-                let turn = unit(rotation_about_axis(axis_in_node, radians))
-                    .ok_or(CommandError::NotAValue { what: texts::VALUE_ROTATION })?;
-                let turned = |from: Rbt| Rbt { rotation: from.rotation * turn, ..from }.renormalized();
-                self.change_node(chosen, turned, texts::ACT_TURN_A_NODE, None)
-            }
-            Edit::TranslateChosen(by) => {
-                let chosen = self.session.chosen.primary().ok_or_else(|| self.nothing_chosen())?;
-                self.change_node(
-                    chosen,
-                    |from| Rbt { translation: from.translation + by, ..from },
-                    texts::ACT_MOVE_A_NODE,
-                    None,
-                )
-            }
+            Edit::RotateChosen { axis_in_node, radians } => self.rotate_chosen(axis_in_node, radians),
+            Edit::TranslateChosen(by) => self.translate_chosen(by),
             Edit::Wheel(motion) => {
                 let moved = self.moved(motion);
-                self.change_node(self.dragged_node(), |_| moved, texts::ACT_MOVE_ALONG_THE_VIEW, Some(Run::Wheel))
+                self.change_nodes(moved, texts::ACT_MOVE_ALONG_THE_VIEW, Some(Run::Wheel))
             }
         }
     }
@@ -349,27 +311,6 @@ impl Editor {
             _ if was == ms && ms == slowest => texts::pace_slowest(ms),
             _ => texts::pace_is(ms),
         }))
-    }
-
-    pub(super) fn change_node(
-        &mut self,
-        rbt: RbtIndex,
-        change: impl FnOnce(Rbt) -> Rbt,
-        label: Phrase,
-        run: Option<Run>,
-    ) -> CommandResult {
-        if rbt.get() >= self.document.scene.rbt_count() {
-            return Err(CommandError::NotInScene { what: texts::VALUE_NODE });
-        }
-        let placed = placeable(change(self.edited_pose().get(rbt)))?;
-        let scrubbed = self.end_scrub();
-        self.record(label, run, |document| {
-            if let Some(pose) = scrubbed {
-                document.live_pose = pose;
-            }
-            document.live_pose.set(rbt, placed);
-        })?;
-        Ok(None)
     }
 
     /// Replaces the list and copies its current keyframe to the live pose.

@@ -1,8 +1,23 @@
-//! The chosen nodes.
+//! The chosen nodes, and what they turn about.
 
 use std::ops::Deref;
 
 use crate::pose::RbtIndex;
+
+/// What several chosen nodes turn about. A node alone turns about its own origin.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Pivot {
+    /// Each about its own origin; of a chain each node, so that it curls.
+    #[default]
+    Own,
+    /// All about the mean of their origins, as if they were one body. What hangs below a chosen node is only carried along.
+    Common,
+}
+
+impl Pivot {
+    /// Both, with their names in scripts.
+    pub const NAMES: [(Self, &'static str); 2] = [(Self::Own, "own"), (Self::Common, "common")];
+}
 
 /// The nodes that drags, `rotate` and `translate` move, in the order in which they were chosen, each once. It derefs to a slice.
 ///

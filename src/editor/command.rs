@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use glam::{Quat, Vec3};
 
-use super::{KeyAt, PlayMode, SceneEdit};
+use super::{KeyAt, Pivot, PlayMode, SceneEdit};
 use crate::film::ExportOptions;
 use crate::interpolation::Interpolation;
 use crate::keyframe::{Easing, KeyframeIndex, KeyframesText};
@@ -124,20 +124,20 @@ pub enum Edit {
     SetTranslation(RbtIndex, Vec3),
     /// Turns a node: its `parent_from_node` rotation; normalised, and refused where it has no direction.
     SetRotation(RbtIndex, Quat),
-    /// Turns the chosen node about an axis of its own, by radians.
+    /// Turns the chosen nodes by radians: each about an axis of its own, or all about the common centre and an axis of the primary.
     RotateChosen {
-        /// A unit vector in the node's space.
+        /// A unit vector in the node's space, or in the primary's.
         axis_in_node: Vec3,
         /// The angle in radians, right-handed.
         radians: f64,
     },
-    /// Moves the chosen node, in its parent's space.
+    /// Moves the chosen nodes, each in its parent's space. What hangs below a chosen node is only carried along.
     TranslateChosen(Vec3),
     /// Edits the list as a timeline.
     Timeline(TimelineEdit),
     /// Edits control nodes and timed keys, which are part of the scene.
     Scene(SceneEdit),
-    /// Moves the dragged node (the chosen one, or the eye) along the view, with respect to its auxiliary frame.
+    /// Moves the chosen nodes, or the eye, along the view, with respect to their auxiliary frames.
     /// Consecutive ones are one undo step.
     Wheel(Rbt),
 }
@@ -216,6 +216,8 @@ pub enum ViewCommand {
     Choose(Option<RbtIndex>),
     /// Adds a node to the chosen ones as the primary, or takes it out if it is one of them.
     ChooseAlso(RbtIndex),
+    /// What several chosen nodes turn about.
+    SetPivot(Pivot),
     /// Shows or hides the arcball.
     ToggleArcball,
     /// Shows or hides the help.
@@ -305,18 +307,18 @@ pub enum FileCommand {
     Quit,
 }
 
-/// A drag of the dragged node: the chosen one, or the eye. Between `Begin` and `Commit` or `Abort`, changes of poses are one step.
+/// A drag of the chosen nodes, or of the eye. Between `Begin` and `Commit` or `Abort`, changes of poses are one step.
 #[derive(Clone, Debug, PartialEq)]
 pub enum GestureCommand {
     /// A drag begins.
     Begin,
-    /// Moves the dragged node with respect to its auxiliary frame, on top of the drag's earlier motions.
+    /// Moves the dragged nodes with respect to their auxiliary frames, on top of the drag's earlier motions.
     Move(Rbt),
-    /// Puts the node at hand where motions led it, in its parent's space: what stands for all of them.
+    /// Puts the dragged nodes where motions led them, in their parents' spaces: what stands for all of them.
     MoveTo {
-        /// Its `parent_from_node`.
-        placed: Rbt,
-        /// Whether the last motion turned it and did not move it.
+        /// `parent_from_node` of each chosen node, in the order of the choice; of the eye if none is chosen.
+        placed: Vec<Rbt>,
+        /// Whether the last motion turned and did not move.
         is_turn: bool,
     },
     /// The drag ends and counts.

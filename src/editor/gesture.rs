@@ -1,8 +1,10 @@
 //! Drags, each one undo step, and the undo and redo commands.
 
 use super::apply::CommandResult;
+use super::placing::{move_label, turn_label};
 use super::{CommandError, Document, Editor, GestureCommand, Snapshot};
 use crate::keyframe::{Keyframe, KeyframeList};
+use crate::pose::RbtIndex;
 use crate::rbt::Rbt;
 use crate::words::{Message, Phrase, texts};
 
@@ -34,7 +36,11 @@ impl Editor {
                 if self.gesture.is_none() {
                     return Err(CommandError::NoDrag);
                 }
-                self.drag_to(placed, is_turn)?;
+                let dragged = self.dragged_nodes();
+                if dragged.len() != placed.len() {
+                    return Err(CommandError::NotAValue { what: texts::VALUE_PLACES });
+                }
+                self.drag_to(dragged.into_iter().zip(placed).collect(), is_turn)?;
             }
             GestureCommand::Commit => {
                 self.commit_gesture();
@@ -49,22 +55,23 @@ impl Editor {
         Ok(None)
     }
 
-    fn drag_to(&mut self, placed: Rbt, is_turn: bool) -> CommandResult {
-        let label = match self.session.chosen.primary() {
-            None => texts::ACT_MOVE_THE_EYE,
-            Some(_) if is_turn => texts::ACT_TURN_A_NODE,
-            Some(_) => texts::ACT_MOVE_A_NODE,
+    fn drag_to(&mut self, placed: Vec<(RbtIndex, Rbt)>, is_turn: bool) -> CommandResult {
+        let label = match self.session.chosen.len() {
+            0 => texts::ACT_MOVE_THE_EYE,
+            count if is_turn => turn_label(count),
+            count => move_label(count),
         };
-        self.change_node(self.dragged_node(), |_| placed, label, None)
+        self.change_nodes(placed, label, None)
     }
 
     /// One motion that leads where the drag has led so far; `None` without a drag, or if it has changed nothing yet.
     #[must_use]
     pub fn drag_so_far(&self) -> Option<GestureCommand> {
         let label = self.gesture.as_ref()?.label;
-        let placed = self.document.live_pose.get(self.dragged_node());
-        (label != texts::ACT_DRAG)
-            .then_some(GestureCommand::MoveTo { placed, is_turn: label == texts::ACT_TURN_A_NODE })
+        let dragged = self.dragged_nodes();
+        let is_turn = label == turn_label(dragged.len());
+        let placed = dragged.into_iter().map(|rbt| self.document.live_pose.get(rbt)).collect();
+        (label != texts::ACT_DRAG).then_some(GestureCommand::MoveTo { placed, is_turn })
     }
 
     /// Ends a drag, as one step of undo.

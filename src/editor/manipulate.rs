@@ -102,8 +102,9 @@ impl Editor {
         }
     }
 
-    fn style(&self) -> Style {
-        if self.dragged_node() != self.eye() {
+    /// How a drag moves one of the dragged nodes.
+    fn style_of(&self, rbt: RbtIndex) -> Style {
+        if rbt != self.eye() {
             Style::Node
         } else if self.session.eye == 0
             && self.session.chosen.is_empty()
@@ -118,14 +119,13 @@ impl Editor {
     /// How a drag in a view of this camera moves the dragged node.
     #[must_use]
     pub fn manipulation(&self, camera: &Camera) -> Manipulation {
-        let style = self.style();
+        let style = self.style_of(self.dragged_node());
         let centre_in_world = match style {
-            Style::Node => Some(
-                self.document
-                    .scene
-                    .world_from_rbt(&self.displayed_pose(), self.seconds(), self.dragged_node())
-                    .translation,
-            ),
+            Style::Node => {
+                let pose = self.displayed_pose();
+                let own = || self.document.scene.world_from_rbt(&pose, self.seconds(), self.dragged_node()).translation;
+                Some(self.common_centre(&pose).unwrap_or_else(own))
+            }
             Style::Orbit => Some(Vec3::ZERO),
             Style::Ego => None,
         };
@@ -142,20 +142,24 @@ impl Editor {
         }
     }
 
-    /// The dragged node after a motion with respect to its auxiliary frame: a new `parent_from_node`.
-    pub(super) fn moved(&self, motion: Rbt) -> Rbt {
+    /// The dragged nodes after a motion with respect to their auxiliary frames: a new `parent_from_node` each. Of a chain, what hangs
+    /// below another moved node is only carried along, unless each turns about its own origin.
+    pub(super) fn moved(&self, motion: Rbt) -> Vec<(RbtIndex, Rbt)> {
         let pose = &self.edited_pose();
-        let object = self.dragged_node();
         let seconds = self.seconds();
-        let world_from_parent = Rbt::from_affine(&self.document.scene.world_from_parent(pose, seconds, object));
-        let world_from_object = self.document.scene.world_from_rbt(pose, seconds, object);
-        let world_from_eye = self.document.scene.world_from_rbt(pose, seconds, self.eye());
-        let world_from_auxiliary = match self.style() {
-            Style::Node => Rbt::new(world_from_object.translation, world_from_eye.rotation),
-            Style::Orbit => Rbt::from_rotation(world_from_eye.rotation),
-            Style::Ego => world_from_object,
+        let scene = &self.document.scene;
+        let world_from_eye = scene.world_from_rbt(pose, seconds, self.eye());
+        let nodes = if motion.translation == Vec3::ZERO { self.turned_nodes() } else { self.topmost_dragged() };
+        let common = self.common_centre(pose);
+        let moved = |rbt| {
+            let world_from_object = scene.world_from_rbt(pose, seconds, rbt);
+            let world_from_auxiliary = match self.style_of(rbt) {
+                Style::Node => Rbt::new(common.unwrap_or(world_from_object.translation), world_from_eye.rotation),
+                Style::Orbit => Rbt::from_rotation(world_from_eye.rotation),
+                Style::Ego => world_from_object,
+            };
+            (rbt, self.moved_by(pose, rbt, motion, world_from_auxiliary))
         };
-        let parent_from_auxiliary = world_from_parent.inverse() * world_from_auxiliary;
-        pose.get(object).moved(motion, parent_from_auxiliary)
+        nodes.into_iter().map(moved).collect()
     }
 }

@@ -5,9 +5,9 @@ use std::sync::Arc;
 
 use glam::{Quat, Vec3};
 
-use super::apply::placeable;
 use super::gesture::Gesture;
 use super::history::History;
+use super::placing::placeable;
 use super::playback::Playback;
 use super::timed_key_clock::TimedKeyClock;
 use super::timeline::Clipboard;

@@ -2,8 +2,9 @@
 
 use std::sync::Arc;
 
-use super::apply::{CommandResult, placeable};
+use super::apply::CommandResult;
 use super::commands::Row;
+use super::placing::placeable;
 use super::{ClipboardCommand, Command, CommandError, Editor, TimelineEdit};
 use crate::keyframe::{DURATION_RANGE, Easing, Keyframe, KeyframeIndex, KeyframeList};
 use crate::pose::{Pose, RbtIndex};

@@ -1,7 +1,7 @@
 //! View commands: changes of the session, which undo leaves alone.
 
 use super::apply::CommandResult;
-use super::{Choice, Command, CommandError, Editor, Message, SkyMode, ViewCommand};
+use super::{Choice, Command, CommandError, Editor, Message, Pivot, SkyMode, ViewCommand};
 use crate::frame::MOST_GHOSTS;
 use crate::keyframe::Blend;
 use crate::pose::RbtIndex;
@@ -71,6 +71,14 @@ impl Editor {
                 }
                 let [other, nlerp, matrices] = Blend::others(self.document.interpolation).map(Blend::title);
                 Ok(Some(texts::view_comparing(other, nlerp, matrices)))
+            }
+            ViewCommand::SetPivot(pivot) => {
+                self.commit_gesture();
+                self.session.pivot = pivot;
+                Ok(Some(match pivot {
+                    Pivot::Own => texts::VIEW_PIVOT_OWN.into(),
+                    Pivot::Common => texts::VIEW_PIVOT_COMMON.into(),
+                }))
             }
             ViewCommand::ToggleArcball => {
                 self.session.shows_arcball = !self.session.shows_arcball;

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::editor::{Command, Editor, PlayMode, PlaybackCommand, SelectionCommand, SkyMode, ViewCommand};
+use crate::editor::{Command, Editor, Pivot, PlayMode, PlaybackCommand, SelectionCommand, SkyMode, ViewCommand};
 use crate::script::{Restore, print_swiftly};
 use crate::storage;
 
@@ -39,6 +39,8 @@ fn session(editor: &Editor) -> Vec<Command> {
     let mut chosen = session.chosen.iter().copied();
     commands.push(view(ViewCommand::Choose(chosen.next())));
     commands.extend(chosen.map(|rbt| view(ViewCommand::ChooseAlso(rbt))));
+    let pivot = (session.pivot != Pivot::default()).then_some(ViewCommand::SetPivot(session.pivot));
+    commands.extend(pivot.map(view));
     commands.extend(toggled(session.is_picking, ViewCommand::StartPicking));
     commands.extend(toggled(!session.shows_arcball, ViewCommand::ToggleArcball));
     commands.extend(toggled(!session.shows_motion_path, ViewCommand::ToggleMotionPath));

@@ -38,7 +38,7 @@ fn chosen() -> Vec<Row> {
         .line(
             Line::new(
                 "rotate AXIS DEGREES",
-                "turns the chosen node about its own `x`, `y` or `z`",
+                "turns the chosen nodes: each about its own `x`, `y` or `z`, or all about the common centre (see `pivot`)",
                 |arguments| {
                     let &[about, degrees] = arguments.words else { return Ok(None) };
                     let (axis_in_node, radians) = (axis(about)?, radians(degrees)?);
@@ -61,7 +61,7 @@ fn chosen() -> Vec<Row> {
         )
         .line(Line::new(
             "rotate-by X Y Z RADIANS",
-            "turns the chosen node about an axis of its own, which is a unit vector",
+            "turns the chosen nodes about an axis of their own, which is a unit vector",
             |arguments| {
                 let Ok(&[x, y, z, by]) = <&[&str; 4]>::try_from(arguments.words) else { return Ok(None) };
                 let axis_in_node = Vec3::from(numbers(&[x, y, z])?);
@@ -78,7 +78,7 @@ fn chosen() -> Vec<Row> {
         .can(|editor, _| !editor.session.chosen.is_empty())
         .line(Line::new(
             "translate X Y Z",
-            "moves the chosen node, in its parent's space",
+            "moves the chosen nodes, each in its parent's space",
             |arguments| {
                 let Ok(words) = arguments.words.try_into() else { return Ok(None) };
                 Ok(Some(Command::Edit(Edit::TranslateChosen(Vec3::from(numbers::<3>(words)?)))))
@@ -188,23 +188,28 @@ fn drags() -> Vec<Row> {
             ),
         )
         .line(Line::new(
-            "drag-to move|turn X Y Z QX QY QZ QW",
-            "where a drag has led the node, in its parent's space: a translation and a quaternion; `move` or `turn` is what undo calls it",
+            "drag-to move|turn X Y Z QX QY QZ QW…",
+            "where a drag has led each chosen node, in its parent's space: a translation and a quaternion; `move` or `turn` is what undo calls it",
             |arguments| {
                 let [kind, numbers @ ..] = arguments.words else { return Ok(None) };
-                let Ok(words) = numbers.try_into() else { return Ok(None) };
+                let (places, []) = numbers.as_chunks::<7>() else { return Ok(None) };
+                if places.is_empty() {
+                    return Ok(None);
+                }
                 let is_turn = one_of(kind, "a kind of drag", [(false, "move"), (true, "turn")].into_iter())?;
-                Ok(Some(Command::Gesture(GestureCommand::MoveTo { placed: rbt(words)?, is_turn })))
+                Ok(Some(Command::Gesture(GestureCommand::MoveTo { placed: places.iter().map(rbt).collect::<Result<_, _>>()?, is_turn })))
             },
             |command, _| {
                 let Command::Gesture(GestureCommand::MoveTo { placed, is_turn }) = command else { return None };
-                Some(format!("{} {}", if *is_turn { "turn" } else { "move" }, rbt_text(*placed)))
+                let places: Vec<String> = placed.iter().copied().map(rbt_text).collect();
+                let kind = if *is_turn { "turn" } else { "move" };
+                (!places.is_empty()).then(|| format!("{kind} {}", places.join(" ")))
             },
         )),
         edit_with("wheel", texts::ACT_MOVE_A_NODE, |command| matches!(edit_of(command), Some(Edit::Wheel(_))))
             .line(Line::new(
                 "wheel UNITS",
-                "moves the chosen node, or the eye, forward along the view, in scene units",
+                "moves the chosen nodes, or the eye, forward along the view, in scene units",
                 |arguments| {
                     let &[units] = arguments.words else { return Ok(None) };
                     let by = Vec3::new(0.0, 0.0, -number(units)?);
@@ -218,7 +223,7 @@ fn drags() -> Vec<Row> {
             ))
             .line(Line::new(
                 "wheel-by X Y Z QX QY QZ QW",
-                "moves the chosen node, or the eye, along and about the view's axes: a translation and a quaternion",
+                "moves the chosen nodes, or the eye, along and about the view's axes: a translation and a quaternion",
                 |arguments| {
                     let Ok(words) = arguments.words.try_into() else { return Ok(None) };
                     Ok(Some(Command::Edit(Edit::Wheel(rbt(words)?))))

@@ -2,8 +2,8 @@
 
 use super::line::{ArgumentError, Ending, Line};
 use super::row::{Binding, Changes, Group, Menu, Row};
-use super::values::rbt_path_text;
-use crate::editor::{Command, ViewCommand};
+use super::values::{one_of, rbt_path_text};
+use crate::editor::{Command, Pivot, ViewCommand};
 use crate::text::listed;
 
 fn binding(id: &'static str, command: ViewCommand) -> Binding {
@@ -84,9 +84,30 @@ fn eyes() -> Vec<Row> {
                 )
                 .ending(Ending::NodePath),
             ),
+        pivots(),
         Row::listed(Changes::Session, sky.hotkeys(&["m"]))
             .can(|editor, _| editor.session.eye == 0 && editor.session.chosen.is_empty()),
     ]
+}
+
+fn pivots() -> Row {
+    let choice = |id, pivot| binding(id, ViewCommand::SetPivot(pivot));
+    Row::of(Changes::Session, "pivot", |command| matches!(command, Command::View(ViewCommand::SetPivot(_))))
+        .binding(choice("pivot-own", Pivot::Own).ticked(|editor, _| editor.session.pivot == Pivot::Own))
+        .binding(choice("pivot-common", Pivot::Common).ticked(|editor, _| editor.session.pivot == Pivot::Common))
+        .line(Line::new(
+            "pivot own|common",
+            "what several chosen nodes turn about: each about its own origin, or all about the mean of their origins",
+            |arguments| {
+                let &[word] = arguments.words else { return Ok(None) };
+                let pivot = one_of(word, "a pivot", Pivot::NAMES.into_iter())?;
+                Ok(Some(Command::View(ViewCommand::SetPivot(pivot))))
+            },
+            |command, _| {
+                let Command::View(ViewCommand::SetPivot(pivot)) = command else { return None };
+                Pivot::NAMES.into_iter().find(|(named, _)| named == pivot).map(|(_, name)| name.to_owned())
+            },
+        ))
 }
 
 fn shown() -> Vec<Row> {
