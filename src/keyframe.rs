@@ -5,6 +5,7 @@ mod easing;
 mod file;
 mod list;
 mod other_blends;
+mod retiming;
 mod sample;
 mod timing;
 
@@ -16,6 +17,7 @@ pub use file::{
 };
 pub use list::{DURATION_RANGE, Keyframe, KeyframeIndex, KeyframeList};
 pub use other_blends::Blend;
+pub use retiming::{Retimed, Retiming, StretchEnd};
 pub use sample::{PlayRange, SampleError};
 pub use timing::{Timing, to_f64, whole};
 

@@ -13,7 +13,7 @@ use inbetween::editor::{
     TimelineEdit, ViewCommand,
 };
 use inbetween::interpolation::Interpolation;
-use inbetween::keyframe::{Easing, KeyframeIndex};
+use inbetween::keyframe::{Easing, KeyframeIndex, Retiming, StretchEnd};
 use inbetween::pose::RbtIndex;
 use inbetween::rbt::Rbt;
 use inbetween::scene::{Channel, KeyValue, SceneGraph, scene_from_json};
@@ -155,11 +155,18 @@ fn any_edit() -> impl Strategy<Value = Command> {
     .prop_map(Command::Edit)
 }
 
+fn any_end() -> impl Strategy<Value = Option<StretchEnd>> {
+    prop::sample::select(vec![None, Some(StretchEnd::Start), Some(StretchEnd::End)])
+}
+
 fn any_timeline_edit() -> impl Strategy<Value = Command> {
     prop_oneof![
         (any_keyframe(), any_text()).prop_map(|(keyframe, name)| TimelineEdit::RenameKeyframe(keyframe, name)),
         (any_keyframe(), any_f64(), any::<bool>()).prop_map(|(keyframe, duration, ripple_free)| {
             TimelineEdit::SetDuration { keyframe, duration, ripple_free }
+        }),
+        (any::<i32>(), any_end(), any::<bool>()).prop_map(|(by_ms, end, ripples)| {
+            TimelineEdit::RetimeKeyframes(Retiming { by_ms: by_ms % 3_600_001, end, ripples })
         }),
         prop::sample::select(Easing::all().collect::<Vec<_>>()).prop_map(TimelineEdit::SetEasing),
         any_index().prop_map(TimelineEdit::MoveKeyframes),

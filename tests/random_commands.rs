@@ -12,7 +12,7 @@ use inbetween::editor::{
     SelectionCommand, TimelineEdit, ViewCommand, Written,
 };
 use inbetween::interpolation::Interpolation;
-use inbetween::keyframe::{Easing, KeyframeIndex, keyframes_to_json};
+use inbetween::keyframe::{Easing, KeyframeIndex, Retiming, StretchEnd, keyframes_to_json};
 use inbetween::pose::RbtIndex;
 use inbetween::rbt::Rbt;
 use inbetween::scene::{Channel, KeyValue, scene_to_json};
@@ -79,6 +79,10 @@ fn any_timeline_edit() -> impl Strategy<Value = Command> {
         1 => (0usize..9).prop_map(TimelineEdit::MoveKeyframes),
         1 => prop::sample::select(&["linear", "hold", "sine-in"])
             .prop_map(|name| TimelineEdit::SetEasing(Easing::from_name(name).unwrap())),
+        2 => (-5000i32..5000, 0u8..3, any::<bool>()).prop_map(|(by_ms, end, ripples)| {
+            let end = [None, Some(StretchEnd::Start), Some(StretchEnd::End)][usize::from(end)];
+            TimelineEdit::RetimeKeyframes(Retiming { by_ms, end, ripples })
+        }),
         1 => (place(), "[a-z #\"\u{1}가]{0,6}").prop_map(|(at, name)| TimelineEdit::RenameKeyframe(at, name)),
         1 => (place(), 0.0f64..1100.0, any::<bool>()).prop_map(|(keyframe, duration, ripple_free)| {
             TimelineEdit::SetDuration { keyframe, duration, ripple_free }

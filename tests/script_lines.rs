@@ -52,6 +52,10 @@ const EDITS: &[(&str, &str, &str, &str)] = &[
     ("", "rename 2 the jump", "0 1 2 3 4 [5] | 5", "Keyframe 2 is now “the jump”."),
     ("rename 2 jump", "rename 2", "0 1 2 3 4 [5] | 5", "Keyframe 2 has no name now."),
     ("", "duration 2 1.75", "0 1 2 3 4 [5] | 5", "The interval after keyframe 2 lasts 1.750 of a step."),
+    ("select-keyframes 2", "retime 250", "0 1 2 3 4 [5] | 5", "Moved 1 keyframe by +0.250 s."),
+    ("select-keyframes 2 3", "retime -9000 ripple", "0 1 2 3 4 [5] | 5", "Moved 2 keyframes by -1.998 s."),
+    ("select-keyframes 2-4", "retime 500 end", "0 1 2 3 4 [5] | 5", "Moved 3 keyframes by +0.500 s."),
+    ("select-keyframes 2-4", "retime -500 start ripple", "0 1 2 3 4 [5] | 5", "Moved 3 keyframes by -0.500 s."),
     ("", "duration 2 1.75 ripple-free", "0 1 2 3 4 [5] | 5", "The interval after keyframe 2 lasts 1.750 of a step."),
     (
         "select robot1\nrotate y 30\ncopy-pose\nselect robot2",
@@ -112,6 +116,7 @@ fn what_undo_takes_back_is_named_after_what_was_done() {
         ("select robot1\ndrag begin\ndrag turn y 20\ndrag end", "turn a node"),
         ("drag begin\ndrag turn y 20\ndrag end", "move the eye"),
         ("drag begin\nduration 2 1.5\ndrag end", "retiming of an interval"),
+        ("drag begin\nselect-keyframes 2\nretime 900\nretime 20\ndrag end", "retiming of keyframes"),
         ("drag begin\nset-keyframe-translation 2 9 1 0 robot1\ndrag end", "change of a node in a keyframe"),
         ("drag begin\nms 700\ndrag end", "change of pace"),
     ] {

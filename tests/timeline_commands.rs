@@ -10,7 +10,8 @@ use inbetween::editor::{
 };
 use inbetween::interpolation::Interpolation;
 use inbetween::keyframe::{
-    Easing, Keyframe, KeyframeIndex, KeyframeList, PlayRange, keyframes_from_json, keyframes_to_json,
+    Easing, Keyframe, KeyframeIndex, KeyframeList, PlayRange, Retiming, StretchEnd, keyframes_from_json,
+    keyframes_to_json,
 };
 use inbetween::pose::{Pose, RbtIndex};
 use inbetween::rbt::Rbt;
@@ -103,6 +104,44 @@ fn retiming_without_ripple_takes_from_the_neighbour() {
     assert_eq!(durations(&editor), [1.0, 1.0, 1.75, 0.25, 1.0, 1.0]);
     timeline(&mut editor, TimelineEdit::SetDuration { keyframe: index(2), duration: 9.0, ripple_free: true });
     assert_eq!(durations(&editor), [1.0, 1.0, 1.999, 0.001, 1.0, 1.0]);
+}
+
+fn durations_ms(editor: &Editor) -> Vec<f64> {
+    let document = editor.document();
+    let ms = f64::from(document.ms_between_keyframes);
+    document.keyframes.as_slice().iter().map(|keyframe| keyframe.duration * ms).collect()
+}
+
+#[test]
+fn keyframes_are_moved_in_time_by_whole_milliseconds() {
+    let mut editor = editor_with(6);
+    let before = text(&editor);
+    select(&mut editor, &[2, 3]);
+    let retiming = |by_ms| Retiming { by_ms, end: None, ripples: false };
+    timeline(&mut editor, TimelineEdit::RetimeKeyframes(retiming(117)));
+    assert_eq!(durations_ms(&editor), [2000.0, 2117.0, 2000.0, 1883.0, 2000.0, 2000.0]);
+    timeline(&mut editor, TimelineEdit::RetimeKeyframes(Retiming { ripples: true, ..retiming(-117) }));
+    assert_eq!(durations_ms(&editor), [2000.0, 2000.0, 2000.0, 1883.0, 2000.0, 2000.0]);
+    press(&mut editor, "ctrl+z ctrl+z");
+    assert_eq!(text(&editor), before);
+    select(&mut editor, &[1, 2, 3]);
+    timeline(&mut editor, TimelineEdit::RetimeKeyframes(Retiming { end: Some(StretchEnd::End), ..retiming(1000) }));
+    assert_eq!(durations_ms(&editor), [2000.0, 2500.0, 2500.0, 1000.0, 2000.0, 2000.0]);
+    assert!(text(&editor).contains("\"version\": 2"), "durations need version 2");
+}
+
+#[test]
+fn a_drag_in_time_counts_from_its_beginning() {
+    let mut editor = editor_with(6);
+    select(&mut editor, &[2]);
+    apply(&mut editor, Command::Gesture(GestureCommand::Begin));
+    for by_ms in [5000, -5000, 250] {
+        timeline(&mut editor, TimelineEdit::RetimeKeyframes(Retiming { by_ms, end: None, ripples: false }));
+    }
+    apply(&mut editor, Command::Gesture(GestureCommand::Commit));
+    assert_eq!(durations_ms(&editor), [2000.0, 2250.0, 1750.0, 2000.0, 2000.0, 2000.0]);
+    press(&mut editor, "ctrl+z");
+    assert_eq!(durations_ms(&editor), [2000.0; 6]);
 }
 
 #[test]

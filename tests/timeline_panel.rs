@@ -239,6 +239,88 @@ fn dragged_keyframes_move_in_the_list() {
 }
 
 #[test]
+fn a_drag_between_the_neighbours_retimes_a_keyframe_alone() {
+    // 168 points a step of 2 s: 21 points are an eighth of a step, which is no tenth but 15 ticks.
+    let harness = check_undo(|harness| {
+        let from = at(harness, 3);
+        drag(harness, from, from + vec2(21.0, 0.0));
+    });
+    assert_eq!(durations(&harness), [1.0, 1.0, 1.125, 0.875, 1.0, 1.0]);
+    assert_eq!(selected(&harness), [3]);
+    // Near a tenth it is the tenth; with Ctrl it is where the pointer is, to the millisecond.
+    for (by, modifiers, ms) in [(35.0, Modifiers::NONE, 400.0), (35.0, Modifiers::CTRL, 417.0)] {
+        let mut harness = six();
+        let from = at(&harness, 3);
+        press_and_move(&mut harness, from, from + vec2(by, 0.0));
+        hold(&mut harness, modifiers);
+        button(&mut harness, from + vec2(by, 0.0), PointerButton::Primary, false);
+        assert!((durations(&harness)[2] - 1.0 - ms / 2000.0).abs() < 1e-12, "{:?}", durations(&harness));
+    }
+}
+
+#[test]
+fn with_shift_what_follows_moves_along() {
+    let harness = check_undo(|harness| {
+        let from = at(harness, 3);
+        hold(harness, Modifiers::SHIFT);
+        drag(harness, from, from + vec2(336.0, 0.0));
+        hold(harness, Modifiers::NONE);
+    });
+    assert_eq!(durations(&harness), [1.0, 1.0, 3.0, 1.0, 1.0, 1.0]);
+}
+
+#[test]
+fn the_first_played_keyframe_follows_the_pointer_too() {
+    let mut harness = six();
+    let (first, third) = (at(&harness, 1), at(&harness, 3));
+    drag(&mut harness, first, first + vec2(84.0, 0.0));
+    assert_eq!(durations(&harness), [1.5, 0.5, 1.0, 1.0, 1.0, 1.0]);
+    assert!((at(&harness, 1) - first - vec2(84.0, 0.0)).length() < 0.5);
+    assert!((at(&harness, 3) - third).length() < 0.5, "what was not dragged stays where it was");
+}
+
+#[test]
+fn coming_back_from_past_a_neighbour_leaves_no_trace() {
+    let mut harness = six();
+    let before = bytes(&harness);
+    let (from, far) = (at(&harness, 2), at(&harness, 4) + vec2(30.0, 0.0));
+    press_and_move(&mut harness, from, far);
+    assert_eq!(bytes(&harness), before, "the list changes when the button is released");
+    for at in [from + vec2(60.0, 0.0), from] {
+        harness.hover_at(at);
+        harness.run();
+    }
+    button(&mut harness, from, PointerButton::Primary, false);
+    assert_eq!(bytes(&harness), before);
+    assert!(!harness.state().editor.is_dragging());
+}
+
+#[test]
+fn the_edges_of_what_is_selected_scale_it() {
+    let harness = check_undo(|harness| {
+        apply(&mut harness.state_mut().editor, Command::Selection(SelectionCommand::Keyframes(indices(&[1, 2, 3]))));
+        harness.run();
+        // On the rows of nodes, beside the last selected diamond.
+        let edge = at(harness, 3) + vec2(11.0, 22.0);
+        harness.hover_at(edge);
+        harness.run();
+        assert_eq!(harness.state().cursor, CursorIcon::ResizeHorizontal);
+        drag(harness, edge, edge + vec2(67.2, 0.0));
+    });
+    assert_eq!(durations(&harness), [1.0, 1.2, 1.2, 0.6, 1.0, 1.0]);
+}
+
+#[test]
+fn the_status_line_says_how_many_are_selected() {
+    let mut harness = six();
+    assert!(harness.query_by_label("·  4 selected").is_none());
+    let all = Command::Selection(SelectionCommand::Keyframes(indices(&[0, 2, 3, 5])));
+    apply(&mut harness.state_mut().editor, all);
+    harness.run();
+    assert!(harness.query_by_label("·  4 selected").is_some());
+}
+
+#[test]
 fn a_move_that_escape_ends_moves_nothing() {
     let mut harness = six();
     let before = bytes(&harness);

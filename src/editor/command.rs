@@ -7,7 +7,7 @@ use glam::{Quat, Vec3};
 use super::{KeyAt, Pivot, PlayMode, SceneEdit};
 use crate::film::ExportOptions;
 use crate::interpolation::Interpolation;
-use crate::keyframe::{Easing, KeyframeIndex, KeyframesText};
+use crate::keyframe::{Easing, KeyframeIndex, KeyframesText, Retiming};
 use crate::pose::RbtIndex;
 use crate::rbt::Rbt;
 use crate::settings::ThemeChoice;
@@ -156,6 +156,8 @@ pub enum TimelineEdit {
         /// Whether the next interval gives what this one takes, so that what follows stays in time.
         ripple_free: bool,
     },
+    /// Moves the selected keyframes in time, not in the list. Within a drag, milliseconds count from its beginning.
+    RetimeKeyframes(Retiming),
     /// Sets the easing of the intervals that begin at the selected keyframes.
     SetEasing(Easing),
     /// Moves the selected keyframes to before the keyframe with this index. The list's length moves them to the end.

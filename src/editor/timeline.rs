@@ -6,7 +6,7 @@ use super::apply::CommandResult;
 use super::commands::Row;
 use super::placing::placeable;
 use super::{ClipboardCommand, Command, CommandError, Editor, TimelineEdit};
-use crate::keyframe::{DURATION_RANGE, Easing, Keyframe, KeyframeIndex, KeyframeList};
+use crate::keyframe::{DURATION_RANGE, Easing, Keyframe, KeyframeIndex, KeyframeList, Retimed, Retiming};
 use crate::pose::{Pose, RbtIndex};
 use crate::rbt::Rbt;
 use crate::rotation_rules::unit;
@@ -74,6 +74,7 @@ impl Editor {
             TimelineEdit::SetDuration { keyframe, duration, ripple_free } => {
                 self.set_duration(keyframe, duration, ripple_free)
             }
+            TimelineEdit::RetimeKeyframes(retiming) => self.retime_keyframes(retiming),
             TimelineEdit::SetEasing(easing) => self.set_easing(easing),
             TimelineEdit::MoveKeyframes(to) => self.move_keyframes(to),
             TimelineEdit::DeleteKeyframes => self.delete_keyframes(texts::ACT_DELETION_OF_KEYFRAMES),
@@ -189,6 +190,27 @@ impl Editor {
             document.keyframes.replace(index, Keyframe { duration, ..keyframe });
         })?;
         Ok(Some(texts::keyframe_retimed(index.get(), format!("{duration:.3}"))))
+    }
+
+    fn retime_keyframes(&mut self, retiming: Retiming) -> CommandResult {
+        let indices = self.edited_keyframes();
+        if indices.is_empty() {
+            return Err(self.no_keyframe());
+        }
+        // A drag always starts from its first state, so that an interval that was as short as can be has its length again.
+        let before = self.gesture.as_ref().map_or(&self.document, |gesture| &gesture.before);
+        let durations: Vec<f64> = before.keyframes.as_slice().iter().map(|keyframe| keyframe.duration).collect();
+        let Retimed { durations, by_ms, .. } = retiming.of(&durations, before.ms_between_keyframes, &indices);
+        self.record(texts::ACT_RETIMING_OF_KEYFRAMES, None, |document| {
+            let mut keyframes = document.keyframes.as_slice().to_vec();
+            for (keyframe, duration) in keyframes.iter_mut().zip(durations) {
+                keyframe.duration = duration;
+            }
+            let current = document.keyframes.current().map(KeyframeIndex::get);
+            document.keyframes = KeyframeList::with_current(keyframes, current);
+        })?;
+        let seconds = format!("{:+.3}", f64::from(by_ms) / 1000.0);
+        Ok(Some(texts::keyframes_retimed(texts::count_keyframes(indices.len()), seconds)))
     }
 
     fn set_easing(&mut self, easing: Easing) -> CommandResult {

@@ -23,6 +23,13 @@ pub fn show(ui: &mut Ui, editor: &Editor, statistics: Option<&Statistics>) {
         ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
             let position = editor.position_message();
             ui.label(RichText::new(words.message(&position)).small().color(tokens.dim));
+            let session = editor.session();
+            let selected = session.selected.len().max(session.selected_keys.len());
+            let is_current = session.selected.first().copied() == editor.document().keyframes.current();
+            if selected > 1 || (session.selected.len() == 1 && !is_current) {
+                let text = format!("·  {}", words.message(texts::count_selected(selected)));
+                ui.label(RichText::new(text).small().color(tokens.selected));
+            }
             if let Some(message) = editor.status() {
                 // A message that begins with the position need not say it again.
                 let said = match (message.argument("position"), message.argument("rest")) {

@@ -58,6 +58,8 @@ pub struct Tokens {
     pub accent: Color32,
     /// The background of selected items.
     pub accent_fill: Color32,
+    /// What is selected in the timeline.
+    pub selected: Color32,
     /// Messages of success.
     pub information: Color32,
     /// Messages of refusals and failures.
@@ -83,6 +85,7 @@ impl Tokens {
         dim: Color32::from_rgb(0x8b, 0x91, 0x9c),
         accent: shown(Colour::ACCENT),
         accent_fill: Color32::from_rgb(0x48, 0x38, 0x21),
+        selected: shown(Colour::BLUE),
         information: shown(Colour::BLUE),
         error: Color32::from_rgb(0xe9, 0x73, 0x6a),
         axes: [Color32::from_rgb(0xe9, 0x73, 0x6a), Color32::from_rgb(0x7f, 0xc4, 0x6b), shown(Colour::BLUE)],
@@ -102,6 +105,7 @@ impl Tokens {
         dim: Color32::from_rgb(0x62, 0x68, 0x73),
         accent: Color32::from_rgb(0xc9, 0x73, 0x0b),
         accent_fill: Color32::from_rgb(0xfb, 0xe6, 0xc8),
+        selected: Color32::from_rgb(0x1f, 0x6f, 0xb0),
         information: Color32::from_rgb(0x1b, 0x6f, 0xb3),
         error: Color32::from_rgb(0xc2, 0x3b, 0x30),
         axes: [

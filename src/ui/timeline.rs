@@ -5,6 +5,7 @@
 mod columns;
 mod curves;
 mod drag;
+mod dragging;
 mod graphs;
 mod half_turn;
 mod hit;
@@ -13,6 +14,7 @@ mod marks;
 mod menu;
 mod paint;
 mod rename;
+mod retime;
 mod rows;
 mod scale;
 mod timed_key_menu;
@@ -138,6 +140,7 @@ impl Timeline {
             scale: &scale,
             columns: &columns,
             range: played(editor),
+            stretch: stretch(editor),
             has_rows: self.tab == Tab::Keyframes,
             rows: shown_rows,
             scroll: self.scroll,
@@ -195,13 +198,14 @@ impl Timeline {
             marks::strip(&painter, look, thumbnails);
             paint::summary(&painter, look, self.drag.as_ref());
             marks::half_turns(&painter, look, rows);
+            dragging::stretch_box(&painter, look, self.drag.as_ref());
             missing(ui, look, bindings);
         } else {
             self.graphs.paint(&painter, look);
         }
         paint::playhead(&painter, look);
         if let (Some(drag), Some(at)) = (&self.drag, ui.input(|input| input.pointer.latest_pos())) {
-            paint::dragging(&painter, look, drag, self.box_at(look.target, at), at);
+            dragging::show(&painter, look, drag, self.box_at(look.target, at), at);
         }
         let line = egui::Stroke::new(1.0, look.tokens.line);
         ui.painter().vline(side.right() - 0.5, side.y_range(), line);
@@ -247,6 +251,11 @@ impl Timeline {
             right: layout.tracks.right(),
             view: view.unwrap_or_else(|| VisibleTime::at_first(first, last, layout.tracks.width())),
         }
+    }
+
+    /// Puts another part of time in sight. A view that was never zoomed stays one that fits itself.
+    const fn shift_view(&mut self, to: VisibleTime) {
+        if self.view.is_some() { self.view = Some(to) } else { self.untouched = Some(to) }
     }
 
     fn keep_scroll(&mut self, rows: usize, layout: &Layout) {
@@ -331,6 +340,12 @@ fn played(editor: &Editor) -> Option<(usize, usize)> {
     let keyframes = &editor.document().keyframes;
     PlayRange::new(keyframes).ok()?;
     Some(editor.session().play_range.unwrap_or((1, keyframes.len() - 2)))
+}
+
+/// The first and the last selected keyframe, if two or more are selected.
+fn stretch(editor: &Editor) -> Option<(usize, usize)> {
+    let [first, .., last] = editor.session().selected.as_slice() else { return None };
+    Some((first.get(), last.get()))
 }
 
 fn empty(ui: &mut Ui, bindings: &[Binding]) {

@@ -25,14 +25,7 @@ pub fn show(ui: &mut Ui, editor: &Editor, bindings: &[Binding], commands: &mut V
         playing(ui, editor, bindings, commands);
         divider(ui);
         if width >= ALL_FITS {
-            for (icon, edit) in [
-                (Icon::NewKeyframe, Edit::CreateKeyframe),
-                (Icon::UpdateKeyframe, Edit::UpdateCurrent),
-                (Icon::DisplayKeyframe, Edit::DisplayCurrent),
-                (Icon::DeleteKeyframe, Edit::DeleteCurrent),
-            ] {
-                press(ui, editor, bindings, icon, Command::Edit(edit), None, false, commands);
-            }
+            keyframes(ui, editor, bindings, commands);
             divider(ui);
         }
         readout(ui, editor);
@@ -94,6 +87,19 @@ fn playing(ui: &mut Ui, editor: &Editor, bindings: &[Binding], commands: &mut Ve
     let is_on = editor.session().auto_keys;
     let name = if is_on { words.say(texts::AUTO_KEY_IS_ON) } else { words.say(texts::AUTO_KEY_IS_OFF) };
     press(ui, Icon::AutoKey, Command::View(ViewCommand::ToggleAutoKeys), Some(name), is_on);
+}
+
+fn keyframes(ui: &mut Ui, editor: &Editor, bindings: &[Binding], commands: &mut Vec<Command>) {
+    let current = editor.document().keyframes.current();
+    let delete = current.map(|current| Words::of(ui).message(texts::delete_keyframe_number(current.get())));
+    for (icon, edit, name) in [
+        (Icon::NewKeyframe, Edit::CreateKeyframe, None),
+        (Icon::UpdateKeyframe, Edit::UpdateCurrent, None),
+        (Icon::DisplayKeyframe, Edit::DisplayCurrent, None),
+        (Icon::DeleteKeyframe, Edit::DeleteCurrent, delete.as_deref()),
+    ] {
+        press(ui, editor, bindings, icon, Command::Edit(edit), name, false, commands);
+    }
 }
 
 fn divider(ui: &mut Ui) {

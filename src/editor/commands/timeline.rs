@@ -9,7 +9,7 @@ use super::values::{
 use crate::editor::{
     ClipboardCommand, Command, Edit, Editor, SceneEdit, SelectionCommand, TimelineEdit, WindowCommand,
 };
-use crate::keyframe::{DURATION_RANGE, Easing};
+use crate::keyframe::{DURATION_RANGE, Easing, Retiming, StretchEnd};
 use crate::words::texts;
 use glam::{Quat, Vec3};
 
@@ -43,7 +43,7 @@ fn edit_with(id: &'static str, owns: fn(&Command) -> bool) -> Row {
 }
 
 pub(super) fn rows() -> Vec<Row> {
-    [selection(), edits(), intervals(), nodes(), window(), poses()].concat()
+    [selection(), edits(), intervals(), times(), nodes(), window(), poses()].concat()
 }
 
 fn selection() -> Vec<Row> {
@@ -163,6 +163,42 @@ fn intervals() -> Vec<Row> {
                     };
                     let end = if *ripple_free { " ripple-free" } else { "" };
                     Some(format!("{} {}{end}", keyframe.get(), number_text(duration)))
+                },
+            )),
+    ]
+}
+
+/// Moves in time; the order of the list stays.
+fn times() -> Vec<Row> {
+    /// An hour, either way.
+    const LONGEST_MS: i32 = 3_600_000;
+    const WORDS: [(StretchEnd, &str); 2] = [(StretchEnd::Start, "start"), (StretchEnd::End, "end")];
+    vec![
+        edit_with("retime", |command| matches!(edit_of(command), Some(TimelineEdit::RetimeKeyframes(_))))
+            .continuous()
+            .line(Line::new(
+                "retime MS [start|end] [ripple]",
+                "moves them in time by whole milliseconds; with `start` or `end` that end of them, and what is between in \
+                 proportion; with `ripple` what follows (or comes before the start) moves along",
+                |arguments| {
+                    let [ms, words @ ..] = arguments.words else { return Ok(None) };
+                    let by_ms = arguments.whole_in(ms, "number of milliseconds", &(-LONGEST_MS..=LONGEST_MS))?;
+                    let (end, ripples) = match *words {
+                        [] => (None, false),
+                        ["ripple"] => (None, true),
+                        [end] => (Some(end), false),
+                        [end, "ripple"] => (Some(end), true),
+                        _ => return Ok(None),
+                    };
+                    let end = end.map(|end| one_of(end, "an end", WORDS.into_iter())).transpose()?;
+                    Ok(Some(edit(TimelineEdit::RetimeKeyframes(Retiming { by_ms, end, ripples }))))
+                },
+                |command, _| {
+                    let Some(TimelineEdit::RetimeKeyframes(retiming)) = edit_of(command) else { return None };
+                    let end = WORDS.into_iter().find(|(end, _)| retiming.end == Some(*end)).map(|(_, word)| word);
+                    let ripples = retiming.ripples.then_some("ripple");
+                    let ms = retiming.by_ms.to_string();
+                    Some([Some(ms.as_str()), end, ripples].into_iter().flatten().collect::<Vec<_>>().join(" "))
                 },
             )),
     ]

@@ -5,7 +5,7 @@ use std::ops::{Range, RangeInclusive};
 use crate::keyframe::{Keyframe, KeyframeList};
 
 /// The times of a list's keyframes, in units of the ms between keyframes from the first played keyframe.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Columns {
     list: KeyframeList,
     times: Vec<f64>,

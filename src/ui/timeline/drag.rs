@@ -4,13 +4,12 @@ use egui::{CursorIcon, Modifiers, PointerButton, Pos2, Rect, Response, Ui};
 
 use super::Timeline;
 use super::hit::{Hit, Target};
+use super::retime::{Moving, Retime};
 use crate::editor::{Command, Edit, Editor, GestureCommand, PlaybackCommand, SelectionCommand, TimelineEdit};
-use crate::keyframe::{DURATION_RANGE, KeyframeIndex};
+use crate::keyframe::{KeyframeIndex, StretchEnd};
 
 /// The distance in points within which a dragged interval snaps to one unit.
 pub(super) const SNAP: f32 = 4.0;
-/// The shortest interval that a drag makes: dragged durations are rounded to hundredths.
-const SHORTEST_DRAGGED: f64 = *DURATION_RANGE.start() * 10.0;
 
 /// A drag that goes on.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,8 +18,8 @@ pub enum Drag {
     Scrub,
     /// Selects the keyframes inside a box. Combined with the earlier selection by `mode`.
     Box { from_time: f64, from_y: f32, before: Vec<KeyframeIndex>, mode: Mode },
-    /// Moves the selected keyframes in the list.
-    Move { grabbed: usize },
+    /// Moves the selected keyframes in time, or an end of them, or past a neighbour in the list.
+    Move(Box<Moving>),
     /// Changes the length of the interval that begins at a keyframe.
     Retime(Retime),
     /// Moves the beginning of what plays, or its end.
@@ -38,35 +37,6 @@ pub enum Mode {
     Add,
     /// Selected ones are deselected, and the other way round.
     Toggle,
-}
-
-/// A drag of an interval's end.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Retime {
-    /// The keyframe where the interval begins.
-    pub index: usize,
-    /// Where the drag began.
-    from_x: f32,
-    /// The interval's duration at the start of the drag.
-    duration_before: f64,
-    /// The duration of the next interval at the start of the drag, if there is one.
-    next_duration_before: Option<f64>,
-    /// The duration that the drag set last.
-    pub last_duration: f64,
-    /// Whether the drag last changed the next interval too, so that later keyframes stay in place.
-    pub last_ripple_free: bool,
-}
-
-impl Retime {
-    /// The interval's length after the pointer moved by this many units.
-    #[must_use]
-    pub fn duration(&self, moved: f64, snap: f64) -> f64 {
-        // Interval 0 is drawn to the left of its grip, so a move to the left lengthens it.
-        let moved = if self.index == 0 { -moved } else { moved };
-        let duration = self.duration_before + moved;
-        let rounded = if (duration - 1.0).abs() <= snap { 1.0 } else { (duration * 100.0).round() / 100.0 };
-        rounded.clamp(SHORTEST_DRAGGED, *DURATION_RANGE.end())
-    }
 }
 
 /// Combines keyframes with the earlier selection. `before`, `taken` and the result are sorted.
@@ -125,7 +95,7 @@ impl Timeline {
         }
         let is_over = !ui.input(|input| input.pointer.any_down());
         if is_over && self.drag.is_some() {
-            self.finish(target, editor, at, commands);
+            self.finish(commands);
         } else if response.clicked()
             && let Some(at) = response.interact_pointer_pos()
         {
@@ -144,6 +114,10 @@ impl Timeline {
     fn abort(&mut self, commands: &mut Vec<Command>) {
         match self.drag.take() {
             Some(Drag::Retime(_)) => commands.push(Command::Gesture(GestureCommand::Abort)),
+            Some(Drag::Move(moving)) => {
+                self.shift_view(moving.view_before);
+                commands.push(Command::Gesture(GestureCommand::Abort));
+            }
             Some(Drag::Box { before, .. }) => commands.push(Command::Selection(SelectionCommand::Keyframes(before))),
             Some(Drag::PlayRange { before, .. }) => commands.push(Command::Playback(PlaybackCommand::SetRange(before))),
             _ => {}
@@ -174,7 +148,7 @@ impl Timeline {
                     let before = editor.session().play_range;
                     self.drag = Some(Drag::PlayRange { is_start: hit == Hit::RangeStart, before });
                 }
-                Hit::Diamond(_) | Hit::Grip(_) | Hit::HalfTurnWarning(_) | Hit::Empty => {}
+                Hit::Diamond(_) | Hit::StretchEdge(_) | Hit::Grip(_) | Hit::HalfTurnWarning(_) | Hit::Empty => {}
             }
         }
         if !response.drag_started_by(PointerButton::Primary) || self.drag.is_some() {
@@ -188,13 +162,23 @@ impl Timeline {
                 let from_time = target.scale.time_at(at.x);
                 self.drag = Some(Drag::Box { from_time, from_y: at.y, before: selected.clone(), mode });
             }
-            Hit::Diamond(_) | Hit::Grip(_) if editor.is_playing() => {}
+            Hit::Diamond(_) | Hit::Grip(_) | Hit::StretchEdge(_) if editor.is_playing() => {}
             Hit::Diamond(index) => {
                 let keyframe_index = KeyframeIndex::new(index);
+                let mut indices = editor.edited_keyframes();
                 if selected.binary_search(&keyframe_index).is_err() {
                     commands.push(Command::Selection(SelectionCommand::Keyframes(vec![keyframe_index])));
+                    indices = vec![index];
                 }
-                self.drag = Some(Drag::Move { grabbed: index });
+                commands.push(Command::Gesture(GestureCommand::Begin));
+                self.drag = Some(Drag::Move(Box::new(Moving::new(target, index, None, indices, at.x))));
+            }
+            Hit::StretchEdge(end) => {
+                let Some((first, last)) = target.stretch else { return };
+                let grabbed = if end == StretchEnd::Start { first } else { last };
+                commands.push(Command::Gesture(GestureCommand::Begin));
+                let moving = Moving::new(target, grabbed, Some(end), editor.edited_keyframes(), at.x);
+                self.drag = Some(Drag::Move(Box::new(moving)));
             }
             Hit::Grip(index) => {
                 let duration = |index: usize| {
@@ -203,14 +187,7 @@ impl Timeline {
                 let Some(own) = duration(index) else { return };
                 let next = duration(index + 1);
                 commands.push(Command::Gesture(GestureCommand::Begin));
-                self.drag = Some(Drag::Retime(Retime {
-                    index,
-                    from_x: at.x,
-                    duration_before: own,
-                    next_duration_before: next,
-                    last_duration: own,
-                    last_ripple_free: false,
-                }));
+                self.drag = Some(Drag::Retime(Retime::new(index, at.x, own, next)));
             }
         }
     }
@@ -225,7 +202,15 @@ impl Timeline {
         commands: &mut Vec<Command>,
     ) {
         match &mut self.drag {
-            None | Some(Drag::Move { .. }) => {}
+            None => {}
+            Some(Drag::Move(moving)) => {
+                let ms_between_keyframes = editor.document().ms_between_keyframes;
+                if let Some(retiming) = moving.follow(target, ms_between_keyframes, at.x, modifiers) {
+                    commands.push(Command::Edit(Edit::Timeline(TimelineEdit::RetimeKeyframes(retiming))));
+                }
+                let view = moving.view(ms_between_keyframes);
+                self.shift_view(view);
+            }
             Some(Drag::Pan) => {
                 let by = ui.input(|input| input.pointer.delta());
                 self.pan(by.x, target);
@@ -251,40 +236,18 @@ impl Timeline {
                 }
             }
             Some(Drag::Retime(retime)) => {
-                let duration = retime.duration(target.scale.units(at.x - retime.from_x), target.scale.units(SNAP));
-                let ripple_free = modifiers.shift && retime.next_duration_before.is_some();
-                if (duration, ripple_free) == (retime.last_duration, retime.last_ripple_free) {
-                    return;
-                }
-                retime.last_duration = duration;
-                let was_ripple_free = std::mem::replace(&mut retime.last_ripple_free, ripple_free);
-                let mut set = |index: usize, duration: f64, ripple_free: bool| {
-                    let keyframe = KeyframeIndex::new(index);
-                    let edit = TimelineEdit::SetDuration { keyframe, duration, ripple_free };
-                    commands.push(Command::Edit(Edit::Timeline(edit)));
-                };
-                if was_ripple_free != ripple_free {
-                    // Restore the neighbour's duration first; a ripple-free change then starts from it.
-                    set(retime.index, retime.duration_before, false);
-                    if let Some(neighbour) = retime.next_duration_before {
-                        set(retime.index + 1, neighbour, false);
-                    }
-                }
-                set(retime.index, duration, ripple_free);
+                retime.follow(target, at.x, modifiers.shift, commands);
             }
         }
     }
 
-    fn finish(&mut self, target: &Target<'_>, editor: &Editor, at: Option<Pos2>, commands: &mut Vec<Command>) {
+    fn finish(&mut self, commands: &mut Vec<Command>) {
         match self.drag.take() {
             Some(Drag::Retime(_)) => commands.push(Command::Gesture(GestureCommand::Commit)),
-            Some(Drag::Move { .. }) => {
-                let Some(at) = at else { return };
-                let to = target.columns.insertion(target.scale.time_at(at.x));
-                if moves_anything(&editor.edited_keyframes(), to) {
-                    commands.push(Command::Edit(Edit::Timeline(TimelineEdit::MoveKeyframes(to))));
-                }
-            }
+            Some(Drag::Move(moving)) => commands.push(match moving.place {
+                Some(to) => Command::Edit(Edit::Timeline(TimelineEdit::MoveKeyframes(to))),
+                None => Command::Gesture(GestureCommand::Commit),
+            }),
             _ => {}
         }
     }
@@ -347,9 +310,12 @@ impl Timeline {
     fn cursor(&self, ui: &Ui, response: &Response) {
         let icon = match (&self.drag, self.hovered) {
             (Some(Drag::Scrub), _) | (None, Some(Hit::Ruler)) => CursorIcon::ResizeColumn,
-            (Some(Drag::Move { .. } | Drag::Pan), _) => CursorIcon::Grabbing,
+            (Some(Drag::Move(moving)), _) if moving.end.is_some() => CursorIcon::ResizeHorizontal,
+            (Some(Drag::Move(_) | Drag::Pan), _) => CursorIcon::Grabbing,
             (Some(Drag::Retime(_) | Drag::PlayRange { .. }), _)
-            | (None, Some(Hit::Grip(_) | Hit::RangeStart | Hit::RangeEnd)) => CursorIcon::ResizeHorizontal,
+            | (None, Some(Hit::Grip(_) | Hit::StretchEdge(_) | Hit::RangeStart | Hit::RangeEnd)) => {
+                CursorIcon::ResizeHorizontal
+            }
             (Some(Drag::Box { .. }), _) => CursorIcon::Crosshair,
             (None, Some(Hit::Diamond(_))) => CursorIcon::Grab,
             (None, Some(Hit::Empty | Hit::HalfTurnWarning(_)) | None) => CursorIcon::Default,
@@ -417,21 +383,5 @@ mod tests {
         assert!(moves_anything(&[2, 3], 1) && moves_anything(&[2, 3], 5));
         assert!(moves_anything(&[2, 4], 3), "it closes the gap");
         assert!(!moves_anything(&[], 3));
-    }
-
-    #[test]
-    fn lengths_are_round_and_one_unit_attracts() {
-        let retime = |index| Retime {
-            index,
-            from_x: 0.0,
-            duration_before: 1.5,
-            next_duration_before: None,
-            last_duration: 1.5,
-            last_ripple_free: false,
-        };
-        assert_eq!(retime(2).duration(0.123_4, 0.05), 1.62);
-        assert_eq!(retime(2).duration(-0.48, 0.05), 1.0);
-        assert_eq!(retime(2).duration(-9.0, 0.05), 0.01);
-        assert_eq!(retime(0).duration(-0.25, 0.05), 1.75, "the first interval grows to the left");
     }
 }

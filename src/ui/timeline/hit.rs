@@ -5,7 +5,7 @@ use egui::{Pos2, Rect, pos2, vec2};
 use super::columns::Columns;
 use super::half_turn::has_half_turn;
 use super::scale::Scale;
-use crate::keyframe::Easing;
+use crate::keyframe::{Easing, StretchEnd};
 use crate::ui::theme::ROW;
 
 /// Width of the column of names.
@@ -34,6 +34,10 @@ const LEAST_FOR_STRIP: f32 = 184.0;
 const LEAST_FOR_WARNING: f32 = 44.0;
 /// Intervals at least this long show their easing in the middle.
 pub const LEAST_FOR_EASING: f32 = 64.0;
+/// From the first and the last selected diamond to the edges of the box around them.
+pub const EDGE: f32 = 11.0;
+/// How far from such an edge it can be taken.
+const EDGE_REACH: f32 = 3.0;
 /// How far from the middle of a small thing it can be taken.
 const REACH: f32 = 5.0;
 
@@ -97,6 +101,8 @@ pub enum Hit {
     RangeEnd,
     /// A keyframe.
     Diamond(usize),
+    /// An edge of the box around the selected keyframes.
+    StretchEdge(StretchEnd),
     /// The time handle of the interval that begins at a keyframe.
     Grip(usize),
     /// The warning on the interval that begins at a keyframe.
@@ -116,6 +122,8 @@ pub struct Target<'a> {
     pub columns: &'a Columns,
     /// The first and the last keyframe that play; `None` where none does.
     pub range: Option<(usize, usize)>,
+    /// The first and the last selected keyframe, if two or more are selected.
+    pub stretch: Option<(usize, usize)>,
     /// Whether there are rows; where there are graphs instead, the tracks scrub as the ruler does.
     pub has_rows: bool,
     /// How many rows of nodes there are.
@@ -145,6 +153,9 @@ impl Target<'_> {
         } else {
             self.node_row_at(at.y).map(|row| self.row_middle(row))
         };
+        if let Some(end) = self.stretch_edge_at(at) {
+            return Hit::StretchEdge(end);
+        }
         let Some(row_middle) = row_middle else { return Hit::Empty };
         if layout.summary.contains(at)
             && let Some(index) = self.grip_at(at.x)
@@ -210,6 +221,21 @@ impl Target<'_> {
     pub fn diamond_at(&self, x: f32) -> Option<usize> {
         let index = self.columns.nearest(self.scale.time_at(x))?;
         ((self.scale.x_of(self.columns.time(index)) - x).abs() <= RADIUS + 1.5).then_some(index)
+    }
+
+    /// The box around the selected keyframes, over the rows of nodes: there is room for its edges.
+    #[must_use]
+    pub fn stretch_box(&self) -> Option<Rect> {
+        let (first, last) = self.stretch.filter(|_| self.has_rows)?;
+        let x = |index: usize| self.scale.x_of(self.columns.time(index));
+        Some(Rect::from_x_y_ranges(x(first) - EDGE..=x(last) + EDGE, self.layout.nodes.y_range()))
+    }
+
+    fn stretch_edge_at(&self, at: Pos2) -> Option<StretchEnd> {
+        let edges = self.stretch_box().filter(|edges| edges.y_range().contains(at.y))?;
+        let is_near = |x: f32| (x - at.x).abs() <= EDGE_REACH;
+        let ends = [(edges.right(), StretchEnd::End), (edges.left(), StretchEnd::Start)];
+        ends.into_iter().find(|(x, _)| is_near(*x)).map(|(_, end)| end)
     }
 
     fn range_handle(&self, at: Pos2) -> Option<Hit> {
@@ -299,6 +325,7 @@ mod tests {
             scale: &scale,
             columns: &columns,
             range: Some((1, 4)),
+            stretch: Some((2, 3)),
             has_rows: true,
             rows: 3,
             scroll: 0.0,
@@ -319,10 +346,13 @@ mod tests {
         check(pos2(387.0, all), Hit::Grip(1));
         check(pos2(213.0, all), Hit::Grip(0));
         check(pos2(400.0, all + ROW), Hit::Diamond(2));
-        check(pos2(387.0, all + ROW), Hit::Empty);
+        check(pos2(385.0, all + ROW), Hit::Empty);
         check(pos2(400.0, all + 3.0 * ROW), Hit::Diamond(2));
         check(pos2(400.0, all + 4.0 * ROW), Hit::Empty);
         check(pos2(700.0, all), Hit::Diamond(5));
+        check(pos2(389.0, all + ROW), Hit::StretchEdge(StretchEnd::Start));
+        check(pos2(511.0, all + ROW), Hit::StretchEdge(StretchEnd::End));
+        check(pos2(511.0, all), Hit::Empty);
         check(pos2(900.0, all), Hit::Empty);
     }
 }

@@ -25,13 +25,16 @@ pub fn strip(painter: &Painter, look: &Look<'_>, thumbnails: &mut Thumbnails) {
         let border = if current == Some(keyframe_index) {
             Stroke::new(2.0, tokens.accent)
         } else if is_selected {
-            Stroke::new(1.0, tokens.accent)
+            Stroke::new(2.0, tokens.selected)
         } else if look.hovered == Some(Hit::Diamond(index)) {
             Stroke::new(1.0, tokens.text)
         } else {
             Stroke::new(1.0, tokens.strong_line)
         };
         painter.rect_stroke(rect, CORNER, border, StrokeKind::Inside);
+        if is_selected && current == Some(keyframe_index) {
+            painter.rect_stroke(rect.expand(1.5), CORNER, Stroke::new(1.5, tokens.selected), StrokeKind::Inside);
+        }
     }
 }
 

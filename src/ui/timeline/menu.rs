@@ -104,7 +104,9 @@ impl Timeline {
             item(ui, editor, bindings, edit, commands);
         }
         ui.separator();
-        item(ui, editor, bindings, Command::Edit(Edit::Timeline(TimelineEdit::DeleteKeyframes)), commands);
+        let delete = Command::Edit(Edit::Timeline(TimelineEdit::DeleteKeyframes));
+        let label = words.message(texts::delete_what(texts::count_keyframes(edited)));
+        named_item(ui, editor, bindings, &label, delete, commands);
     }
 }
 
@@ -146,7 +148,19 @@ fn row(ui: &mut Ui, label: &str, key: &str, is_enabled: bool) -> bool {
 fn item(ui: &mut Ui, editor: &Editor, bindings: &[Binding], command: Command, commands: &mut Vec<Command>) {
     let binding = binding_of(bindings, &command);
     let label = binding.map_or("", |binding| Words::of(ui).say(binding.title()));
-    let key = binding.map(Binding::menu_key).unwrap_or_default();
+    named_item(ui, editor, bindings, label, command, commands);
+}
+
+/// The same with another name.
+fn named_item(
+    ui: &mut Ui,
+    editor: &Editor,
+    bindings: &[Binding],
+    label: &str,
+    command: Command,
+    commands: &mut Vec<Command>,
+) {
+    let key = binding_of(bindings, &command).map(Binding::menu_key).unwrap_or_default();
     if row(ui, label, &key, editor.can(&command)) {
         commands.push(command);
         ui.close();

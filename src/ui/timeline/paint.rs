@@ -1,7 +1,7 @@
 //! Painting of the timeline: ruler, rows, diamonds, playhead. Input is handled elsewhere.
 
 use egui::text::{LayoutJob, TextWrapping};
-use egui::{Align2, Color32, FontFamily, FontId, Painter, Pos2, Rect, Shape, Stroke, pos2, vec2};
+use egui::{Align2, Color32, FontFamily, FontId, Painter, Rect, Shape, Stroke, pos2, vec2};
 
 use super::drag::Drag;
 use super::hit::{Hit, LEAST_FOR_EASING, LEAST_GAP, RADIUS, RANGE_BAR, SMALL_RADIUS, Target};
@@ -12,7 +12,6 @@ use crate::keyframe::{Easing, Keyframe, KeyframeIndex};
 use crate::ui::icons::diamond;
 use crate::ui::theme::{CORNER, Tokens};
 use crate::ui::words::Words;
-use crate::words::texts;
 
 /// Points from one labelled second to the next, at least.
 const SECONDS_APART: f64 = 72.0;
@@ -39,7 +38,7 @@ pub(super) fn ruler_font() -> FontId {
     FontId::new(10.0, FontFamily::Monospace)
 }
 
-fn keyframes<'a>(look: &Look<'a>) -> &'a [Keyframe] {
+pub(super) fn keyframes<'a>(look: &Look<'a>) -> &'a [Keyframe] {
     look.editor.document().keyframes.as_slice()
 }
 
@@ -218,12 +217,17 @@ pub fn summary(painter: &Painter, look: &Look<'_>, drag: Option<&Drag>) {
         let is_filled = !group.steers || group.is_selected;
         let fill = if is_filled { colour } else { tokens.window };
         diamond(&painter, pos2(x, y), radius, fill, Stroke::new(1.5, colour));
+        if group.is_selected {
+            diamond(&painter, pos2(x, y), radius + 2.5, Color32::TRANSPARENT, Stroke::new(1.5, tokens.selected));
+        }
     }
 }
 
 fn colour(group: &Group, tokens: &Tokens) -> Color32 {
-    if group.is_selected || group.is_current {
+    if group.is_current {
         tokens.accent
+    } else if group.is_selected {
+        tokens.selected
     } else if group.is_hot {
         tokens.text
     } else {
@@ -324,90 +328,4 @@ pub fn playhead(painter: &Painter, look: &Look<'_>) {
     let at = |dx: f32, dy: f32| pos2(x + dx, top + dy);
     let corners = vec![at(-5.5, 0.0), at(5.5, 0.0), at(5.5, 6.0), at(0.0, 12.0), at(-5.5, 6.0)];
     painter.add(Shape::convex_polygon(corners, colour, Stroke::NONE));
-}
-
-/// The preview of the current drag.
-pub fn dragging(painter: &Painter, look: &Look<'_>, drag: &Drag, surrounded: Option<Rect>, at: Pos2) {
-    let Target { layout, scale, columns, .. } = look.target;
-    let tokens = look.tokens;
-    match drag {
-        Drag::Box { .. } => {
-            if let Some(rect) = surrounded {
-                painter.rect_filled(rect, 2.0, tokens.accent.gamma_multiply(0.12));
-                painter.rect_stroke(rect, 2.0, Stroke::new(1.0, tokens.accent), egui::StrokeKind::Inside);
-            }
-        }
-        Drag::Move { grabbed } => insertion(painter, look, *grabbed, at),
-        Drag::Retime(retime) => {
-            let Some(keyframe) = keyframes(look).get(retime.index) else { return };
-            let seconds = keyframe.duration * f64::from(look.editor.document().ms_between_keyframes) / 1000.0;
-            let (steps, seconds) = (format!("{:.2}", keyframe.duration), format!("{seconds:.2}"));
-            let text = if retime.last_ripple_free {
-                look.words.message(texts::steps_and_seconds_rippling(&steps, &seconds))
-            } else {
-                look.words.message(texts::steps_and_seconds(&steps, &seconds))
-            };
-            let from = scale.x_of(columns.time(retime.index));
-            let to = scale.x_of(columns.time_after(retime.index));
-            let y = layout.summary.bottom() + 6.0;
-            let span = Stroke::new(1.5, tokens.accent);
-            painter.hline(from..=to, y, span);
-            painter.vline(from, y - 3.0..=y + 3.0, span);
-            painter.vline(to, y - 3.0..=y + 3.0, span);
-            label(painter, look, pos2(f32::midpoint(from, to), y + 14.0), &text);
-        }
-        Drag::Scrub => {
-            if let Some(key_time) = look.editor.key_time() {
-                let time = columns.time_of_key(key_time);
-                let seconds = time * f64::from(look.editor.document().ms_between_keyframes) / 1000.0;
-                let at = pos2(scale.x_of(time), layout.ruler.bottom() + 10.0);
-                label(painter, look, at + vec2(52.0, 0.0), &format!("{key_time:.2} · {seconds:.2} s"));
-            }
-        }
-        Drag::PlayRange { .. } | Drag::Pan => {}
-    }
-}
-
-fn insertion(painter: &Painter, look: &Look<'_>, grabbed: usize, at: Pos2) {
-    let Target { layout, scale, columns, .. } = look.target;
-    let tokens = look.tokens;
-    let to = columns.insertion(scale.time_at(at.x));
-    let indices = look.editor.edited_keyframes();
-    if super::drag::moves_anything(&indices, to) {
-        let (first, last) = columns.ends();
-        let (before, after) = (to.checked_sub(1), (to < columns.len()).then_some(to));
-        let x = match (before, after) {
-            (Some(before), Some(after)) => {
-                f32::midpoint(scale.x_of(columns.time(before)), scale.x_of(columns.time(after)))
-            }
-            (None, _) => scale.x_of(first) - 14.0,
-            (_, None) => scale.x_of(last) + 14.0,
-        };
-        painter.vline(x, layout.ruler.bottom() - 2.0..=layout.tracks.bottom(), Stroke::new(2.0, tokens.information));
-        let tip = |dx: f32, dy: f32| pos2(x + dx, layout.ruler.bottom() - 4.0 + dy);
-        let corners = vec![tip(-5.0, -4.0), tip(5.0, -4.0), tip(0.0, 4.0)];
-        painter.add(Shape::convex_polygon(corners, tokens.information, Stroke::NONE));
-    }
-    let grabbed_x = scale.x_of(columns.time(grabbed));
-    let colour = tokens.accent.gamma_multiply(0.6);
-    for &index in indices.iter().take(100) {
-        let x = scale.x_of(columns.time(index)) - grabbed_x + at.x;
-        if layout.tracks.x_range().contains(x) {
-            diamond(painter, pos2(x, layout.summary.center().y), RADIUS, colour, Stroke::NONE);
-        }
-    }
-}
-
-/// A label over the tracks, kept within them.
-pub(super) fn label(painter: &Painter, look: &Look<'_>, centre: Pos2, text: &str) {
-    let tokens = look.tokens;
-    let galley = painter.layout_no_wrap(text.to_owned(), ruler_font(), tokens.text);
-    let size = galley.size() + vec2(12.0, 6.0);
-    let tracks = look.target.layout.tracks;
-    let least = tracks.left() + size.x / 2.0 + 2.0;
-    let x = centre.x.min(tracks.right() - size.x / 2.0 - 2.0).max(least);
-    let rect = Rect::from_center_size(pos2(x, centre.y), size);
-    painter.rect_filled(rect, CORNER, tokens.raised);
-    painter.rect_stroke(rect, CORNER, Stroke::new(1.0, tokens.strong_line), egui::StrokeKind::Inside);
-    painter.galley(rect.min + vec2(6.0, 3.0), galley, tokens.text);
 }

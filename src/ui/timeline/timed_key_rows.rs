@@ -2,9 +2,10 @@
 
 use egui::{Align2, Color32, Painter, Rect, Response, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
 
+use super::dragging::label;
 use super::hit::SMALL_RADIUS;
 use super::labels::depth;
-use super::paint::{Look, label};
+use super::paint::Look;
 use super::rows::{Row, Subject, has_key_rows};
 use super::timed_key_view::{KeyHit, KeyView, playhead};
 use super::timed_keys::{Keys, add, pick, scene};

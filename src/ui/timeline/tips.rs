@@ -45,6 +45,10 @@ impl Timeline {
                 words.message(texts::interval_after(index.to_string(), length(look, index))),
                 words.say(texts::DRAG_TO_RETIME_IT_WITH_SHIFT_THE).to_owned(),
             ),
+            Hit::StretchEdge(_) => (
+                words.message(texts::selected_together(look.editor.session().selected.len())),
+                words.say(texts::DRAG_TO_SCALE_THEM_IN_TIME).to_owned(),
+            ),
             Hit::HalfTurnWarning(index) => half_turn_tip(look, index),
             Hit::RangeStart => (
                 words.say(texts::PLAYING_BEGINS_HERE).to_owned(),
