@@ -59,6 +59,9 @@ impl Colour {
     /// Ghosts of a comparison: blended matrices.
     pub const RED: Self = Self::from_rgb(0xe5, 0x64, 0x5a);
 
+    /// Ghosts of the animation of another file.
+    pub const OTHER_FILE: Self = Self::from_rgb(0xc0, 0x86, 0xe8);
+
     /// The colour of red, green and blue in sRGB, each 0 to 255.
     #[must_use]
     pub const fn from_rgb(red: u8, green: u8, blue: u8) -> Self {

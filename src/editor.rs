@@ -7,6 +7,7 @@ mod apply;
 mod choice;
 mod command;
 pub mod commands;
+mod comparing;
 mod document;
 mod error;
 mod export;
@@ -35,6 +36,7 @@ pub use command::{
     ClipboardCommand, Command, Edit, Effect, FileCommand, GestureCommand, PlaybackCommand, SelectionCommand,
     TimelineEdit, ViewCommand, WindowCommand,
 };
+pub use comparing::ComparedAnimation;
 pub use document::Document;
 pub use error::CommandError;
 pub use history::{MOST_STEPS, Reach};
@@ -47,7 +49,7 @@ pub use said::Said;
 pub use scene_edits::{KeyAt, SceneEdit, TrackPath};
 pub use snapshot::{Before, Snapshot};
 
-use crate::keyframe::KeyframeIndex;
+use crate::keyframe::{Blend, KeyframeIndex};
 use crate::pose::{Pose, RbtIndex};
 use crate::scene::{Ray, SceneGraph};
 use crate::words::Phrase;
@@ -86,8 +88,8 @@ pub struct Session {
     pub shows_arcball: bool,
     /// Whether the path of the chosen node is drawn.
     pub shows_motion_path: bool,
-    /// Whether playback also shows the robot under the other interpolations.
-    pub compares: bool,
+    /// The blends whose poses are shown wherever a sample is, apart from the one that plays.
+    pub compared_blends: Vec<Blend>,
     /// The keyframes that are selected in the timeline, in order.
     pub selected: Vec<KeyframeIndex>,
     /// The selected timed keys. If there are any, no keyframe is selected.
@@ -102,6 +104,8 @@ pub struct Session {
     pub auto_keys: bool,
     /// How many neighbouring keyframes on each side are shown as ghosts: 0 to [`crate::frame::MOST_GHOSTS`].
     pub ghosts: u8,
+    /// Whether there are ghosts only of the chosen node and what is below it.
+    pub ghosts_of_chosen: bool,
     /// Whether the help is shown.
     pub shows_help: bool,
     /// Whether the panels are shown.
@@ -137,6 +141,8 @@ pub struct Editor {
     /// The hotkeys that messages name.
     keymap: Keymap,
     clipboard: Clipboard,
+    /// The animation that is shown beside the document's.
+    compared: Option<Arc<ComparedAnimation>>,
     /// The message of the last command or tick.
     message: Option<Message>,
     /// What the status line shows.
@@ -171,7 +177,7 @@ impl Editor {
                 is_picking: false,
                 shows_arcball: true,
                 shows_motion_path: true,
-                compares: false,
+                compared_blends: Vec::new(),
                 selected: Vec::new(),
                 selected_keys: Vec::new(),
                 play_mode: PlayMode::default(),
@@ -179,6 +185,7 @@ impl Editor {
                 speed_percent: 100,
                 auto_keys: false,
                 ghosts: 0,
+                ghosts_of_chosen: false,
                 shows_help: false,
                 shows_panels: true,
             },
@@ -187,6 +194,7 @@ impl Editor {
             gesture: None,
             keymap: Keymap::default(),
             clipboard: Clipboard::default(),
+            compared: None,
             message: None,
             status: None,
             said: Said::default(),

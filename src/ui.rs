@@ -14,6 +14,7 @@ mod help;
 mod hotkeys;
 mod icons;
 mod inspector;
+mod legend;
 mod log;
 mod manual;
 mod menu;
@@ -68,6 +69,8 @@ pub enum QuitAnswer {
 pub enum PathPurpose {
     /// To open it.
     Open,
+    /// To show its animation beside the document's.
+    Compare,
     /// To write to it.
     SaveAs,
     /// To write the scene to it.
@@ -243,6 +246,7 @@ impl Panels {
         output.change = self.changed.as_ref().and_then(|offer| changed::show(ui, offer));
         output.viewport = CentralPanel::no_frame().show(ui, |ui| ui.max_rect()).inner;
         overlay::show(ui, output.viewport, editor, &self.keymap, &self.log, self.statistics.as_ref());
+        legend::show(ui, output.viewport, editor, &mut output.commands);
         if editor.session().shows_help {
             help::show(ui, self.keymap.bindings(), &mut output.commands);
         }

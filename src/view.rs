@@ -9,6 +9,7 @@ mod ghosts;
 mod motion_path;
 mod scene;
 
+pub use comparison::{BLEND_COLOURS, PoseDifference, blend_off, compared_off};
 pub use editor::{frame_of_displayed, frame_of_editor, picture_of_editor};
 pub use ghosts::{Neighbours, add_ghosts};
 pub use motion_path::mark_dot;

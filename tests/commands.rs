@@ -13,7 +13,7 @@ use inbetween::editor::{
     TimelineEdit, ViewCommand,
 };
 use inbetween::interpolation::Interpolation;
-use inbetween::keyframe::{Easing, KeyframeIndex, Retiming, StretchEnd};
+use inbetween::keyframe::{Blend, Easing, KeyframeIndex, Retiming, StretchEnd};
 use inbetween::pose::RbtIndex;
 use inbetween::rbt::Rbt;
 use inbetween::scene::{Channel, KeyValue, SceneGraph, scene_from_json};
@@ -215,6 +215,8 @@ fn any_view() -> impl Strategy<Value = Command> {
         prop::sample::select(&[Pivot::Own, Pivot::Common]).prop_map(ViewCommand::SetPivot),
         any::<bool>().prop_map(ViewCommand::SetAutoKeys),
         any::<u8>().prop_map(ViewCommand::SetGhosts),
+        any::<bool>().prop_map(ViewCommand::SetGhostsOfChosen),
+        prop::sample::subsequence(Blend::ALL.to_vec(), 0..=Blend::ALL.len()).prop_map(ViewCommand::CompareBlends),
         any_f64().prop_map(ViewCommand::ScrubSeconds),
     ]
     .prop_map(Command::View)
@@ -231,6 +233,7 @@ fn any_selection() -> impl Strategy<Value = Command> {
 fn any_file_command() -> impl Strategy<Value = Command> {
     prop_oneof![
         any_file().prop_map(FileCommand::Open),
+        any_file().prop_map(FileCommand::CompareWith),
         any_file().prop_map(FileCommand::SaveAs),
         any_file().prop_map(FileCommand::SaveSceneAs),
         (any_file(), any::<bool>())

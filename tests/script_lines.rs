@@ -163,6 +163,11 @@ const SESSIONS: &[(&str, &str, Look)] = &[
     ("auto-key on\nauto-key off", "false", |session| session.auto_keys.to_string()),
     ("ghosts 3", "3", |session| session.ghosts.to_string()),
     ("ghosts 3\ndo ghosts", "0", |session| session.ghosts.to_string()),
+    ("ghosts-of chosen", "true", |session| session.ghosts_of_chosen.to_string()),
+    ("ghosts-of chosen\nghosts-of all", "false", |session| session.ghosts_of_chosen.to_string()),
+    ("compare-interpolations nlerp linear", "linear nlerp", |session| {
+        session.compared_blends.iter().map(|blend| blend.name()).collect::<Vec<_>>().join(" ")
+    }),
     ("eye robot2", "2", |session| session.eye.to_string()),
 ];
 
@@ -242,7 +247,9 @@ fn refusals_are_sentences() {
 }
 
 /// What is tested elsewhere: times that are waited, pictures, and undo itself.
-const ELSEWHERE: [&str; 26] = [
+const ELSEWHERE: [&str; 27] = [
+    // `comparison.rs`.
+    "compare-with",
     // `journal.rs` and `cli/journal.rs`.
     "scene",
     "keyframe-file",

@@ -603,7 +603,7 @@ fn the_menu_edits_keyframes() {
     for (item, expected) in [
         ("Duplicate keyframes Ctrl+D", "0 1 2 3 [3] 4 5 | 3"),
         ("Cut keyframes Ctrl+X", "0 1 [2] 4 5 | 2"),
-        ("Delete keyframes Delete", "0 1 [2] 4 5 | 2"),
+        ("Delete 1 keyframe Delete", "0 1 [2] 4 5 | 2"),
         ("Reverse keyframes", "5 4 3 [2] 1 0 | 2"),
     ] {
         let harness = check_undo(|harness| choose(harness, 3, item));

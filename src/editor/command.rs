@@ -7,7 +7,7 @@ use glam::{Quat, Vec3};
 use super::{KeyAt, Pivot, PlayMode, SceneEdit};
 use crate::film::ExportOptions;
 use crate::interpolation::Interpolation;
-use crate::keyframe::{Easing, KeyframeIndex, KeyframesText, Retiming};
+use crate::keyframe::{Blend, Easing, KeyframeIndex, KeyframesText, Retiming};
 use crate::pose::RbtIndex;
 use crate::rbt::Rbt;
 use crate::settings::ThemeChoice;
@@ -228,8 +228,16 @@ pub enum ViewCommand {
     TogglePanels,
     /// Shows or hides the path that the chosen node takes.
     ToggleMotionPath,
-    /// Shows or hides, while playing, the poses that the other interpolations give.
+    /// Shows or hides the poses that other interpolations give, wherever a sample is shown.
     ToggleComparison,
+    /// Shows the poses that these blends give, wherever a sample is shown; none of them: no comparison.
+    CompareBlends(Vec<Blend>),
+    /// Ends the comparison with the animation of another file.
+    EndCompareWith,
+    /// Shows ghosts of the chosen node and what is below it only, or of all again.
+    ToggleGhostsOfChosen,
+    /// Whether ghosts are of the chosen node and what is below it only.
+    SetGhostsOfChosen(bool),
     /// Switches whether the end of each drag updates the current keyframe.
     ToggleAutoKeys,
     /// Whether the end of each drag updates the current keyframe.
@@ -279,6 +287,10 @@ pub enum FileCommand {
     ChooseSaveAs,
     /// Writes to a file, which becomes the one that is written from now on.
     SaveAs(PathBuf),
+    /// Asks with which file to compare.
+    ChooseCompare,
+    /// Shows the animation of another file beside the document's: a keyframe file, or a text in any layout that is imported.
+    CompareWith(PathBuf),
     /// Writes the scene's file. Asks for a path if it has none.
     WriteScene,
     /// Reads the scene's file again.
@@ -337,6 +349,11 @@ pub enum Effect {
         /// Which file.
         path: PathBuf,
     },
+    /// Read this file and hand the outcome to [`super::Editor::compared_read`].
+    ReadCompared {
+        /// Which file.
+        path: PathBuf,
+    },
     /// Read this file and hand the outcome to [`super::Editor::scene_read`].
     ReadScene {
         /// Which file.
@@ -382,6 +399,8 @@ pub enum Effect {
     },
     /// Ask which file to open.
     ChooseOpen,
+    /// Ask with which file to compare.
+    ChooseCompare,
     /// Ask where to save.
     ChooseSaveAs,
     /// End the program, asking first where something is unsaved.

@@ -3,6 +3,7 @@
 //! Everything that lists or judges commands is derived from the rows: [`Editor::can`], what playing refuses, hotkeys, menus, the
 //! help, the lines of scripts and their help. Adding a command takes a variant of [`Command`], a row, a handler and the words.
 
+mod comparing;
 mod file;
 mod keyframes;
 mod line;
@@ -33,6 +34,7 @@ static ROWS: LazyLock<Vec<Row>> = LazyLock::new(|| {
         timed_keys::rows(),
         playing::rows(),
         view::rows(),
+        comparing::rows(),
         file::rows(),
         window::rows(),
     ]

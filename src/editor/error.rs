@@ -149,6 +149,13 @@ pub enum CommandError {
         /// Which file.
         path: PathBuf,
     },
+    /// An animation to compare with is too short to play.
+    TooFewToCompare {
+        /// Which file.
+        path: PathBuf,
+        /// How many keyframes it has.
+        count: usize,
+    },
     /// The scene was not read from a file.
     NoSceneFile,
     /// A scene's file holds a scene to which the keyframes do not fit.
@@ -223,6 +230,9 @@ impl CommandError {
             }
             Self::Text { path, problem } => texts::refused_file(path.display(), problem.message()),
             Self::HoldsScene { path } => texts::refused_holds_scene(path.display()),
+            Self::TooFewToCompare { path, count } => {
+                texts::refused_too_few_to_compare(path.display(), texts::count_keyframes(*count))
+            }
             Self::NoSceneFile => texts::REFUSED_NO_SCENE_FILE.into(),
             Self::OtherScene { path } => texts::refused_other_scene(path.display()),
             Self::Export { reason } => texts::refused_export(reason.clone()),

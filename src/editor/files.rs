@@ -21,6 +21,8 @@ impl Editor {
                 self.commit_gesture();
                 Effect::ReadKeyframes { path }
             }
+            FileCommand::ChooseCompare => Effect::ChooseCompare,
+            FileCommand::CompareWith(path) => Effect::ReadCompared { path },
             FileCommand::Write => self.write_effect(self.keyframe_file.clone()),
             FileCommand::SaveAs(path) => self.write_effect(path),
             FileCommand::ChooseOpen => Effect::ChooseOpen,

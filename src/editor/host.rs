@@ -15,6 +15,8 @@ pub type FileOutcome<T> = Result<T, Message>;
 pub enum PathQuestion {
     /// The keyframe file to open.
     Open,
+    /// The file to compare with.
+    Compare,
     /// Where to save the keyframes.
     SaveAs,
     /// Where to save the scene.
@@ -33,6 +35,8 @@ pub enum PathQuestion {
 pub enum FileAccess {
     /// Keyframes were read.
     KeyframesRead,
+    /// An animation to compare with was read.
+    ComparedRead,
     /// A scene was read.
     SceneRead,
     /// Keyframes were written.
@@ -143,6 +147,11 @@ pub trait Host {
                 let told = self.read_keyframes(&path)?;
                 return self.told(FileAccess::KeyframesRead, &path, told);
             }
+            Effect::ReadCompared { path } => {
+                let bytes = self.read(FileAccess::ComparedRead, &path)?;
+                let told = self.editor().compared_read(&path, bytes);
+                return self.told(FileAccess::ComparedRead, &path, told);
+            }
             Effect::ReadScene { path } => {
                 let bytes = self.read(FileAccess::SceneRead, &path)?;
                 let told = self.editor().scene_read(&path, bytes);
@@ -168,6 +177,7 @@ pub trait Host {
                 return self.told(FileAccess::ScreenshotTaken, &path, told);
             }
             Effect::ChooseOpen => self.window().ask_for_path(PathQuestion::Open),
+            Effect::ChooseCompare => self.window().ask_for_path(PathQuestion::Compare),
             Effect::ChooseSaveAs => self.window().ask_for_path(PathQuestion::SaveAs),
             Effect::ChooseSaveSceneAs => self.window().ask_for_path(PathQuestion::SaveSceneAs),
             Effect::ChooseExport { proposed, is_folder } => {

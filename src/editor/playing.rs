@@ -58,7 +58,7 @@ impl Editor {
         matches!(self.playback, Playback::Scrubbed(_))
     }
 
-    fn elapsed_at_current(&self, timing: &Timing) -> BigRational {
+    pub(super) fn elapsed_at_current(&self, timing: &Timing) -> BigRational {
         let current = self.document.keyframes.current().map_or(0, KeyframeIndex::get);
         timing.at_keyframe(current.saturating_sub(1))
     }

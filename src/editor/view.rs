@@ -3,7 +3,6 @@
 use super::apply::CommandResult;
 use super::{Choice, Command, CommandError, Editor, Message, Pivot, SkyMode, ViewCommand};
 use crate::frame::MOST_GHOSTS;
-use crate::keyframe::Blend;
 use crate::pose::RbtIndex;
 use crate::words::texts;
 
@@ -64,14 +63,6 @@ impl Editor {
                     if self.session.shows_motion_path { texts::VIEW_PATH_SHOWN } else { texts::VIEW_PATH_HIDDEN };
                 Ok(Some(said.into()))
             }
-            ViewCommand::ToggleComparison => {
-                self.session.compares = !self.session.compares;
-                if !self.session.compares {
-                    return Ok(Some(texts::VIEW_COMPARISON_OFF.into()));
-                }
-                let [other, nlerp, matrices] = Blend::others(self.document.interpolation).map(Blend::title);
-                Ok(Some(texts::view_comparing(other, nlerp, matrices)))
-            }
             ViewCommand::SetPivot(pivot) => {
                 self.commit_gesture();
                 self.session.pivot = pivot;
@@ -80,6 +71,11 @@ impl Editor {
                     Pivot::Common => texts::VIEW_PIVOT_COMMON.into(),
                 }))
             }
+            ViewCommand::ToggleComparison => self.toggle_comparison(),
+            ViewCommand::CompareBlends(blends) => self.compare_blends(&blends),
+            ViewCommand::EndCompareWith => self.end_compare_with(),
+            ViewCommand::ToggleGhostsOfChosen => self.set_ghosts_of_chosen(!self.session.ghosts_of_chosen),
+            ViewCommand::SetGhostsOfChosen(is_on) => self.set_ghosts_of_chosen(is_on),
             ViewCommand::ToggleArcball => {
                 self.session.shows_arcball = !self.session.shows_arcball;
                 Ok(None)

@@ -147,7 +147,7 @@ impl<'a> Stage<'a> {
         };
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it lies in the list")]
         let from = [here.ceil() as usize, here.floor() as usize];
-        let neighbours = Neighbours { keyframes: &animation.keyframes, from, count: self.ghosts };
+        let neighbours = Neighbours { keyframes: &animation.keyframes, from, count: self.ghosts, only: &[] };
         add_ghosts(frame, self.source.scene, moment.seconds, neighbours);
     }
 }

@@ -18,14 +18,16 @@ pub fn known_at_start(editor: &Editor) -> KnownFiles {
     known
 }
 
-/// Reads a file of keyframes or of a scene. It is known once [`KnownFiles::took_in`] says that it was taken in.
+/// Reads a file of keyframes or of a scene. One that may be written later is known once [`KnownFiles::took_in`] says that it was taken in.
 ///
 /// # Errors
 /// Why it cannot be read.
 pub fn read_known(known: &mut KnownFiles, access: FileAccess, path: &Path) -> FileOutcome<Vec<u8>> {
     let limit = if access == FileAccess::SceneRead { LARGEST_SCENE_BYTES } else { LARGEST_FILE_BYTES };
     let bytes = storage::read(path, limit).map_err(|error| error.message())?;
-    known.read(path, &bytes);
+    if access != FileAccess::ComparedRead {
+        known.read(path, &bytes);
+    }
     Ok(bytes)
 }
 

@@ -44,7 +44,8 @@ fn session(editor: &Editor) -> Vec<Command> {
     commands.extend(toggled(session.is_picking, ViewCommand::StartPicking));
     commands.extend(toggled(!session.shows_arcball, ViewCommand::ToggleArcball));
     commands.extend(toggled(!session.shows_motion_path, ViewCommand::ToggleMotionPath));
-    commands.extend(toggled(session.compares, ViewCommand::ToggleComparison));
+    commands.push(view(ViewCommand::CompareBlends(session.compared_blends.clone())));
+    commands.push(view(ViewCommand::SetGhostsOfChosen(session.ghosts_of_chosen)));
     commands.extend(toggled(session.shows_help, ViewCommand::ToggleHelp));
     commands.extend(toggled(!session.shows_panels, ViewCommand::TogglePanels));
     commands.push(view(ViewCommand::SetAutoKeys(session.auto_keys)));

@@ -234,6 +234,10 @@ impl Writer {
 
     /// A file was read, and the editor is about to be told.
     pub fn read(&mut self, access: FileAccess, path: &Path, bytes: &[u8]) {
+        if access == FileAccess::ComparedRead {
+            // Nothing that is kept depends on it.
+            return;
+        }
         if let Some(line) = imported_line(access == FileAccess::SceneRead, &start::plain(path), bytes) {
             self.line(&line);
             self.hand_over();
@@ -243,7 +247,7 @@ impl Writer {
     /// A file was written.
     pub fn wrote(&mut self, access: FileAccess, path: &Path) {
         let mark = match access {
-            FileAccess::KeyframesRead | FileAccess::SceneRead => return,
+            FileAccess::KeyframesRead | FileAccess::ComparedRead | FileAccess::SceneRead => return,
             FileAccess::KeyframesWritten => mark::WROTE,
             FileAccess::SceneWritten => mark::WROTE_SCENE,
             FileAccess::ScreenshotTaken => mark::WROTE_PICTURE,

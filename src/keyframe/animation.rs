@@ -4,7 +4,7 @@ use super::KeyframeList;
 use crate::interpolation::Interpolation;
 
 /// Keyframes with the settings that play them.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Animation {
     /// The keyframes.
     pub keyframes: KeyframeList,

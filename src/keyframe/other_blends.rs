@@ -20,6 +20,10 @@ pub enum Blend {
 }
 
 impl Blend {
+    /// All of them: those that play, then the others.
+    pub const ALL: [Self; Interpolation::ALL.len() + 2] =
+        [Self::Played(Interpolation::ALL[0]), Self::Played(Interpolation::ALL[1]), Self::Nlerp, Self::Matrices];
+
     /// The number of blends that [`Self::others`] returns.
     pub const OTHERS: usize = Interpolation::ALL.len() + 1;
 
@@ -32,6 +36,16 @@ impl Blend {
             *slot = other;
         }
         others
+    }
+
+    /// Its name in scripts.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Played(interpolation) => interpolation.name(),
+            Self::Nlerp => "nlerp",
+            Self::Matrices => "matrices",
+        }
     }
 
     /// Its name for people.
@@ -76,6 +90,14 @@ impl PlayRange<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn every_blend_is_listed_once() {
+        for playing in Interpolation::ALL {
+            assert!(Blend::ALL.contains(&Blend::Played(playing)));
+        }
+        assert_eq!(Blend::ALL.len(), Blend::OTHERS + 1);
+    }
 
     #[test]
     fn all_interpolations_but_the_one_that_plays_are_compared() {

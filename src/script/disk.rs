@@ -109,6 +109,7 @@ impl Host for Disk {
                 }
                 Ok(())
             }
+            FileAccess::ComparedRead => Ok(()),
             FileAccess::KeyframesWritten | FileAccess::SceneWritten | FileAccess::ScreenshotTaken => Ok(told?),
         }
     }

@@ -21,6 +21,7 @@ impl WindowHost for NoWindow {
     fn ask_for_path(&mut self, question: PathQuestion) {
         self.said = Some(match question {
             PathQuestion::Open | PathQuestion::SaveAs => "Without a window there is no dialog: use --keyframes FILE.",
+            PathQuestion::Compare => "Without a window there is no dialog: use compare-with FILE.",
             PathQuestion::SaveSceneAs => "Without a window there is no dialog: use save-scene FILE.",
             PathQuestion::Export { .. } => NO_EXPORT,
         });

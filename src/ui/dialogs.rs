@@ -95,6 +95,7 @@ fn path(ui: &mut Ui, purpose: PathPurpose, typed: &mut String, is_new: &mut bool
     let words = Words::of(ui);
     let (heading, verb) = match purpose {
         PathPurpose::Open => (words.say(texts::OPEN_A_KEYFRAME_FILE), words.say(texts::OPEN)),
+        PathPurpose::Compare => (words.say(texts::COMPARE_WITH_A_FILE), words.say(texts::COMPARE)),
         PathPurpose::SaveAs => (words.say(texts::SAVE_THE_KEYFRAMES_AS), words.say(texts::SAVE)),
         PathPurpose::SaveSceneAs => (words.say(texts::SAVE_THE_SCENE_AS), words.say(texts::SAVE)),
     };
@@ -119,6 +120,7 @@ fn path(ui: &mut Ui, purpose: PathPurpose, typed: &mut String, is_new: &mut bool
         let path = PathBuf::from(typed.trim());
         output.commands.push(Command::File(match purpose {
             PathPurpose::Open => FileCommand::Open(path),
+            PathPurpose::Compare => FileCommand::CompareWith(path),
             PathPurpose::SaveAs => FileCommand::SaveAs(path),
             PathPurpose::SaveSceneAs => FileCommand::SaveSceneAs(path),
         }));

@@ -2,13 +2,13 @@
 
 use glam::Vec2;
 
-use super::comparison::add_comparison;
+use super::comparison::{add_compared, add_comparison};
 use super::ghosts::{Neighbours, add_ghosts};
 use super::motion_path::add_path;
 use super::scene::{frame_of_scene, outline};
 use crate::editor::Editor;
 use crate::frame::{ArcballMark, Frame};
-use crate::pose::Pose;
+use crate::pose::{Pose, RbtIndex};
 
 /// The picture that an editor displays, `size_px` pixels wide and high, with the chosen nodes outlined and the arcball.
 #[must_use]
@@ -43,11 +43,11 @@ pub fn frame_of_displayed(editor: &Editor, pose: &Pose, size_px: Vec2) -> Frame 
     }
     let keyframes = &editor.document().keyframes;
     if let Some(current) = keyframes.current().filter(|_| !editor.is_playing()) {
-        let neighbours = Neighbours { keyframes, from: [current.get(); 2], count: session.ghosts };
+        let only: &[RbtIndex] = if session.ghosts_of_chosen { &session.chosen } else { &[] };
+        let neighbours = Neighbours { keyframes, from: [current.get(); 2], count: session.ghosts, only };
         add_ghosts(&mut frame, editor.scene(), editor.seconds(), neighbours);
     }
-    if session.compares {
-        add_comparison(&mut frame, editor);
-    }
+    add_comparison(&mut frame, editor);
+    add_compared(&mut frame, editor);
     frame
 }

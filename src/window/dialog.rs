@@ -34,7 +34,9 @@ pub fn ask(question: Question, current: &Path, words: Words, proxy: EventLoopPro
     thread::spawn(move || {
         let start = now();
         let kind = match question {
-            Question::Keyframes(PathPurpose::Open | PathPurpose::SaveAs) => Some(texts::KEYFRAME_FILES),
+            Question::Keyframes(PathPurpose::Open | PathPurpose::Compare | PathPurpose::SaveAs) => {
+                Some(texts::KEYFRAME_FILES)
+            }
             Question::Keyframes(PathPurpose::SaveSceneAs) => Some(texts::SCENE_FILES),
             Question::Film | Question::Folder => None,
         };
@@ -42,7 +44,7 @@ pub fn ask(question: Question, current: &Path, words: Words, proxy: EventLoopPro
         if let Some(kind) = kind {
             dialog = dialog.add_filter(words.say(kind), &["json"]);
         }
-        if question == Question::Keyframes(PathPurpose::Open) {
+        if matches!(question, Question::Keyframes(PathPurpose::Open | PathPurpose::Compare)) {
             dialog = dialog.add_filter(words.say(texts::KEYFRAMES_AS_TEXT), &["txt", "csv"]);
         }
         dialog = dialog.add_filter(words.say(texts::ALL_FILES), &["*"]);
@@ -50,7 +52,7 @@ pub fn ask(question: Question, current: &Path, words: Words, proxy: EventLoopPro
             dialog = dialog.set_directory(folder);
         }
         let path = match question {
-            Question::Keyframes(PathPurpose::Open) => dialog.pick_file(),
+            Question::Keyframes(PathPurpose::Open | PathPurpose::Compare) => dialog.pick_file(),
             Question::Keyframes(PathPurpose::SaveAs | PathPurpose::SaveSceneAs) | Question::Film => {
                 dialog.set_file_name(name).save_file()
             }

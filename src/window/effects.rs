@@ -79,6 +79,7 @@ impl WindowHost for Shell {
     fn ask_for_path(&mut self, question: PathQuestion) {
         match question {
             PathQuestion::Open => self.choose_keyframes(PathPurpose::Open),
+            PathQuestion::Compare => self.choose_keyframes(PathPurpose::Compare),
             PathQuestion::SaveAs => self.choose_keyframes(PathPurpose::SaveAs),
             PathQuestion::SaveSceneAs => self.choose_keyframes(PathPurpose::SaveSceneAs),
             PathQuestion::Export { proposed, is_folder } => {
@@ -209,7 +210,7 @@ impl Shell {
     /// The path that a dialog begins with.
     fn proposed(&self, purpose: PathPurpose) -> PathBuf {
         match purpose {
-            PathPurpose::Open | PathPurpose::SaveAs => self.editor.keyframe_file().to_owned(),
+            PathPurpose::Open | PathPurpose::Compare | PathPurpose::SaveAs => self.editor.keyframe_file().to_owned(),
             PathPurpose::SaveSceneAs => self.editor.proposed_scene_path(),
         }
     }
@@ -221,6 +222,7 @@ impl Shell {
         match (path, question) {
             (Some(path), Question::Keyframes(purpose)) => self.apply(Command::File(match purpose {
                 PathPurpose::Open => FileCommand::Open(path),
+                PathPurpose::Compare => FileCommand::CompareWith(path),
                 PathPurpose::SaveAs => FileCommand::SaveAs(path),
                 PathPurpose::SaveSceneAs => FileCommand::SaveSceneAs(path),
             })),

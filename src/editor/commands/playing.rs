@@ -4,7 +4,6 @@ use super::line::Line;
 use super::row::{Binding, Changes, Group, Row};
 use super::values::{double, index, number_text, one_of};
 use crate::editor::{Command, Edit, Editor, PlayMode, PlaybackCommand, SPEED_PERCENT_RANGE, ViewCommand};
-use crate::frame::MOST_GHOSTS;
 use crate::interpolation::Interpolation;
 use crate::keyframe::{MS_BETWEEN_KEYFRAMES_RANGE, PlayRange};
 use crate::words::texts;
@@ -21,7 +20,7 @@ fn can_play(editor: &Editor, _: &Command) -> bool {
 }
 
 pub(super) fn rows() -> Vec<Row> {
-    [transport(), pace(), playhead(), modes(), ghosts(), clock()].concat()
+    [transport(), pace(), playhead(), modes(), clock()].concat()
 }
 
 fn transport() -> Vec<Row> {
@@ -188,25 +187,6 @@ fn modes() -> Vec<Row> {
                 Some(if *is_on { "on" } else { "off" }.to_owned())
             },
         )),
-    ]
-}
-
-fn ghosts() -> Vec<Row> {
-    vec![
-        Row::of(Changes::Session, "ghosts", |command| matches!(command, Command::View(ViewCommand::SetGhosts(_))))
-            .line(Line::new(
-                "ghosts COUNT",
-                "how many neighbouring keyframes on each side are shown as ghosts, 0 to 20",
-                |arguments| {
-                    let &[count] = arguments.words else { return Ok(None) };
-                    let count = arguments.whole_in(count, "number of ghosts", &(0..=MOST_GHOSTS))?;
-                    Ok(Some(Command::View(ViewCommand::SetGhosts(count))))
-                },
-                |command, _| {
-                    let Command::View(ViewCommand::SetGhosts(count)) = command else { return None };
-                    Some(count.to_string())
-                },
-            )),
     ]
 }
 

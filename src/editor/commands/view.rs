@@ -114,12 +114,10 @@ fn shown() -> Vec<Row> {
     let arcball = binding("arcball", ViewCommand::ToggleArcball);
     let path = binding("motion-path", ViewCommand::ToggleMotionPath);
     let ghosts = binding("ghosts-next", ViewCommand::NextGhosts);
-    let comparison = binding("interpolations-compare", ViewCommand::ToggleComparison);
     vec![
         Row::listed(Changes::Session, arcball.hotkeys(&["a"]).ticked(|editor, _| editor.session.shows_arcball)),
         Row::listed(Changes::Session, path.hotkeys(&["Alt+P"]).ticked(|editor, _| editor.session.shows_motion_path)),
         Row::listed(Changes::Session, ghosts.repeating_hotkeys(&["Shift+G"])),
-        Row::listed(Changes::Session, comparison.ticked(|editor, _| editor.session.compares)),
     ]
 }
 
