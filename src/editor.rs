@@ -48,6 +48,7 @@ pub use playing::SPEED_PERCENT_RANGE;
 pub use said::Said;
 pub use scene_edits::{KeyAt, SceneEdit, TrackPath};
 pub use snapshot::{Before, Snapshot};
+pub use timed_key_clock::Transport;
 
 use crate::keyframe::{Blend, KeyframeIndex};
 use crate::pose::{Pose, RbtIndex};
@@ -136,6 +137,8 @@ pub struct Editor {
     session: Session,
     playback: Playback,
     timed_key_clock: TimedKeyClock,
+    /// What happens at the last timed key, where the transport plays those.
+    timed_key_mode: PlayMode,
     /// The drag that is going on.
     gesture: Option<Gesture>,
     /// The hotkeys that messages name.
@@ -191,6 +194,7 @@ impl Editor {
             },
             playback: Playback::default(),
             timed_key_clock: TimedKeyClock::default(),
+            timed_key_mode: PlayMode::Once,
             gesture: None,
             keymap: Keymap::default(),
             clipboard: Clipboard::default(),

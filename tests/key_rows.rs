@@ -465,3 +465,71 @@ fn the_scene_is_saved_from_the_file_menu() {
     let saved = Command::File(FileCommand::SaveSceneAs(PathBuf::from("cylinder2.json")));
     assert_eq!(harness.state().commands.last(), Some(&saved));
 }
+
+/// Presses a button of the transport. While keys play the panels ask for a picture after each, so `run` would not end.
+fn press_button(harness: &mut Panel, label: &str) {
+    harness.get_by_role_and_label(Role::Button, label).click();
+    harness.run_steps(3);
+}
+
+/// A scene without keyframes: the buttons play its timed keys.
+#[test]
+fn the_transport_plays_timed_keys_where_there_are_no_keyframes() {
+    let mut harness = panel("cylinder");
+    assert!(harness.state().editor.holds_timed_keys());
+    press_button(&mut harness, "Play");
+    let editor = &harness.state().editor;
+    assert!(editor.timed_keys_run() && editor.seconds() == 0.0 && !editor.is_playing());
+    harness.state_mut().editor.tick(90);
+    harness.run_steps(3);
+    assert_eq!(harness.state().editor.seconds(), 1.5);
+    assert!(harness.query_by_label("1.50 / 4.00 s").is_some());
+    press_button(&mut harness, "Pause");
+    assert!(harness.state().editor.holds_timed_keys());
+    harness.state_mut().editor.tick(60);
+    assert_eq!(harness.state().editor.seconds(), 1.5);
+    press_button(&mut harness, "Next key");
+    assert_eq!(harness.state().editor.seconds(), 2.0);
+    press_button(&mut harness, "Previous key");
+    assert_eq!(harness.state().editor.seconds(), 0.0);
+    press_button(&mut harness, "Go on");
+    harness.state_mut().editor.tick(30);
+    assert_eq!(harness.state().editor.seconds(), 0.5);
+    harness.run_steps(3);
+    press_button(&mut harness, "Stop");
+    let editor = &harness.state().editor;
+    assert!(editor.holds_timed_keys() && editor.seconds() == 0.0);
+}
+
+#[test]
+fn timed_keys_are_played_in_a_loop() {
+    let mut harness = panel("cylinder");
+    press_button(&mut harness, "Plays once");
+    press_button(&mut harness, "Play");
+    for (ticks, seconds) in [(240, 0.0), (90, 1.5), (480, 1.5)] {
+        harness.state_mut().editor.tick(ticks);
+        assert_eq!(harness.state().editor.seconds(), seconds);
+        assert!(harness.state().editor.wants_ticks());
+    }
+    harness.run_steps(3);
+    press_button(&mut harness, "Plays in a loop");
+    let editor = &mut harness.state_mut().editor;
+    editor.tick(210);
+    assert_eq!(editor.seconds(), 3.0, "there and back from 1.5 s");
+    press(editor, "shift+l");
+    assert_eq!(editor.seconds(), 3.0, "the time stays where the mode changes");
+    editor.tick(600);
+    assert!(!editor.wants_ticks() && editor.seconds() >= 4.0, "once");
+}
+
+#[test]
+fn enter_opens_the_numbers_of_a_selected_key() {
+    let mut harness = panel("cylinder");
+    let place = at(&harness, "Scale", "2");
+    click_with(&mut harness, place, Modifiers::NONE);
+    assert_eq!(selected(&harness), [(Channel::Scale, 2.0)]);
+    assert!(harness.query_by_label("Time of the key in seconds").is_none());
+    harness.key_press(Key::Enter);
+    harness.run();
+    assert!(harness.query_by_label("Time of the key in seconds").is_some());
+}

@@ -248,6 +248,8 @@ pub enum ViewCommand {
     NextGhosts,
     /// Sets the clock of the timed keys to zero.
     RestartTimedKeys,
+    /// Plays the timed keys from their start, or stops there.
+    PlayTimedKeys,
     /// Holds that clock, or lets it go on.
     HoldTimedKeys,
     /// Sets that clock to a time in seconds, and holds it until playback starts.

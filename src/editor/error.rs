@@ -90,6 +90,8 @@ pub enum CommandError {
         /// The time asked for.
         seconds: f64,
     },
+    /// The scene has no timed keys to play.
+    NoTimedKeys,
     /// No key is meant.
     NoKeys,
     /// The scene cannot become so.
@@ -206,6 +208,7 @@ impl CommandError {
             Self::NotInScene { what } => texts::refused_not_in_scene(*what),
             Self::NoSuchNode { path } => texts::refused_no_such_node(quoted(path)),
             Self::NoSuchKey { path, channel, seconds } => texts::refused_no_such_key(path, channel.title(), *seconds),
+            Self::NoTimedKeys => texts::REFUSED_NO_TIMED_KEYS.into(),
             Self::NoKeys => texts::REFUSED_NO_KEYS.into(),
             Self::Scene(error) => error.message(),
             Self::NotAValue { what } => texts::refused_not_a_value(*what),

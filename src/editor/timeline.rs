@@ -143,6 +143,7 @@ impl Editor {
             self.session.play_range = None;
         }
         self.fit_keys_to_scene();
+        self.fit_timed_key_mode();
     }
 
     pub(super) fn copy_keyframes(&mut self) -> CommandResult {

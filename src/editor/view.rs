@@ -55,6 +55,7 @@ impl Editor {
                 }))
             }
             ViewCommand::RestartTimedKeys => Ok(Some(self.restart_timed_keys())),
+            ViewCommand::PlayTimedKeys => self.play_timed_keys(),
             ViewCommand::HoldTimedKeys => Ok(Some(self.hold_timed_keys())),
             ViewCommand::ScrubSeconds(seconds) => self.scrub_timed_keys(seconds),
             ViewCommand::ToggleMotionPath => {

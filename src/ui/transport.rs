@@ -1,4 +1,5 @@
 //! The transport: step, play, stop, pause, loop; auto-key; the key time; the pace; the interpolation; ghosts; the current keyframe.
+//! Where there are too few keyframes to play, its buttons play the timed keys.
 
 use egui::{ComboBox, DragValue, RichText, Role, Sense, Ui, WidgetInfo, vec2};
 
@@ -7,7 +8,7 @@ use super::icons::{Icon, button};
 use super::theme::{GRID, ROW, Tokens};
 use super::words::Words;
 use crate::editor::keymap::Binding;
-use crate::editor::{Command, Edit, Editor, PlayMode, PlaybackCommand, SPEED_PERCENT_RANGE, ViewCommand};
+use crate::editor::{Command, Edit, Editor, PlayMode, PlaybackCommand, SPEED_PERCENT_RANGE, Transport, ViewCommand};
 use crate::interpolation::Interpolation;
 use crate::keyframe::{KeyframeIndex, MS_BETWEEN_KEYFRAMES_RANGE, PlayRange};
 use crate::words::texts;
@@ -63,6 +64,27 @@ fn press(
 }
 
 fn playing(ui: &mut Ui, editor: &Editor, bindings: &[Binding], commands: &mut Vec<Command>) {
+    match editor.transport() {
+        Transport::Keyframes => playing_keyframes(ui, editor, bindings, commands),
+        Transport::TimedKeys => playing_timed_keys(ui, editor, bindings, commands),
+    }
+    let mut press = |ui: &mut Ui, icon, command, name: &str, is_lit| {
+        press(ui, editor, bindings, icon, command, Some(name), is_lit, commands);
+    };
+    let words = Words::of(ui);
+    let mode = editor.session().play_mode;
+    let (icon, name) = match mode {
+        PlayMode::Once => (Icon::Once, words.say(texts::PLAYS_ONCE)),
+        PlayMode::Loop => (Icon::Loop, words.say(texts::PLAYS_IN_A_LOOP)),
+        PlayMode::PingPong => (Icon::PingPong, words.say(texts::PLAYS_FORWARDS_AND_BACKWARDS)),
+    };
+    press(ui, icon, Command::Playback(PlaybackCommand::NextMode), name, mode != PlayMode::Once);
+    let is_on = editor.session().auto_keys;
+    let name = if is_on { words.say(texts::AUTO_KEY_IS_ON) } else { words.say(texts::AUTO_KEY_IS_OFF) };
+    press(ui, Icon::AutoKey, Command::View(ViewCommand::ToggleAutoKeys), name, is_on);
+}
+
+fn playing_keyframes(ui: &mut Ui, editor: &Editor, bindings: &[Binding], commands: &mut Vec<Command>) {
     let is_playing = editor.is_playing();
     let mut press = |ui: &mut Ui, icon, command, name: Option<&str>, is_lit| {
         press(ui, editor, bindings, icon, command, name, is_lit, commands);
@@ -77,16 +99,32 @@ fn playing(ui: &mut Ui, editor: &Editor, bindings: &[Binding], commands: &mut Ve
     press(ui, Icon::Pause, playback(PlaybackCommand::PauseOrResume), Some(name), editor.is_paused());
     press(ui, Icon::Next, Command::Edit(Edit::GoToNext), None, false);
     press(ui, Icon::PlayFromPlayhead, playback(PlaybackCommand::PlayFromPlayhead), None, false);
-    let mode = editor.session().play_mode;
-    let (icon, name) = match mode {
-        PlayMode::Once => (Icon::Once, words.say(texts::PLAYS_ONCE)),
-        PlayMode::Loop => (Icon::Loop, words.say(texts::PLAYS_IN_A_LOOP)),
-        PlayMode::PingPong => (Icon::PingPong, words.say(texts::PLAYS_FORWARDS_AND_BACKWARDS)),
-    };
-    press(ui, icon, playback(PlaybackCommand::NextMode), Some(name), mode != PlayMode::Once);
-    let is_on = editor.session().auto_keys;
-    let name = if is_on { words.say(texts::AUTO_KEY_IS_ON) } else { words.say(texts::AUTO_KEY_IS_OFF) };
-    press(ui, Icon::AutoKey, Command::View(ViewCommand::ToggleAutoKeys), Some(name), is_on);
+}
+
+/// The same buttons for the clock of timed keys.
+fn playing_timed_keys(ui: &mut Ui, editor: &Editor, bindings: &[Binding], commands: &mut Vec<Command>) {
+    let words = Words::of(ui);
+    let (runs, is_held) = (editor.timed_keys_run(), editor.holds_timed_keys());
+    step(ui, editor, Icon::Previous, words.say(texts::PREVIOUS_KEY), false, commands);
+    let (icon, name) = if runs { (Icon::Stop, words.say(texts::STOP)) } else { (Icon::Play, words.say(texts::PLAY)) };
+    press(ui, editor, bindings, icon, Command::View(ViewCommand::PlayTimedKeys), Some(name), runs, commands);
+    let hold = Command::View(ViewCommand::HoldTimedKeys);
+    let name = if is_held { words.say(texts::GO_ON) } else { words.say(texts::PAUSE) };
+    let key = binding_of(bindings, &hold).map(Binding::keys).unwrap_or_default();
+    if button(ui, Icon::Pause, name, &key, runs || is_held, is_held) {
+        commands.push(hold);
+    }
+    step(ui, editor, Icon::Next, words.say(texts::NEXT_KEY), true, commands);
+}
+
+/// A button that shows the time of the next timed key, or of the one before.
+fn step(ui: &mut Ui, editor: &Editor, icon: Icon, name: &str, is_after: bool, commands: &mut Vec<Command>) {
+    let beside = editor.timed_key_beside(is_after);
+    if button(ui, icon, name, "", beside.is_some(), false)
+        && let Some(seconds) = beside
+    {
+        commands.push(Command::View(ViewCommand::ScrubSeconds(seconds)));
+    }
 }
 
 fn keyframes(ui: &mut Ui, editor: &Editor, bindings: &[Binding], commands: &mut Vec<Command>) {
@@ -111,6 +149,10 @@ fn divider(ui: &mut Ui) {
 /// The key time shown and the last one: `key 1.85 / 3`.
 #[must_use]
 pub fn key_time_text(editor: &Editor, words: Words) -> String {
+    if let (Transport::TimedKeys, Some(last)) = (editor.transport(), editor.scene().last_second()) {
+        let (shown, last) = (format!("{:.2}", editor.seconds().min(last)), format!("{last:.2}"));
+        return words.message(texts::seconds_of_last(shown, last));
+    }
     let keyframes = &editor.document().keyframes;
     let Ok(range) = PlayRange::new(keyframes) else { return words.message(texts::current_of_last("–", "–")) };
     let last = range.last_key_time().to_string();
@@ -134,11 +176,16 @@ fn current_key_time(current: usize) -> f64 {
 fn readout(ui: &mut Ui, editor: &Editor) {
     let tokens = Tokens::of(ui);
     let text = key_time_text(editor, Words::of(ui));
-    let colour = if editor.is_playing() || editor.is_scrubbed() { tokens.accent } else { tokens.text };
+    let timed = editor.transport() == Transport::TimedKeys && editor.timed_keys_run();
+    let colour = if timed || editor.is_playing() || editor.is_scrubbed() { tokens.accent } else { tokens.text };
     let (rect, response) = ui.allocate_exact_size(vec2(112.0, ROW), Sense::hover());
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &text));
     ui.painter().text(rect.left_center(), egui::Align2::LEFT_CENTER, text, super::theme::number_font(), colour);
-    response.on_hover_text(Words::of(ui).say(texts::KEY_TIME_AND_THE_LAST_ONE_KEY));
+    let tip = match editor.transport() {
+        Transport::Keyframes => texts::KEY_TIME_AND_THE_LAST_ONE_KEY,
+        Transport::TimedKeys => texts::TIME_AND_THE_LAST_TIMED_KEY,
+    };
+    response.on_hover_text(Words::of(ui).say(tip));
 }
 
 fn pace(ui: &mut Ui, editor: &Editor, bindings: &[Binding], commands: &mut Vec<Command>) {

@@ -194,7 +194,9 @@ fn modes() -> Vec<Row> {
 fn clock() -> Vec<Row> {
     let restart = binding("timed-keys-restart", Command::View(ViewCommand::RestartTimedKeys));
     let hold = binding("timed-keys-hold", Command::View(ViewCommand::HoldTimedKeys));
+    let play = binding("timed-keys-play", Command::View(ViewCommand::PlayTimedKeys));
     vec![
+        Row::listed(Changes::Session, play).can(|editor, _| editor.scene().is_timed()),
         Row::listed(Changes::Session, restart.hotkeys(&["Home"])),
         Row::listed(Changes::Session, hold.hotkeys(&["Shift+Home"])),
     ]

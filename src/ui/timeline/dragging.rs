@@ -68,8 +68,8 @@ fn moved(painter: &Painter, look: &Look<'_>, moving: &Moving, at: Pos2) {
         words.message(texts::scaled_by_seconds(seconds, format!("{percent:.0}")))
     } else if moving.ripples() {
         words.message(texts::moved_by_seconds_rippling(seconds))
-    } else if let Some(before) = moving.grabbed.checked_sub(1) {
-        let steps = look.target.columns.time(moving.grabbed) - look.target.columns.time(before);
+    } else if let Some((fixed, moved)) = moving.anchored() {
+        let steps = (look.target.columns.time(moved) - look.target.columns.time(fixed)).abs();
         words.message(texts::moved_by_seconds_and_steps(seconds, format!("{steps:.2}")))
     } else {
         words.message(texts::moved_by_seconds(seconds))

@@ -81,6 +81,25 @@ impl Moving {
         is_new.then_some(retiming)
     }
 
+    /// The keyframes between which a drag changes the interval, the one that stays first: the neighbour of what moves, or the other end
+    /// of a stretch.
+    #[must_use]
+    pub fn anchored(&self) -> Option<(usize, usize)> {
+        let is_dragged = |index: &usize| self.indices.binary_search(index).is_ok();
+        let (first, last) = (*self.indices.first()?, *self.indices.last()?);
+        Some(match self.end {
+            Some(StretchEnd::Start) => (last, first),
+            Some(StretchEnd::End) => (first, last),
+            None => match (0..self.grabbed).rev().find(|index| !is_dragged(index)) {
+                Some(before) => (before, before + 1),
+                None => {
+                    let after = (self.grabbed..self.before.len()).find(|index| !is_dragged(index))?;
+                    (after, after - 1)
+                }
+            },
+        })
+    }
+
     /// The place in the list for a time that is past a neighbour.
     fn place_at(&self, time: f64) -> Option<usize> {
         let is_dragged = |index: &usize| self.indices.binary_search(index).is_ok();
@@ -97,9 +116,10 @@ impl Moving {
         let unit = f64::from(ms);
         let from = self.before.time(self.grabbed);
         let moved = time - from;
-        // Steps are counted from the keyframe before, or for the first one from the one after.
-        let neighbour = self.before.time(if self.grabbed == 0 { 1 } else { self.grabbed - 1 });
-        let tenth = ((time - neighbour) * 10.0).round() / 10.0 + neighbour - from;
+        let tenth = self.anchored().map_or(moved, |(fixed, moving)| {
+            let interval = self.before.time(moving) - self.before.time(fixed);
+            ((interval + moved) * 10.0).round() / 10.0 - interval
+        });
         let by = if is_free {
             moved * unit
         } else if (tenth - moved).abs() <= target.scale.units(SNAP) {

@@ -74,8 +74,8 @@ impl Keys {
         clock(painter, &view, tokens);
         let Some(at) = painter.ctx().input(|input| input.pointer.latest_pos()) else { return };
         if let Some(rect) = self.surrounded(&view, at) {
-            painter.rect_filled(rect, 2.0, tokens.accent.gamma_multiply(0.12));
-            painter.rect_stroke(rect, 2.0, Stroke::new(1.0, tokens.accent), egui::StrokeKind::Inside);
+            painter.rect_filled(rect, 2.0, tokens.selected.gamma_multiply(0.12));
+            painter.rect_stroke(rect, 2.0, Stroke::new(1.0, tokens.selected), egui::StrokeKind::Inside);
         }
         if let Some((seconds, by)) = self.dragged() {
             let label_at = pos2(view.x_of(seconds), (at.y - 22.0).max(look.target.layout.tracks.top() + 10.0));
@@ -107,13 +107,22 @@ impl Keys {
         for (is_selected, seconds) in marks {
             let is_hot = self.hovered == Some(KeyHit { row, key: Some(seconds) });
             let colour = match (is_selected, is_hot) {
-                (true, _) => tokens.accent,
+                (true, _) => tokens.selected,
                 (false, true) => tokens.text,
-                (false, false) => tokens.information,
+                (false, false) => tokens.dim,
             };
             let radius = if is_summary { SMALL_RADIUS - 0.7 } else { SMALL_RADIUS };
             let fill = if is_summary && !is_selected { Color32::TRANSPARENT } else { colour };
             diamond(painter, pos2(view.x_of(seconds), y), radius, fill, Stroke::new(1.2, colour));
+            if is_selected {
+                diamond(
+                    painter,
+                    pos2(view.x_of(seconds), y),
+                    radius + 2.5,
+                    Color32::TRANSPARENT,
+                    Stroke::new(1.2, colour),
+                );
+            }
         }
     }
 
@@ -121,6 +130,7 @@ impl Keys {
     pub fn diamonds(&mut self, ui: &Ui, view: &KeyView<'_>, tokens: &Tokens, commands: &mut Vec<Command>) {
         let words = Words::of(ui);
         let scene = view.editor.scene();
+        self.open_selected(ui, view);
         for row in view.target.rows_in_sight().filter(|&row| view.rows[row].has_keys()) {
             if matches!(view.rows[row].subject, Subject::Control) {
                 continue;
@@ -155,6 +165,29 @@ impl Keys {
                     }
                 }
             }
+        }
+    }
+
+    /// Enter opens the numbers of the first selected key in sight, unless the keyboard is somewhere else.
+    fn open_selected(&mut self, ui: &Ui, view: &KeyView<'_>) {
+        let is_elsewhere = ui.memory(|memory| memory.focused().is_some() || memory.top_modal_layer().is_some());
+        if is_elsewhere || self.menu.is_some() || view.editor.is_dragging() {
+            return;
+        }
+        let selected = &view.editor.session().selected_keys;
+        if selected.is_empty() || !ui.input(|input| input.key_pressed(egui::Key::Enter)) {
+            return;
+        }
+        // The row of one channel says more than that of all channels of its node, which shows where it is folded.
+        let rows = view.target.rows_in_sight().filter(|&row| view.rows[row].has_keys());
+        let found = rows.filter_map(|row| {
+            let tracks = view.tracks(row);
+            let key = selected.iter().find(|key| tracks.contains(&key.track))?;
+            Some((tracks.len(), row, key.seconds))
+        });
+        if let Some((_, row, seconds)) = found.min_by_key(|&(channels, row, _)| (channels, row)) {
+            let at = pos2(view.x_of(seconds), view.target.row_rect(row).bottom());
+            self.open_menu(view, KeyHit { row, key: Some(seconds) }, at);
         }
     }
 
