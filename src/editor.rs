@@ -11,6 +11,7 @@ mod comparing;
 mod document;
 mod error;
 mod export;
+mod eye;
 mod files;
 mod gesture;
 mod history;
@@ -39,6 +40,7 @@ pub use command::{
 pub use comparing::ComparedAnimation;
 pub use document::Document;
 pub use error::CommandError;
+pub use eye::{Eye, WorkEye};
 pub use history::{MOST_STEPS, Reach};
 pub use host::{FileAccess, FileOutcome, Host, PathQuestion, WindowHost, Writing, Written};
 pub use manipulate::{DragKind, Manipulation};
@@ -75,12 +77,16 @@ pub enum SkyMode {
 /// State of viewing, selecting and playing. It is in no file, and undo leaves it alone.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Session {
-    /// The nodes that drags move; none: the eye.
+    /// The nodes that drags move; none: the eye, or the work eye where that is in force.
     pub chosen: Choice,
     /// What several chosen nodes turn about.
     pub pivot: Pivot,
-    /// The index of the eye in [`SceneGraph::eyes`].
-    pub eye: usize,
+    /// What one looks from.
+    pub eye: Eye,
+    /// Where the work eye stands, in force or not.
+    pub work_eye: WorkEye,
+    /// Whether the work eye was in force: the hotkey of the next eye then leads back to it.
+    pub has_used_work_eye: bool,
     /// What the sky camera moves about.
     pub sky_mode: SkyMode,
     /// Whether the next click in the view chooses a node.
@@ -175,7 +181,9 @@ impl Editor {
             session: Session {
                 chosen: Choice::default(),
                 pivot: Pivot::default(),
-                eye: 0,
+                eye: Eye::Recorded(0),
+                work_eye: WorkEye::default(),
+                has_used_work_eye: false,
                 sky_mode: SkyMode::default(),
                 is_picking: false,
                 shows_arcball: true,
@@ -316,12 +324,6 @@ impl Editor {
     #[must_use]
     pub fn displayed_pose(&self) -> Pose {
         self.sampled_pose().unwrap_or_else(|| self.document.live_pose.clone())
-    }
-
-    /// The RBT node that is looked from.
-    #[must_use]
-    pub fn eye(&self) -> RbtIndex {
-        self.scene().eyes()[self.session.eye]
     }
 
     /// The node that a ray through the view meets: what a click there would choose.

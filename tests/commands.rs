@@ -9,8 +9,8 @@ use glam::{Quat, Vec3};
 use inbetween::colour::Colour;
 use inbetween::editor::commands::{self, Changes};
 use inbetween::editor::{
-    Command, Edit, FileCommand, GestureCommand, KeyAt, Pivot, PlayMode, PlaybackCommand, SceneEdit, SelectionCommand,
-    TimelineEdit, ViewCommand,
+    Command, Edit, Eye, FileCommand, GestureCommand, KeyAt, Pivot, PlayMode, PlaybackCommand, SceneEdit,
+    SelectionCommand, TimelineEdit, ViewCommand, WorkEye,
 };
 use inbetween::interpolation::Interpolation;
 use inbetween::keyframe::{Blend, Easing, KeyframeIndex, Retiming, StretchEnd};
@@ -209,7 +209,14 @@ fn any_playback() -> impl Strategy<Value = Command> {
 
 fn any_view() -> impl Strategy<Value = Command> {
     prop_oneof![
-        (0..SCENE.eyes().len()).prop_map(ViewCommand::SetEye),
+        (0..SCENE.eyes().len()).prop_map(|eye| ViewCommand::SetEye(Eye::Recorded(eye))),
+        Just(ViewCommand::SetEye(Eye::Work)),
+        (-180f32..=180.0, -90f32..=90.0, 0.125f32..=1e5, prop::array::uniform3(-1e6f32..=1e6)).prop_map(
+            |(yaw_degrees, pitch_degrees, distance, target)| {
+                let target_in_world = Vec3::from(target);
+                ViewCommand::SetWorkEye(WorkEye { yaw_degrees, pitch_degrees, distance, target_in_world })
+            },
+        ),
         prop::option::of(any_node()).prop_map(ViewCommand::Choose),
         any_node().prop_map(ViewCommand::ChooseAlso),
         prop::sample::select(&[Pivot::Own, Pivot::Common]).prop_map(ViewCommand::SetPivot),
@@ -385,7 +392,7 @@ fn what_the_editor_always_refuses_has_no_line() {
         Command::Edit(Edit::Wheel(Rbt::from_translation(Vec3::INFINITY))),
         Command::View(ViewCommand::Choose(Some(RbtIndex::new(usize::MAX)))),
         Command::View(ViewCommand::ChooseAlso(RbtIndex::new(usize::MAX))),
-        Command::View(ViewCommand::SetEye(9)),
+        Command::View(ViewCommand::SetEye(Eye::Recorded(9))),
         Command::View(ViewCommand::ScrubSeconds(f64::NAN)),
         Command::Edit(Edit::Scene(SceneEdit::RemoveControl("nowhere".into()))),
     ] {

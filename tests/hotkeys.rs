@@ -6,7 +6,8 @@ use std::path::Path;
 
 use common::{apply, editor, editor_with, pose, press, shown};
 use inbetween::editor::{
-    ClipboardCommand, Command, Edit, Editor, Effect, GestureCommand, SelectionCommand, Severity, ViewCommand, Written,
+    ClipboardCommand, Command, Edit, Editor, Effect, Eye, GestureCommand, SelectionCommand, Severity, ViewCommand,
+    Written,
 };
 use inbetween::interpolation::Interpolation;
 use inbetween::keyframe::{KeyframeIndex, keyframes_to_json};
@@ -214,14 +215,18 @@ fn a_drag_is_one_step_and_escape_takes_it_back() {
 fn the_eye_moves_where_nothing_is_chosen() {
     let mut editor = editor();
     let sky = editor.scene().find_rbt("sky").unwrap();
-    assert_eq!(editor.dragged_node(), sky);
+    assert_eq!(editor.dragged_node(), Some(sky));
     press(&mut editor, "v");
-    assert_eq!(editor.scene().rbt_path(editor.dragged_node()), "robot1");
+    assert_eq!(editor.scene().rbt_path(editor.dragged_node().unwrap()), "robot1");
     press(&mut editor, "m");
     assert_eq!(editor.message().unwrap().severity(), Severity::Error, "the sky modes need the sky as eye");
     press(&mut editor, "v v m");
     assert_eq!(editor.message().unwrap().severity(), Severity::Information);
-    assert_eq!(editor.dragged_node(), sky);
+    assert_eq!(editor.dragged_node(), Some(sky));
+    editor.apply(Command::View(ViewCommand::SetEye(Eye::Work))).unwrap();
+    assert_eq!(editor.dragged_node(), None);
+    press(&mut editor, "m");
+    assert_eq!(editor.message().unwrap().severity(), Severity::Error, "the sky modes need the sky as eye");
 }
 
 #[test]

@@ -8,8 +8,8 @@ use std::sync::LazyLock;
 use common::{editor, editor_with, press};
 use glam::{Quat, Vec3};
 use inbetween::editor::{
-    ClipboardCommand, Command, Edit, Editor, FileAccess, FileCommand, GestureCommand, KeyAt, Pivot, PlaybackCommand,
-    SceneEdit, SelectionCommand, TimelineEdit, ViewCommand, Written,
+    ClipboardCommand, Command, Edit, Editor, Eye, FileAccess, FileCommand, GestureCommand, KeyAt, Pivot,
+    PlaybackCommand, SceneEdit, SelectionCommand, TimelineEdit, ViewCommand, WorkEye, Written,
 };
 use inbetween::journal::{self, Ending, Writer, play_alone, survey};
 use inbetween::keyframe::{Easing, KeyframeIndex, keyframes_to_json};
@@ -137,6 +137,10 @@ fn any_step() -> impl Strategy<Value = Step> {
         1 => prop::sample::select(&[Pivot::Own, Pivot::Common]).prop_map(|pivot| Command::View(ViewCommand::SetPivot(pivot))),
         2 => (0usize..24).prop_map(|rbt| Command::View(ViewCommand::ChooseAlso(RbtIndex::new(rbt)))),
         1 => Just(Command::View(ViewCommand::NextEye)),
+        1 => Just(Command::View(ViewCommand::SetEye(Eye::Work))),
+        1 => (-200f32..200.0).prop_map(|yaw_degrees| {
+            Command::View(ViewCommand::SetWorkEye(WorkEye { yaw_degrees, ..WorkEye::default() }))
+        }),
         1 => Just(Command::View(ViewCommand::ToggleAutoKeys)),
         1 => Just(Command::View(ViewCommand::ToggleSkyMode)),
         2 => prop::collection::btree_set(0usize..8, 0..4).prop_map(|indices| {

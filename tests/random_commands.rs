@@ -8,8 +8,8 @@ use std::sync::LazyLock;
 use common::{apply, editor, press};
 use glam::{Quat, Vec3};
 use inbetween::editor::{
-    ClipboardCommand, Command, Edit, Editor, GestureCommand, KeyAt, Pivot, PlaybackCommand, SceneEdit,
-    SelectionCommand, TimelineEdit, ViewCommand, Written,
+    ClipboardCommand, Command, Edit, Editor, Eye, GestureCommand, KeyAt, Pivot, PlaybackCommand, SceneEdit,
+    SelectionCommand, TimelineEdit, ViewCommand, WorkEye, Written,
 };
 use inbetween::interpolation::Interpolation;
 use inbetween::keyframe::{Easing, KeyframeIndex, Retiming, StretchEnd, keyframes_to_json};
@@ -135,6 +135,10 @@ fn any_step() -> impl Strategy<Value = Step> {
         2 => Just(Command::Playback(PlaybackCommand::PlayOrStop)),
         1 => Just(Command::Playback(PlaybackCommand::PauseOrResume)),
         1 => Just(Command::View(ViewCommand::NextEye)),
+        1 => Just(Command::View(ViewCommand::SetEye(Eye::Work))),
+        1 => (-200f32..200.0).prop_map(|yaw_degrees| {
+            Command::View(ViewCommand::SetWorkEye(WorkEye { yaw_degrees, ..WorkEye::default() }))
+        }),
         1 => Just(Command::View(ViewCommand::ToggleSkyMode)),
         1 => Just(Command::View(ViewCommand::StartPicking)),
         2 => prop::option::of(0usize..24).prop_map(|rbt| Command::View(ViewCommand::Choose(rbt.map(RbtIndex::new)))),

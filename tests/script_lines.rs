@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use common::{apply, editor_with, press, shown};
-use inbetween::editor::{Editor, Effect, PlayMode, Session};
+use inbetween::editor::{Editor, Effect, PlayMode, Session, WorkEye};
 use inbetween::keyframe::keyframes_to_json;
 use inbetween::script::{markdown as script_lines, script_commands};
 use inbetween::words::Phrase;
@@ -137,6 +137,11 @@ fn a_cancelled_drag_is_as_if_it_had_not_been() {
 
 type Look = fn(&Session) -> String;
 
+fn work_eye(session: &Session) -> String {
+    let WorkEye { yaw_degrees, pitch_degrees, distance, target_in_world } = session.work_eye;
+    format!("{yaw_degrees} {pitch_degrees} {distance} {target_in_world}")
+}
+
 /// Lines that change how things are looked at and played: what they leave, which undo leaves alone.
 const SESSIONS: &[(&str, &str, Look)] = &[
     ("select robot1/head", "[RbtIndex(11)]", |session| format!("{:?}", &*session.chosen)),
@@ -168,7 +173,16 @@ const SESSIONS: &[(&str, &str, Look)] = &[
     ("compare-interpolations nlerp linear", "linear nlerp", |session| {
         session.compared_blends.iter().map(|blend| blend.name()).collect::<Vec<_>>().join(" ")
     }),
-    ("eye robot2", "2", |session| session.eye.to_string()),
+    ("eye robot2", "Recorded(2)", |session| format!("{:?}", session.eye)),
+    ("key v\nkey v\nkey v", "Recorded(0)", |session| format!("{:?}", session.eye)),
+    ("eye work", "Work", |session| format!("{:?}", session.eye)),
+    ("eye work\nkey v", "Recorded(0)", |session| format!("{:?}", session.eye)),
+    ("eye work\nkey v\nkey v\nkey v\nkey v", "Work", |session| format!("{:?}", session.eye)),
+    ("work-eye 30 -5.5 4 1 2 3", "30 -5.5 4 [1, 2, 3]", work_eye),
+    ("eye work\nwork-eye 30 10 4 0 0 0\nwheel 1", "30 10 3 [0, 0, 0]", work_eye),
+    ("eye work\nwork-eye 0 0 4 0 0 0\ndrag begin\ndrag move 1 2 3\ndrag end", "0 0 7 [1, 2, 0]", work_eye),
+    ("eye work\nwork-eye 0 0 4 0 0 0\ndrag begin\ndrag turn y 90\ndrag end", "90 0 4 [0, 0, 0]", work_eye),
+    ("eye work\nwork-eye 0 0 4 0 0 0\ndrag begin\ndrag turn y 90\ndrag cancel", "0 0 4 [0, 0, 0]", work_eye),
 ];
 
 #[test]
@@ -179,6 +193,18 @@ fn lines_that_change_the_session_leave_the_document_alone() {
         run(&mut editor, line);
         assert_eq!(look(editor.session()), expected, "{line}");
         assert_eq!((document(&editor), editor.undo_label()), before, "{line}");
+    }
+}
+
+#[test]
+fn the_work_eye_moves_while_something_plays() {
+    for (lines, expected) in
+        [("wheel 1", "0 0 3 [0, 0, 0]"), ("drag begin\ndrag move 1 0 0\ndrag end", "0 0 4 [1, 0, 0]")]
+    {
+        let mut editor = editor_with(6);
+        run(&mut editor, &format!("eye work\nwork-eye 0 0 4 0 0 0\nkey y\n{lines}"));
+        assert_eq!(work_eye(editor.session()), expected, "{lines}");
+        assert!(editor.is_playing() && editor.message().is_none(), "{lines}: {}", editor.message_text());
     }
 }
 

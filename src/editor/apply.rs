@@ -53,7 +53,10 @@ impl Editor {
     fn dispatch(&mut self, command: Command) -> Result<(Option<Message>, Option<Effect>), CommandError> {
         let without_effect = |result: CommandResult| result.map(|said| (said, None));
         let row = row_of(&command);
-        if let Some(what) = row.refused_while_playing {
+        // What moves the work eye changes no node.
+        let moves_work_eye =
+            self.dragged_node().is_none() && matches!(command, Command::Gesture(_) | Command::Edit(Edit::Wheel(_)));
+        if let Some(what) = row.refused_while_playing.filter(|_| !moves_work_eye) {
             self.refuse_while_playing(what)?;
         }
         match command {
@@ -145,6 +148,9 @@ impl Editor {
             Edit::RotateChosen { axis_in_node, radians } => self.rotate_chosen(axis_in_node, radians),
             Edit::TranslateChosen(by) => self.translate_chosen(by),
             Edit::Wheel(motion) => {
+                if self.dragged_node().is_none() {
+                    return self.set_work_eye(self.session.work_eye.moved(motion));
+                }
                 let moved = self.moved(motion);
                 self.change_nodes(moved, texts::ACT_MOVE_ALONG_THE_VIEW, Some(Run::Wheel))
             }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use glam::{Quat, Vec3};
 
-use super::{KeyAt, Pivot, PlayMode, SceneEdit};
+use super::{Eye, KeyAt, Pivot, PlayMode, SceneEdit, WorkEye};
 use crate::film::ExportOptions;
 use crate::interpolation::Interpolation;
 use crate::keyframe::{Blend, Easing, KeyframeIndex, KeyframesText, Retiming};
@@ -208,8 +208,10 @@ pub enum PlaybackCommand {
 pub enum ViewCommand {
     /// Looks from the next eye.
     NextEye,
-    /// Looks from the eye with this index in [`crate::scene::SceneGraph::eyes`].
-    SetEye(usize),
+    /// Looks from this eye.
+    SetEye(Eye),
+    /// Puts the work eye somewhere, in force or not; numbers out of range are moved into it.
+    SetWorkEye(WorkEye),
     /// With the sky as eye and nothing chosen: moves about the world's centre, or about the eye itself.
     ToggleSkyMode,
     /// The next click in the view chooses the node to move.

@@ -2,7 +2,7 @@
 
 use super::apply::CommandResult;
 use super::placing::{move_label, turn_label};
-use super::{CommandError, Document, Editor, GestureCommand, Snapshot};
+use super::{CommandError, Document, Editor, GestureCommand, Snapshot, WorkEye};
 use crate::keyframe::{Keyframe, KeyframeList};
 use crate::pose::RbtIndex;
 use crate::rbt::Rbt;
@@ -13,6 +13,8 @@ use crate::words::{Message, Phrase, texts};
 pub(super) struct Gesture {
     /// The document before it.
     pub(super) before: Document,
+    /// The work eye before it.
+    work_eye: WorkEye,
     /// What undo calls it.
     pub(super) label: Phrase,
 }
@@ -20,15 +22,24 @@ pub(super) struct Gesture {
 impl Editor {
     pub(super) fn gesture(&mut self, command: GestureCommand) -> CommandResult {
         match command {
+            // While playing only the work eye can be dragged, which changes no document and is no step.
+            GestureCommand::Begin if self.is_playing() => {}
             GestureCommand::Begin => {
                 self.commit_gesture();
                 self.history.end_run();
                 // A scrubbed pose stays on screen until the drag moves a node.
-                self.gesture = Some(Gesture { before: self.document.clone(), label: texts::ACT_DRAG });
+                self.gesture = Some(Gesture {
+                    before: self.document.clone(),
+                    work_eye: self.session.work_eye,
+                    label: texts::ACT_DRAG,
+                });
             }
             GestureCommand::Move(motion) => {
-                if self.gesture.is_none() {
+                if !self.takes_motions() {
                     return Err(CommandError::NoDrag);
+                }
+                if self.dragged_node().is_none() {
+                    return self.set_work_eye(self.session.work_eye.moved(motion));
                 }
                 self.drag_to(self.moved(motion), motion.translation == glam::Vec3::ZERO)?;
             }
@@ -46,13 +57,24 @@ impl Editor {
                 self.commit_gesture();
             }
             GestureCommand::Abort => {
-                if let Some(gesture) = self.gesture.take() {
-                    self.document = gesture.before;
-                    return Ok(Some(texts::DRAG_TAKEN_BACK.into()));
-                }
+                return Ok(self.take_drag_back());
             }
         }
         Ok(None)
+    }
+
+    /// Whether motions of a drag count: during a drag, and those of the work eye while playing too.
+    #[must_use]
+    pub fn takes_motions(&self) -> bool {
+        self.gesture.is_some() || self.is_playing() && self.dragged_node().is_none()
+    }
+
+    /// Ends a drag as if it had not been.
+    fn take_drag_back(&mut self) -> Option<Message> {
+        let gesture = self.gesture.take()?;
+        self.document = gesture.before;
+        self.session.work_eye = gesture.work_eye;
+        Some(texts::DRAG_TAKEN_BACK.into())
     }
 
     fn drag_to(&mut self, placed: Vec<(RbtIndex, Rbt)>, is_turn: bool) -> CommandResult {
@@ -70,13 +92,14 @@ impl Editor {
         let label = self.gesture.as_ref()?.label;
         let dragged = self.dragged_nodes();
         let is_turn = label == turn_label(dragged.len());
+        let is_work_eye = dragged.is_empty();
         let placed = dragged.into_iter().map(|rbt| self.document.live_pose.get(rbt)).collect();
-        (label != texts::ACT_DRAG).then_some(GestureCommand::MoveTo { placed, is_turn })
+        (label != texts::ACT_DRAG && !is_work_eye).then_some(GestureCommand::MoveTo { placed, is_turn })
     }
 
     /// Ends a drag, as one step of undo.
     pub(super) fn commit_gesture(&mut self) {
-        let Some(Gesture { before, label }) = self.gesture.take() else { return };
+        let Some(Gesture { before, label, .. }) = self.gesture.take() else { return };
         let has_moved = !before.live_pose.same_as(&self.document.live_pose);
         if self.session.auto_keys
             && has_moved
@@ -135,9 +158,8 @@ impl Editor {
     }
 
     pub(super) fn cancel(&mut self) -> Option<Message> {
-        if let Some(gesture) = self.gesture.take() {
-            self.document = gesture.before;
-            return Some(texts::DRAG_TAKEN_BACK.into());
+        if let Some(said) = self.take_drag_back() {
+            return Some(said);
         }
         if self.session.is_picking {
             self.session.is_picking = false;

@@ -6,7 +6,7 @@
 
 use glam::{Quat, Vec2, Vec3};
 
-use super::{Editor, SkyMode};
+use super::{Editor, Eye, SkyMode};
 use crate::camera::{Arcball, Camera};
 use crate::pose::RbtIndex;
 use crate::rbt::Rbt;
@@ -86,27 +86,21 @@ impl Manipulation {
 }
 
 impl Editor {
-    /// The node whose frame a drag goes by: the primary of the chosen ones, or the eye.
-    #[must_use]
-    pub fn dragged_node(&self) -> RbtIndex {
-        self.session.chosen.primary().unwrap_or_else(|| self.eye())
-    }
-
     /// The camera of what is displayed, for a picture of this size in pixels.
     #[must_use]
     pub fn camera(&self, size_px: Vec2) -> Camera {
         Camera {
-            world_from_eye: self.document.scene.world_from_rbt(&self.displayed_pose(), self.seconds(), self.eye()),
+            world_from_eye: self.world_from_eye(&self.displayed_pose()),
             vertical_fov: self.document.scene.vertical_fov(),
             size_px,
         }
     }
 
     /// How a drag moves one of the dragged nodes.
-    fn style_of(&self, rbt: RbtIndex) -> Style {
+    fn style_of(&self, rbt: Option<RbtIndex>) -> Style {
         if rbt != self.eye() {
             Style::Node
-        } else if self.session.eye == 0
+        } else if self.session.eye == Eye::Recorded(0)
             && self.session.chosen.is_empty()
             && self.session.sky_mode == SkyMode::WorldCentre
         {
@@ -123,8 +117,8 @@ impl Editor {
         let centre_in_world = match style {
             Style::Node => {
                 let pose = self.displayed_pose();
-                let own = || self.document.scene.world_from_rbt(&pose, self.seconds(), self.dragged_node()).translation;
-                Some(self.common_centre(&pose).unwrap_or_else(own))
+                let own = |node| self.scene().world_from_rbt(&pose, self.seconds(), node).translation;
+                self.common_centre(&pose).or(self.dragged_node().map(own))
             }
             Style::Orbit => Some(Vec3::ZERO),
             Style::Ego => None,
@@ -148,12 +142,12 @@ impl Editor {
         let pose = &self.edited_pose();
         let seconds = self.seconds();
         let scene = &self.document.scene;
-        let world_from_eye = scene.world_from_rbt(pose, seconds, self.eye());
+        let world_from_eye = self.world_from_eye(pose);
         let nodes = if motion.translation == Vec3::ZERO { self.turned_nodes() } else { self.topmost_dragged() };
         let common = self.common_centre(pose);
         let moved = |rbt| {
             let world_from_object = scene.world_from_rbt(pose, seconds, rbt);
-            let world_from_auxiliary = match self.style_of(rbt) {
+            let world_from_auxiliary = match self.style_of(Some(rbt)) {
                 Style::Node => Rbt::new(common.unwrap_or(world_from_object.translation), world_from_eye.rotation),
                 Style::Orbit => Rbt::from_rotation(world_from_eye.rotation),
                 Style::Ego => world_from_object,

@@ -22,7 +22,7 @@ impl Editor {
     /// The node whose path is shown: the chosen one, of several the primary, unless it is the eye, whose path would end at itself.
     #[must_use]
     pub fn path_node(&self) -> Option<RbtIndex> {
-        self.session.chosen.primary().filter(|&chosen| self.session.shows_motion_path && chosen != self.eye())
+        self.session.chosen.primary().filter(|&chosen| self.session.shows_motion_path && Some(chosen) != self.eye())
     }
 
     /// The dot of a keyframe, where there is a path and the keyframe is in the list.

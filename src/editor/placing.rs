@@ -36,9 +36,9 @@ pub(super) const fn move_label(count: usize) -> Phrase {
 }
 
 impl Editor {
-    /// The nodes that a drag moves: the chosen ones, or the eye.
+    /// The nodes that a drag moves: the chosen ones, or the eye; none for the work eye.
     pub(super) fn dragged_nodes(&self) -> Vec<RbtIndex> {
-        if self.session.chosen.is_empty() { vec![self.eye()] } else { self.session.chosen.to_vec() }
+        if self.session.chosen.is_empty() { self.eye().into_iter().collect() } else { self.session.chosen.to_vec() }
     }
 
     /// The dragged nodes without those that hang below another one of them, which carries them along.

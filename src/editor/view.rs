@@ -1,7 +1,7 @@
 //! View commands: changes of the session, which undo leaves alone.
 
 use super::apply::CommandResult;
-use super::{Choice, Command, CommandError, Editor, Message, Pivot, SkyMode, ViewCommand};
+use super::{Choice, Command, CommandError, Editor, Eye, Message, Pivot, SkyMode, ViewCommand};
 use crate::frame::MOST_GHOSTS;
 use crate::pose::RbtIndex;
 use crate::words::texts;
@@ -13,10 +13,11 @@ const GHOST_STEPS: u8 = 3;
 impl Editor {
     pub(super) fn view(&mut self, command: ViewCommand) -> CommandResult {
         match command {
-            ViewCommand::NextEye => self.set_eye((self.session.eye + 1) % self.document.scene.eyes().len()),
+            ViewCommand::NextEye => self.set_eye(self.next_eye()),
             ViewCommand::SetEye(eye) => self.set_eye(eye),
+            ViewCommand::SetWorkEye(eye) => self.set_work_eye(eye),
             ViewCommand::ToggleSkyMode => {
-                if self.session.eye != 0 || !self.session.chosen.is_empty() {
+                if self.session.eye != Eye::Recorded(0) || !self.session.chosen.is_empty() {
                     return Err(CommandError::NoSkyMode);
                 }
                 self.commit_gesture();
@@ -94,15 +95,6 @@ impl Editor {
         }
     }
 
-    fn set_eye(&mut self, eye: usize) -> CommandResult {
-        let Some(&rbt) = self.document.scene.eyes().get(eye) else {
-            return Err(CommandError::NotInScene { what: texts::VALUE_EYE });
-        };
-        self.commit_gesture();
-        self.session.eye = eye;
-        Ok(Some(texts::view_looks_from(self.document.scene.rbt_path(rbt))))
-    }
-
     fn choose(&mut self, rbt: Option<RbtIndex>, change: impl FnOnce(&Choice) -> Choice) -> CommandResult {
         if rbt.is_some_and(|rbt| rbt.get() >= self.document.scene.rbt_count()) {
             return Err(CommandError::NotInScene { what: texts::VALUE_NODE });
@@ -122,15 +114,19 @@ impl Editor {
     /// The eye and how a drag moves, in short: `sky view · world-sky`.
     #[must_use]
     pub fn view_sentence(&self) -> Message {
-        let eye = self.document.scene.node(self.document.scene.rbt_node(self.eye())).name.as_str();
+        let scene = &self.document.scene;
         let moves: Message = match (&*self.session.chosen, self.session.eye, self.session.sky_mode) {
-            ([], 0, SkyMode::WorldCentre) => texts::WORLD_SKY.into(),
-            ([], 0, SkyMode::Eye) => texts::SKY_SKY.into(),
-            ([], ..) => texts::MOVES_ITSELF.into(),
-            ([chosen], ..) => texts::moves_node(self.document.scene.rbt_path(*chosen)),
+            ([], Eye::Work, _) => return texts::WORK_VIEW.into(),
+            ([], Eye::Recorded(0), SkyMode::WorldCentre) => texts::WORLD_SKY.into(),
+            ([], Eye::Recorded(0), SkyMode::Eye) => texts::SKY_SKY.into(),
+            ([], Eye::Recorded(_), _) => texts::MOVES_ITSELF.into(),
+            ([chosen], ..) => texts::moves_node(scene.rbt_path(*chosen)),
             (chosen, ..) => texts::moves_nodes(chosen.len()),
         };
-        texts::view_of(eye, moves)
+        match self.eye() {
+            Some(eye) => texts::view_of(scene.node(scene.rbt_node(eye)).name.as_str(), moves),
+            None => texts::work_view_of(moves),
+        }
     }
 }
 
@@ -150,5 +146,9 @@ mod tests {
         assert_eq!(editor.view_sentence().to_string(), "sky view · sky-sky");
         editor.apply(Command::View(ViewCommand::NextEye)).unwrap();
         assert_eq!(editor.view_sentence().to_string(), "robot1 view · moves itself");
+        editor.apply(Command::View(ViewCommand::SetEye(Eye::Work))).unwrap();
+        assert_eq!(editor.view_sentence().to_string(), "work view · not recorded");
+        editor.apply(Command::View(ViewCommand::Choose(editor.scene().find_rbt("robot2")))).unwrap();
+        assert_eq!(editor.view_sentence().to_string(), "work view · moves robot2");
     }
 }

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::editor::{Command, Editor, Pivot, PlayMode, PlaybackCommand, SelectionCommand, SkyMode, ViewCommand};
+use crate::editor::{Command, Editor, Eye, Pivot, PlayMode, PlaybackCommand, SelectionCommand, SkyMode, ViewCommand};
 use crate::script::{Restore, print_swiftly};
 use crate::storage;
 
@@ -35,7 +35,9 @@ fn session(editor: &Editor) -> Vec<Command> {
     let mut commands = Vec::new();
     // Only the sky camera, which a new editor has as its eye, can change what it moves about.
     commands.extend(toggled(session.sky_mode != SkyMode::default(), ViewCommand::ToggleSkyMode));
+    commands.extend(session.has_used_work_eye.then(|| view(ViewCommand::SetEye(Eye::Work))));
     commands.push(view(ViewCommand::SetEye(session.eye)));
+    commands.push(view(ViewCommand::SetWorkEye(session.work_eye)));
     let mut chosen = session.chosen.iter().copied();
     commands.push(view(ViewCommand::Choose(chosen.next())));
     commands.extend(chosen.map(|rbt| view(ViewCommand::ChooseAlso(rbt))));

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::{mark, start};
 use crate::editor::commands::row_of;
-use crate::editor::{Command, Editor, FileAccess, FileCommand, GestureCommand, Reach};
+use crate::editor::{Command, Editor, FileAccess, FileCommand, GestureCommand, Reach, ViewCommand, WorkEye};
 use crate::script::{Restore, imported_line, print_swiftly};
 use crate::storage::{self, Log, StorageError, epoch_seconds};
 
@@ -41,6 +41,8 @@ pub struct Writer {
     /// What is not handed to the system yet.
     pending: String,
     drag: Option<Drag>,
+    /// The line for where the work eye was moved since the last line.
+    work_eye: Option<String>,
     /// Ticks that the editor took in since the last line.
     ticks: u64,
     lines: u64,
@@ -103,8 +105,20 @@ impl Writer {
         let (pending, drag, problem) = (format!("{}\n", mark::FORMAT), None, None);
         let (ticks, lines, handed_lines, bytes, reach, is_broken) = (0, 0, 0, 0, None, false);
         let reach_before = reach;
-        let mut writer =
-            Self { log, pending, drag, ticks, lines, handed_lines, bytes, reach, reach_before, problem, is_broken };
+        let mut writer = Self {
+            log,
+            pending,
+            drag,
+            work_eye: None,
+            ticks,
+            lines,
+            handed_lines,
+            bytes,
+            reach,
+            reach_before,
+            problem,
+            is_broken,
+        };
         let keyframes = mark::quoted(&storage::absolute(editor.keyframe_file()));
         let scene = serde_json::Value::from(editor.scene().name());
         for line in [
@@ -150,7 +164,7 @@ impl Writer {
                 self.drag = Some(Drag::default());
             }
             Command::Gesture(GestureCommand::Move(_)) => {
-                if editor.is_dragging() {
+                if editor.takes_motions() {
                     self.drag.get_or_insert_default().is_moving = true;
                 }
             }
@@ -162,7 +176,9 @@ impl Writer {
                 self.drag = self.drag.filter(|_| editor.is_dragging() && !commits_drag(file));
             }
             Command::Window(_) => {}
-            _ => self.other(editor, command),
+            // Where it stands is wanted once something else happens.
+            Command::View(ViewCommand::SetWorkEye(eye)) => self.work_eye_moved(editor, *eye),
+            _ => self.other(editor, &editor.meant_by(command.clone())),
         }
     }
 
@@ -223,6 +239,10 @@ impl Writer {
     /// Writes where the motions of a drag have led so far.
     fn end_of_motions(&mut self, editor: &Editor) {
         let has_moved = self.drag.as_mut().is_some_and(|drag| std::mem::take(&mut drag.is_moving));
+        if has_moved && editor.dragged_node().is_none() {
+            self.work_eye_moved(editor, editor.session().work_eye);
+            self.end_of_work_eye();
+        }
         // The editor knows whether a motion counted: it refuses those that lead too far.
         if let Some(led) = editor.drag_so_far().filter(|_| has_moved) {
             let led = Command::Gesture(led);
@@ -281,6 +301,7 @@ impl Writer {
     /// Hands over what waits for the end of a drag or of playing.
     pub fn flush(&mut self, editor: &Editor) {
         self.end_of_motions(editor);
+        self.end_of_work_eye();
         self.end_of_ticks();
         self.hand_over();
     }
@@ -324,8 +345,22 @@ impl Writer {
         }
     }
 
+    /// Writes where the work eye was moved last: a drag of it is one line.
+    fn end_of_work_eye(&mut self) {
+        if let Some(line) = self.work_eye.take() {
+            self.push(&line);
+            self.lines += 1;
+        }
+    }
+
+    fn work_eye_moved(&mut self, editor: &Editor, eye: WorkEye) {
+        let eye = eye.in_range().map(|eye| Command::View(ViewCommand::SetWorkEye(eye)));
+        self.work_eye = eye.and_then(|command| print_swiftly(&command, editor.scene())).or(self.work_eye.take());
+    }
+
     /// A line at its place in time.
     fn line(&mut self, line: &str) {
+        self.end_of_work_eye();
         self.end_of_ticks();
         self.push(line);
         self.lines += 1;

@@ -1,7 +1,7 @@
 //! Choices with a value: recent files, eyes, interpolations, colours, languages, sizes. Menus and the command list show the same.
 
 use super::words::Words;
-use crate::editor::{Command, Edit, Editor, FileCommand, ViewCommand, WindowCommand};
+use crate::editor::{Command, Edit, Editor, Eye, FileCommand, ViewCommand, WindowCommand};
 use crate::interpolation::Interpolation;
 use crate::settings::{SCALES, Settings, ThemeChoice};
 use crate::words::{Language, texts};
@@ -58,9 +58,12 @@ pub fn choices(editor: &Editor, settings: &Settings, words: Words) -> Vec<Choice
         let command = Command::File(FileCommand::Open(path.clone()));
         add(Topic::Recent, path.display().to_string(), command, false);
     }
+    let mut look_from = |label: String, eye: Eye| {
+        add(Topic::Eye, label, Command::View(ViewCommand::SetEye(eye)), eye == editor.session().eye);
+    };
+    look_from(words.say(texts::WORK_EYE).to_owned(), Eye::Work);
     for (index, &rbt) in editor.scene().eyes().iter().enumerate() {
-        let is_on = index == editor.session().eye;
-        add(Topic::Eye, editor.scene().rbt_path(rbt).to_owned(), Command::View(ViewCommand::SetEye(index)), is_on);
+        look_from(editor.scene().rbt_path(rbt).to_owned(), Eye::Recorded(index));
     }
     for interpolation in Interpolation::ALL {
         let is_on = editor.document().interpolation == interpolation;

@@ -241,7 +241,7 @@ fn camera(ui: &mut Ui, options: &mut ExportOptions, editor: &Editor, words: Word
     let all: Vec<(Option<&str>, &str)> = eyes.chain([(Some("turntable"), words.say(texts::TURNTABLE))]).collect();
     let known = all.iter().map(|(path, _)| *path).find(|path| *path == options.camera.as_deref());
     // At first as one looks now.
-    let mut chosen = known.unwrap_or(all[editor.session().eye].0);
+    let mut chosen = known.unwrap_or(all[editor.session().eye.recorded().unwrap_or_default()].0);
     if choose(ui, words.say(texts::CAMERA), &mut chosen, &all) || known.is_none() {
         options.camera = chosen.map(str::to_owned);
     }

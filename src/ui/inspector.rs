@@ -22,7 +22,11 @@ pub fn show(ui: &mut Ui, editor: &Editor, angles: &mut ShownAngles, keymap: &Key
     let words = Words::of(ui);
     let tokens = Tokens::of(ui);
     let scene = editor.scene();
-    let rbt = editor.dragged_node();
+    let Some(rbt) = editor.dragged_node() else {
+        ui.label(RichText::new(words.say(texts::WORK_EYE)).strong().size(14.0));
+        ui.label(RichText::new(words.say(texts::CTRL_CLICK_A_PART_TO_CHOOSE_IT)).small().color(tokens.dim));
+        return;
+    };
     let node = scene.node(scene.rbt_node(rbt));
     ui.horizontal(|ui| {
         ui.label(RichText::new(&node.name).strong().size(14.0));

@@ -9,7 +9,7 @@ use super::theme::{CORNER, ROW, Tokens, text_font};
 use super::words::Words;
 use super::{key_of, tip};
 use crate::editor::keymap::Keymap;
-use crate::editor::{Command, Editor, ViewCommand};
+use crate::editor::{Command, Editor, Eye, ViewCommand};
 use crate::pose::RbtIndex;
 use crate::scene::{NodeId, NodeKind, SceneGraph};
 use crate::words::texts;
@@ -141,7 +141,7 @@ impl Tree {
         let words = Words::of(ui);
         let says = words.message(texts::look_from_eye(name));
         response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &says));
-        let is_eye = editor.session().eye == eye;
+        let is_eye = editor.session().eye == Eye::Recorded(eye);
         let colour = match (is_eye, response.hovered()) {
             (true, _) => tokens.accent,
             (false, true) => tokens.text,
@@ -151,7 +151,7 @@ impl Tree {
         ring(ui, area, &response);
         let text = if is_eye { words.message(texts::is_the_eye(name)) } else { says };
         if was_pressed(&response.on_hover_text(tip(&text, key))) {
-            commands.push(Command::View(ViewCommand::SetEye(eye)));
+            commands.push(Command::View(ViewCommand::SetEye(Eye::Recorded(eye))));
         }
     }
 }

@@ -101,7 +101,7 @@ pub fn assert_invariants(editor: &Editor, after: &str) {
     }
     assert!(!(editor.is_playing() && keyframes.len() < 4), "after {after}: plays too short a list");
     assert!(!(editor.is_playing() && editor.is_dragging()), "after {after}: plays during a drag");
-    assert!(editor.session().eye < editor.scene().eyes().len());
+    assert!(editor.session().eye.recorded().is_none_or(|eye| eye < editor.scene().eyes().len()));
     let (session, scene) = (editor.session(), editor.scene());
     assert!(session.chosen.iter().all(|rbt| rbt.get() < count), "after {after}: what is chosen is in no scene");
     assert!(

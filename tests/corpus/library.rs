@@ -7,7 +7,9 @@ use std::sync::Arc;
 
 use glam::Vec3;
 use inbetween::editor::keymap::{Chord, Keymap, by_id};
-use inbetween::editor::{Command, Edit, Editor, PlaybackCommand, SceneEdit, TimelineEdit, ViewCommand, Written};
+use inbetween::editor::{
+    Command, Edit, Editor, Eye, PlaybackCommand, SceneEdit, TimelineEdit, ViewCommand, WorkEye, Written,
+};
 use inbetween::film::ExportEnd;
 use inbetween::flip::Scores;
 use inbetween::keyframe::KeyframeIndex;
@@ -40,7 +42,8 @@ pub fn editor() -> String {
     }
     let first = KeyframeIndex::new(0);
     let commands = [
-        Command::View(ViewCommand::SetEye(9)),
+        Command::View(ViewCommand::SetEye(Eye::Recorded(9))),
+        Command::View(ViewCommand::SetWorkEye(WorkEye { distance: f32::NAN, ..WorkEye::default() })),
         Command::View(ViewCommand::Choose(Some(beyond))),
         Command::Edit(Edit::SetTranslation(beyond, Vec3::ZERO)),
         Command::Edit(Edit::SetTranslation(robot, nan)),

@@ -231,7 +231,7 @@ fn needs_quotes(text: &str) -> bool {
 
 /// The path of a node, which stands last in a line.
 pub(super) fn node_text(path: &str) -> String {
-    if path == "none" || needs_quotes(path) { quoted(path) } else { path.to_owned() }
+    if path == "none" || path == "work" || needs_quotes(path) { quoted(path) } else { path.to_owned() }
 }
 
 /// The path of an RBT node, which stands last in a line; `None` where the scene has no such node.

@@ -1,9 +1,11 @@
 //! Commands of view, camera and ghosts.
 
+use glam::Vec3;
+
 use super::line::{ArgumentError, Ending, Line};
 use super::row::{Binding, Changes, Group, Menu, Row};
-use super::values::{one_of, rbt_path_text};
-use crate::editor::{Command, Pivot, ViewCommand};
+use super::values::{numbers, numbers_text, one_of, rbt_path_text, vector_text};
+use crate::editor::{Command, Eye, Pivot, ViewCommand, WorkEye};
 use crate::text::listed;
 
 fn binding(id: &'static str, command: ViewCommand) -> Binding {
@@ -22,11 +24,13 @@ fn eyes() -> Vec<Row> {
         Row::listed(Changes::Session, next.hotkeys(&["v"])),
         Row::of(Changes::Session, "eye", |command| matches!(command, Command::View(ViewCommand::SetEye(_)))).line(
             Line::new(
-                "eye PATH",
-                "looks from an eye of the scene",
+                "eye PATH|work",
+                "looks from an eye of the scene, or from the work eye, which keyframes do not record",
                 |arguments| {
-                    if arguments.words.is_empty() {
-                        return Ok(None);
+                    match arguments.words {
+                        [] => return Ok(None),
+                        ["work"] => return Ok(Some(Command::View(ViewCommand::SetEye(Eye::Work)))),
+                        _ => {}
                     }
                     let rbt = arguments.rbt(arguments.text)?;
                     let eyes = arguments.scene.eyes();
@@ -37,15 +41,17 @@ fn eyes() -> Vec<Row> {
                             "or",
                         ),
                     })?;
-                    Ok(Some(Command::View(ViewCommand::SetEye(eye))))
+                    Ok(Some(Command::View(ViewCommand::SetEye(Eye::Recorded(eye)))))
                 },
                 |command, scene| {
                     let Command::View(ViewCommand::SetEye(eye)) = command else { return None };
+                    let Eye::Recorded(eye) = eye else { return Some("work".to_owned()) };
                     rbt_path_text(*scene.eyes().get(*eye)?, scene)
                 },
             )
             .ending(Ending::NodePath),
         ),
+        work_eye(),
         Row::listed(Changes::Session, pick.hotkeys(&["p"]).ticked(|editor, _| editor.session.is_picking)),
         Row::of(Changes::Session, "select", |command| matches!(command, Command::View(ViewCommand::Choose(_)))).line(
             Line::new(
@@ -86,7 +92,7 @@ fn eyes() -> Vec<Row> {
             ),
         pivots(),
         Row::listed(Changes::Session, sky.hotkeys(&["m"]))
-            .can(|editor, _| editor.session.eye == 0 && editor.session.chosen.is_empty()),
+            .can(|editor, _| editor.session.eye == Eye::Recorded(0) && editor.session.chosen.is_empty()),
     ]
 }
 
@@ -108,6 +114,36 @@ fn pivots() -> Row {
                 Pivot::NAMES.into_iter().find(|(named, _)| named == pivot).map(|(_, name)| name.to_owned())
             },
         ))
+}
+
+fn work_eye() -> Row {
+    Row::of(Changes::Session, "work-eye", |command| matches!(command, Command::View(ViewCommand::SetWorkEye(_)))).line(
+        Line::new(
+            "work-eye YAW PITCH DISTANCE X Y Z",
+            "puts the work eye on a sphere around the point X Y Z, which it looks at: around by YAW and up by PITCH degrees, DISTANCE units away",
+            |arguments| {
+                let Ok(words) = <&[&str; 6]>::try_from(arguments.words) else { return Ok(None) };
+                let ranges = [
+                    ("yaw", -180.0..=180.0),
+                    ("pitch", -90.0..=90.0),
+                    ("distance", f64::from(*WorkEye::DISTANCES.start())..=f64::from(*WorkEye::DISTANCES.end())),
+                ];
+                for (word, (what, range)) in words.iter().zip(&ranges) {
+                    arguments.number_in(word, what, range)?;
+                }
+                let [yaw_degrees, pitch_degrees, distance, x, y, z] = numbers(words)?;
+                let target_in_world = Vec3::new(x, y, z);
+                let eye = WorkEye { yaw_degrees, pitch_degrees, distance, target_in_world };
+                Ok(Some(Command::View(ViewCommand::SetWorkEye(eye))))
+            },
+            |command, _| {
+                let Command::View(ViewCommand::SetWorkEye(eye)) = command else { return None };
+                let angles = [eye.yaw_degrees, eye.pitch_degrees, eye.distance];
+                eye.in_range().filter(|kept| kept == eye)?;
+                Some(format!("{} {}", numbers_text(&angles, " "), vector_text(eye.target_in_world)))
+            },
+        ),
+    )
 }
 
 fn shown() -> Vec<Row> {

@@ -1,0 +1,206 @@
+//! What the scene is looked at from: an eye of the scene, which keyframes record, or the work eye, which nothing records.
+
+use glam::{Quat, Vec3};
+
+use super::apply::CommandResult;
+use super::{Command, CommandError, Editor, ViewCommand};
+use crate::pose::{Pose, RbtIndex};
+use crate::rbt::{LARGEST_COORDINATE, Rbt};
+use crate::words::texts;
+
+/// What one looks from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Eye {
+    /// The work eye: no node, and in no keyframe.
+    Work,
+    /// The node with this index in [`crate::scene::SceneGraph::eyes`].
+    Recorded(usize),
+}
+
+impl Eye {
+    /// The index of an eye of the scene; `None` for the work eye.
+    #[must_use]
+    pub const fn recorded(self) -> Option<usize> {
+        match self {
+            Self::Work => None,
+            Self::Recorded(index) => Some(index),
+        }
+    }
+}
+
+/// Where the work eye stands: on a sphere around a target that it looks at, with the horizon level.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WorkEye {
+    /// How far it has gone around the vertical axis, in degrees from -180 to 180: at 0 it stands on the target's +Z side, at 90 on +X.
+    pub yaw_degrees: f32,
+    /// How high it stands, in degrees from -90 to 90: at 90 it looks straight down.
+    pub pitch_degrees: f32,
+    /// Distance from the target, in scene units within [`WorkEye::DISTANCES`].
+    pub distance: f32,
+    /// What it looks at, in world space.
+    pub target_in_world: Vec3,
+}
+
+impl WorkEye {
+    /// Distances that it can have from its target, in scene units.
+    pub const DISTANCES: std::ops::RangeInclusive<f32> = 0.125..=1e5;
+
+    /// World from eye space: −Z forward, Y up.
+    #[must_use]
+    pub fn world_from_eye(&self) -> Rbt {
+        let rotation = self.rotation();
+        Rbt::new(self.target_in_world + rotation * Vec3::new(0.0, 0.0, self.distance), rotation)
+    }
+
+    /// The turn from the world's axes to its own.
+    #[must_use]
+    pub fn rotation(&self) -> Quat {
+        let (yaw, pitch) = (self.yaw_degrees.to_radians(), self.pitch_degrees.to_radians());
+        Quat::from_rotation_y(yaw) * Quat::from_rotation_x(-pitch)
+    }
+
+    /// It with every number in its range; `None` where one is not finite.
+    #[must_use]
+    pub fn in_range(self) -> Option<Self> {
+        let Self { yaw_degrees, pitch_degrees, distance, target_in_world } = self;
+        let is_finite =
+            yaw_degrees.is_finite() && pitch_degrees.is_finite() && distance.is_finite() && target_in_world.is_finite();
+        // A yaw in range is kept bit for bit, so that lines read back equal.
+        let is_wound = yaw_degrees.abs() > 180.0;
+        is_finite.then(|| Self {
+            yaw_degrees: if is_wound { (yaw_degrees + 180.0).rem_euclid(360.0) - 180.0 } else { yaw_degrees },
+            pitch_degrees: pitch_degrees.clamp(-90.0, 90.0),
+            distance: distance.clamp(*Self::DISTANCES.start(), *Self::DISTANCES.end()),
+            target_in_world: target_in_world.clamp(Vec3::splat(-LARGEST_COORDINATE), Vec3::splat(LARGEST_COORDINATE)),
+        })
+    }
+
+    /// It after a motion with respect to the frame at its target with its own axes. Turns go around the target, and what would tilt the
+    /// horizon is left out. Of a translation, x and y move the target too; z changes the distance.
+    #[must_use]
+    pub fn moved(self, motion: Rbt) -> Self {
+        let rotation = self.rotation();
+        let back = rotation * motion.rotation * Vec3::Z;
+        let has_turned = motion.rotation != Quat::IDENTITY;
+        let is_steep = back.x.hypot(back.z) < 1e-6;
+        let Vec3 { x, y, z } = motion.translation;
+        Self {
+            yaw_degrees: if has_turned && !is_steep { back.x.atan2(back.z).to_degrees() } else { self.yaw_degrees },
+            pitch_degrees: if has_turned { back.y.clamp(-1.0, 1.0).asin().to_degrees() } else { self.pitch_degrees },
+            distance: self.distance + z,
+            target_in_world: self.target_in_world + rotation * Vec3::new(x, y, 0.0),
+        }
+    }
+}
+
+impl Default for WorkEye {
+    /// From the front, a little to the right and from above, at both robots of the built-in scene.
+    fn default() -> Self {
+        Self { yaw_degrees: 20.0, pitch_degrees: 12.0, distance: 8.0, target_in_world: Vec3::new(0.0, 0.2, 0.0) }
+    }
+}
+
+impl Editor {
+    /// The RBT node that is looked from; `None`: the work eye.
+    #[must_use]
+    pub fn eye(&self) -> Option<RbtIndex> {
+        self.session.eye.recorded().map(|eye| self.scene().eyes()[eye])
+    }
+
+    /// World from eye space, with the scene in a pose.
+    #[must_use]
+    pub(super) fn world_from_eye(&self, pose: &Pose) -> Rbt {
+        match self.eye() {
+            Some(eye) => self.document.scene.world_from_rbt(pose, self.seconds(), eye),
+            None => self.session.work_eye.world_from_eye(),
+        }
+    }
+
+    /// The node whose frame a drag goes by: the primary of the chosen ones, or the eye; `None`: the work eye.
+    #[must_use]
+    pub fn dragged_node(&self) -> Option<RbtIndex> {
+        self.session.chosen.primary().or_else(|| self.eye())
+    }
+
+    /// A command without what it depends on: `eye-next` as the eye that it leads to. What keeps a record writes this.
+    #[must_use]
+    pub fn meant_by(&self, command: Command) -> Command {
+        match command {
+            Command::View(ViewCommand::NextEye) => Command::View(ViewCommand::SetEye(self.next_eye())),
+            command => command,
+        }
+    }
+
+    /// The scene's eyes one after the other, and the work eye before the first where it was used.
+    pub(super) fn next_eye(&self) -> Eye {
+        let next = self.session.eye.recorded().map_or(0, |eye| eye + 1);
+        let is_past_last = next >= self.scene().eyes().len();
+        match (is_past_last, self.session.has_used_work_eye) {
+            (false, _) => Eye::Recorded(next),
+            (true, true) => Eye::Work,
+            (true, false) => Eye::Recorded(0),
+        }
+    }
+
+    pub(super) fn set_eye(&mut self, eye: Eye) -> CommandResult {
+        let said = match eye {
+            Eye::Work => texts::VIEW_LOOKS_FROM_WORK_EYE.into(),
+            Eye::Recorded(index) => {
+                let missing = CommandError::NotInScene { what: texts::VALUE_EYE };
+                let rbt = *self.scene().eyes().get(index).ok_or(missing)?;
+                texts::view_looks_from(self.scene().rbt_path(rbt))
+            }
+        };
+        self.commit_gesture();
+        self.session.eye = eye;
+        self.session.has_used_work_eye |= eye == Eye::Work;
+        Ok(Some(said))
+    }
+
+    pub(super) fn set_work_eye(&mut self, eye: WorkEye) -> CommandResult {
+        self.session.work_eye = eye.in_range().ok_or(CommandError::NotAValue { what: texts::VALUE_POSITION })?;
+        Ok(None)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn it_stands_where_its_angles_say() {
+        let eye = |yaw_degrees, pitch_degrees| {
+            let target_in_world = Vec3::new(1.0, 2.0, 3.0);
+            WorkEye { yaw_degrees, pitch_degrees, distance: 4.0, target_in_world }.world_from_eye()
+        };
+        for (yaw, pitch, expected, up) in [
+            (0.0, 0.0, Vec3::new(1.0, 2.0, 7.0), Vec3::Y),
+            (90.0, 0.0, Vec3::new(5.0, 2.0, 3.0), Vec3::Y),
+            (0.0, 90.0, Vec3::new(1.0, 6.0, 3.0), Vec3::NEG_Z),
+        ] {
+            let world_from_eye = eye(yaw, pitch);
+            assert!(world_from_eye.translation.abs_diff_eq(expected, 1e-5), "{world_from_eye:?}");
+            assert!(world_from_eye.transform_vector(Vec3::Y).abs_diff_eq(up, 1e-5), "{world_from_eye:?}");
+        }
+    }
+
+    #[test]
+    fn turns_keep_the_horizon_level_and_the_target() {
+        let eye = WorkEye { yaw_degrees: 30.0, pitch_degrees: 20.0, ..WorkEye::default() };
+        let turn = Rbt::from_rotation(Quat::from_rotation_y(0.7) * Quat::from_rotation_z(0.4));
+        let moved = eye.moved(turn);
+        assert!(moved.world_from_eye().transform_vector(Vec3::X).y.abs() < 1e-6);
+        assert_eq!((moved.distance, moved.target_in_world), (eye.distance, eye.target_in_world));
+        assert!((moved.yaw_degrees - eye.yaw_degrees).abs() > 20.0, "{moved:?}");
+    }
+
+    #[test]
+    fn numbers_out_of_range_are_moved_into_it() {
+        let target_in_world = Vec3::new(2e6, 0.0, 0.0);
+        let eye = WorkEye { yaw_degrees: 270.0, pitch_degrees: 100.0, distance: 0.0, target_in_world };
+        let kept = eye.in_range().unwrap();
+        assert_eq!((kept.yaw_degrees, kept.pitch_degrees, kept.distance), (-90.0, 90.0, 0.125));
+        assert_eq!(kept.target_in_world.x, LARGEST_COORDINATE);
+        assert_eq!(WorkEye { distance: f32::NAN, ..eye }.in_range(), None);
+    }
+}
