@@ -222,6 +222,12 @@ impl Panels {
         self.has_keyboard(context) || self.timeline.takes_escape() || egui::Popup::is_any_open(context)
     }
 
+    /// Whether arrows are for the timeline, because the focus is there.
+    #[must_use]
+    pub fn takes_arrows(&self, context: &egui::Context) -> bool {
+        self.timeline.takes_arrows(context)
+    }
+
     /// A keyframe's pose whose picture is wanted and not there yet: hand it to [`Panels::put_thumbnail`] when nothing else is to be done.
     #[must_use]
     pub fn wanted_thumbnail(&self) -> Option<&Pose> {

@@ -9,9 +9,11 @@ use egui::{
     pos2, vec2,
 };
 use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable as _;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use inbetween::editor::keymap::{binding_for, press_from_word};
-use inbetween::editor::{Command, Edit, Editor, Effect, PlayMode, PlaybackCommand, SelectionCommand, TimelineEdit};
+use inbetween::editor::{
+    Command, Edit, Editor, Effect, PlayMode, PlaybackCommand, SelectionCommand, TimelineEdit, WindowCommand,
+};
 use inbetween::keyframe::{Easing, KeyframeIndex, keyframes_to_json};
 use inbetween::settings::Settings;
 use inbetween::ui::{Panels, THUMBNAIL_PX, theme};
@@ -308,6 +310,137 @@ fn the_edges_of_what_is_selected_scale_it() {
         drag(harness, edge, edge + vec2(67.2, 0.0));
     });
     assert_eq!(durations(&harness), [1.0, 1.2, 1.2, 0.6, 1.0, 1.0]);
+}
+
+/// The numbers on the ruler, from left to right, and where each stands.
+fn numbers(harness: &Timeline) -> Vec<(String, f32, f32)> {
+    let ruler = harness.get_by_label("Timeline").rect();
+    let mut found = Vec::new();
+    for clipped in &harness.output().shapes {
+        let egui::Shape::Text(text) = &clipped.shape else { continue };
+        let (rect, words) = (text.visual_bounding_rect(), text.galley.text());
+        // Seconds stand above.
+        if (rect.center().y - ruler.top() - 20.0).abs() < 5.0 && words.parse::<usize>().is_ok() {
+            found.push((words.to_owned(), rect.left(), rect.right()));
+        }
+    }
+    found.sort_by(|a, b| a.1.total_cmp(&b.1));
+    found
+}
+
+#[test]
+fn numbers_on_the_ruler_never_run_into_each_other() {
+    for count in [6, 200, 1200] {
+        let mut harness = timeline(editor_with(count));
+        for zoom in 0..3 {
+            let ask = [WindowCommand::FitTimeline, WindowCommand::FitSelection][zoom % 2].clone();
+            harness.state_mut().apply(Command::Window(ask));
+            harness.run();
+            let numbers = numbers(&harness);
+            assert!(numbers.len() >= 2, "{count}: {numbers:?}");
+            for pair in numbers.windows(2) {
+                assert!(pair[1].1 - pair[0].2 >= 3.0, "{count}: {pair:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn copies_and_deletions_change_no_scale() {
+    let mut harness = timeline(editor_with(12));
+    let distance = |harness: &Timeline| (at(harness, 3) - at(harness, 2)).x;
+    let before = distance(&harness);
+    let place = at(&harness, 3);
+    click_with(&mut harness, place, Modifiers::NONE);
+    for word in ["ctrl+c", "ctrl+v", "ctrl+d", "delete", "ctrl+z", "d", "d", "d", "d", "d", "d"] {
+        key(&mut harness, word);
+        assert_eq!(distance(&harness), before, "after {word}");
+        let first = at(&harness, 2);
+        assert!((first.x - place.x + before).abs() < 0.5, "after {word}: what was seen moved");
+    }
+}
+
+#[test]
+fn tab_stops_once_and_arrows_move_within() {
+    let mut harness = timeline(editor_with(12));
+    let focused = |harness: &Timeline| {
+        let nodes = harness.query_all_by(|node| node.is_focused() && !node.is_hidden());
+        nodes.filter_map(|node| node.accesskit_node().label()).next().unwrap_or_default()
+    };
+    let mut stops = Vec::new();
+    for _ in 0..80 {
+        harness.key_press(Key::Tab);
+        harness.run();
+        stops.push(focused(&harness));
+    }
+    let round = stops.iter().skip(1).position(|name| *name == stops[0]).expect("Tab goes around") + 1;
+    let is_item = |name: &&String| name.starts_with("Keyframe ") || name.starts_with("Row of ");
+    let items: Vec<_> = stops[..round].iter().filter(is_item).collect();
+    assert_eq!(items, ["Keyframe 11"], "the current one alone: {stops:?}");
+    while focused(&harness) != "Keyframe 11" {
+        harness.key_press(Key::Tab);
+        harness.run();
+    }
+    let go = |harness: &mut Timeline, key: Key, expected: &str| {
+        harness.key_press(key);
+        harness.run();
+        harness.run();
+        assert_eq!(focused(harness), expected, "after {key:?}");
+        assert!(harness.state().ui.takes_arrows(&harness.ctx), "no hotkey has them");
+    };
+    for place in (0..11).rev() {
+        go(&mut harness, Key::ArrowLeft, &format!("Keyframe {place}"));
+    }
+    go(&mut harness, Key::ArrowRight, "Keyframe 1");
+    go(&mut harness, Key::ArrowDown, "Row of sky");
+    go(&mut harness, Key::ArrowDown, "Row of ground");
+    go(&mut harness, Key::ArrowDown, "Row of robot1");
+    go(&mut harness, Key::ArrowRight, "Row of robot1");
+    go(&mut harness, Key::ArrowDown, "Row of robot1/right_shoulder");
+    go(&mut harness, Key::ArrowUp, "Row of robot1");
+    go(&mut harness, Key::ArrowLeft, "Row of robot1");
+    assert!(harness.query_by_label("Row of robot1/right_shoulder").is_none(), "it is folded again");
+    for _ in 0..3 {
+        harness.key_press(Key::ArrowUp);
+        harness.run();
+    }
+    go(&mut harness, Key::ArrowRight, "Keyframe 1");
+    harness.key_press(Key::Enter);
+    harness.run();
+    assert_eq!((selected(&harness), current(&harness)), (vec![1], 1));
+}
+
+#[test]
+fn what_has_no_room_in_the_transport_is_in_a_menu() {
+    let mut harness = six();
+    assert!(harness.query_by_label("More of the transport").is_none());
+    harness.set_size(vec2(720.0, 480.0));
+    harness.run();
+    assert!(harness.query_by_label("Delete keyframe 5, the current one").is_none());
+    click(&mut harness, "More of the transport");
+    for label in ["Speed in percent", "Update keyframe u", "Display keyframe Space", "Ghosts Shift+G"] {
+        assert!(harness.query_all_by_label(label).next().is_some(), "{label}");
+    }
+    click(&mut harness, "Delete keyframe d");
+    assert_eq!(shown(&harness.state().editor), "0 1 2 3 [4] | 4");
+}
+
+#[test]
+fn what_only_steers_is_said_where_it_stands() {
+    let mut harness = timeline(editor_with(4));
+    let written = |harness: &Timeline, words: &str| {
+        let texts = harness.output().shapes.iter().filter_map(|clipped| match &clipped.shape {
+            egui::Shape::Text(text) => Some(text.galley.text().to_owned()),
+            _ => None,
+        });
+        texts.filter(|text| text == words).count()
+    };
+    assert_eq!(written(&harness, "only steers"), 2, "the first and the last");
+    assert!(harness.query_by_label("3 only steers").is_some(), "the transport says it of the current one");
+    key(&mut harness, "<");
+    assert!(harness.query_by_label("3 only steers").is_none());
+    key(&mut harness, "d");
+    assert_eq!(written(&harness, "only steers"), 0, "nothing plays");
 }
 
 #[test]

@@ -228,7 +228,18 @@ pub fn button(ui: &mut Ui, icon: Icon, name: &str, key: &str, is_enabled: bool, 
 /// Like [`button`], in a place of its own.
 pub fn button_at(ui: &Ui, rect: Rect, icon: Icon, name: &str, key: &str, is_enabled: bool, is_lit: bool) -> bool {
     let sense = if is_enabled { Sense::click() } else { Sense::hover() };
-    let response = ui.interact(rect, ui.scope_id().with(("button", name)), sense);
+    button_sensing(ui, rect, icon, name, key, sense, is_lit)
+}
+
+/// The identity of a button with this name.
+pub fn button_id(ui: &Ui, name: &str) -> egui::Id {
+    ui.scope_id().with(("button", name))
+}
+
+/// Like [`button_at`], with a sense of its own. One that senses no clicks is not enabled.
+pub fn button_sensing(ui: &Ui, rect: Rect, icon: Icon, name: &str, key: &str, sense: Sense, is_lit: bool) -> bool {
+    let is_enabled = sense.senses_click();
+    let response = ui.interact(rect, button_id(ui, name), sense);
     response.widget_info(|| WidgetInfo::labeled(Role::Button, is_enabled, name));
     let tokens = Tokens::of(ui);
     if is_enabled && (response.hovered() || response.has_focus()) {

@@ -29,6 +29,8 @@ struct Thumbnail {
 #[derive(Default)]
 pub struct Thumbnails {
     pictures: HashMap<usize, Thumbnail>,
+    /// What was last shown of each keyframe, by its index, and when: it stays until the picture of its new pose is there.
+    last: HashMap<usize, (TextureHandle, u64)>,
     wanted: Vec<Pose>,
     frame: u64,
 }
@@ -44,6 +46,7 @@ impl Thumbnails {
     pub fn begin(&mut self) {
         self.wanted.clear();
         self.frame += 1;
+        self.last.retain(|_, (_, seen)| *seen + 1 >= self.frame);
         self.pictures.retain(|_, picture| picture.pose.is_held_elsewhere());
     }
 
@@ -77,9 +80,21 @@ impl Thumbnails {
         self.pictures.insert(pose.storage(), Thumbnail { pose, texture, seen: self.frame });
     }
 
-    /// Draws the picture of a pose, or the ground that waits for it.
-    pub fn paint(&mut self, painter: &Painter, rect: Rect, pose: &Pose, tokens: &Tokens) {
-        match self.find(pose) {
+    /// The picture of a keyframe's pose; until that is there, what was last shown of the keyframe with this index.
+    fn find_or_last(&mut self, index: usize, pose: &Pose) -> Option<TextureId> {
+        if self.find(pose).is_some()
+            && let Some(picture) = self.pictures.get(&pose.storage())
+        {
+            self.last.insert(index, (picture.texture.clone(), self.frame));
+        }
+        let (texture, seen) = self.last.get_mut(&index)?;
+        *seen = self.frame;
+        Some(texture.id())
+    }
+
+    /// Draws the picture of a keyframe's pose, or the ground that waits for it.
+    pub fn paint(&mut self, painter: &Painter, rect: Rect, (index, pose): (usize, &Pose), tokens: &Tokens) {
+        match self.find_or_last(index, pose) {
             None => _ = painter.rect_filled(rect, CORNER, tokens.raised),
             Some(texture) => {
                 let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
@@ -88,12 +103,12 @@ impl Thumbnails {
         }
     }
 
-    /// Shows the picture of a pose in a tooltip, in its own size.
-    pub fn show_large(&mut self, ui: &mut Ui, pose: &Pose) {
+    /// Shows the picture of a keyframe's pose in a tooltip, in its own size.
+    pub fn show_large(&mut self, ui: &mut Ui, keyframe: (usize, &Pose)) {
         let [width, height] = THUMBNAIL_PX;
         #[expect(clippy::cast_precision_loss, reason = "it is a small picture")]
         let (rect, _) = ui.allocate_exact_size(vec2(width as f32, height as f32), Sense::hover());
-        self.paint(ui.painter(), rect, pose, Tokens::of(ui));
+        self.paint(ui.painter(), rect, keyframe, Tokens::of(ui));
     }
 }
 
@@ -125,6 +140,31 @@ mod tests {
         assert_eq!(thumbnails.wanted(), None);
         thumbnails.begin();
         assert_eq!(thumbnails.find(&Pose::new(pose.to_vec())), None, "another one does not");
+    }
+
+    #[test]
+    fn the_old_picture_stays_until_the_new_one_is_there() {
+        let (context, mut thumbnails) = (Context::default(), Thumbnails::default());
+        let (before, after) = (pose(), pose());
+        thumbnails.begin();
+        assert_eq!(thumbnails.find_or_last(3, &before), None);
+        put(&mut thumbnails, &context, &before);
+        let old = thumbnails.find_or_last(3, &before);
+        assert!(old.is_some());
+        drop(before);
+        for _ in 0..3 {
+            thumbnails.begin();
+            assert_eq!(thumbnails.find_or_last(3, &after), old);
+            assert_eq!(thumbnails.find_or_last(4, &after), None, "another keyframe had none");
+        }
+        assert_eq!(thumbnails.wanted(), Some(&after));
+        put(&mut thumbnails, &context, &after);
+        thumbnails.begin();
+        let new = thumbnails.find_or_last(3, &after);
+        assert!(new.is_some() && new != old);
+        thumbnails.begin();
+        thumbnails.begin();
+        assert!(thumbnails.last.is_empty(), "what is out of sight is forgotten");
     }
 
     #[test]

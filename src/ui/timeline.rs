@@ -9,9 +9,11 @@ mod dragging;
 mod graphs;
 mod half_turn;
 mod hit;
+mod keyboard;
 mod labels;
 mod marks;
 mod menu;
+mod numbers;
 mod paint;
 mod rename;
 mod retime;
@@ -36,6 +38,7 @@ use crate::words::texts;
 use columns::Columns;
 use drag::Drag;
 use hit::{Hit, Layout, RADIUS, Target};
+use keyboard::Keyboard;
 use paint::Look;
 use rename::Renaming;
 use rows::{Rows, has_key_rows};
@@ -89,6 +92,9 @@ pub struct Timeline {
     menu_for: Option<usize>,
     graphs: graphs::Graphs,
     keys: Keys,
+    keyboard: Keyboard,
+    /// Whether Left and Right fold and unfold the row that has the focus.
+    folds_focused: bool,
 }
 
 impl Timeline {
@@ -96,6 +102,12 @@ impl Timeline {
     #[must_use]
     pub const fn takes_escape(&self) -> bool {
         self.drag.is_some() || self.graphs.is_dragging() || self.keys.is_dragging()
+    }
+
+    /// Whether arrows belong to the timeline, because the focus is on it.
+    #[must_use]
+    pub fn takes_arrows(&self, context: &egui::Context) -> bool {
+        self.keyboard.has_focus(context)
     }
 
     /// Stores a request, which is carried out when the timeline is next shown.
@@ -121,13 +133,13 @@ impl Timeline {
         }
         ui.advance_cursor_after_rect(whole);
         let mut columns = std::mem::take(&mut self.columns);
-        columns.update(&editor.document().keyframes);
+        let is_replaced = columns.update(&editor.document().keyframes);
         columns.set_keys(timed_key_view::ends(editor));
         let layout = Layout::of(whole, self.tab == Tab::Keyframes);
         let response = ui.interact(layout.scaled(), ui.scope_id().with("tracks"), Sense::click_and_drag());
         let words = Words::of(ui);
         response.widget_info(|| WidgetInfo::labeled(Role::Group, true, words.say(texts::TIMELINE)));
-        self.choose_view(editor, &layout, &columns);
+        self.choose_view(editor, &layout, &columns, is_replaced);
         self.wheel(ui, &response, &layout, &columns);
         self.answer(editor, &layout, &columns);
 
@@ -159,11 +171,14 @@ impl Timeline {
             Look { editor, target: &target, tokens: Tokens::of(ui), words: Words::of(ui), hovered: self.hovered };
         self.paint(ui, &look, &rows, bindings, thumbnails);
         labels::header(self, ui, &layout, bindings);
+        self.keyboard.begin();
+        self.folds_focused = false;
         match self.tab {
             Tab::Keyframes => {
                 labels::rows(self, ui, &look, &rows, commands);
-                diamonds(self, ui, &look, commands);
-                self.keys.diamonds(ui, &key_view, look.tokens, commands);
+                let entry = diamonds(self, ui, &look, commands);
+                self.keys.diamonds(ui, &key_view, look.tokens, &mut self.keyboard, commands);
+                self.move_focus(ui, entry, &target);
             }
             Tab::Graphs => self.graphs.legend(ui, &look),
         }
@@ -175,6 +190,15 @@ impl Timeline {
         }
         self.rename_field(ui, &target, editor, commands);
         self.columns = columns;
+    }
+
+    /// Moves the focus by arrows, and what is in sight where it would leave that.
+    fn move_focus(&mut self, ui: &Ui, entry: Option<egui::Id>, target: &Target<'_>) {
+        let Some(beyond) = self.keyboard.end(ui, entry, self.folds_focused) else { return };
+        if beyond.x != 0.0 {
+            self.pan(-beyond.x * target.layout.tracks.width() / 4.0, target);
+        }
+        self.scroll = (self.scroll + beyond.y * ROW).max(0.0);
     }
 
     fn paint(
@@ -213,17 +237,24 @@ impl Timeline {
     }
 
     /// The current view, moved if the current keyframe or the playhead is out of sight.
-    fn choose_view(&mut self, editor: &Editor, layout: &Layout, columns: &Columns) {
+    fn choose_view(&mut self, editor: &Editor, layout: &Layout, columns: &Columns, is_replaced: bool) {
         let width = layout.tracks.width();
         let (first, last) = columns.ends();
         let is_still = self.drag.is_none() && !self.graphs.is_dragging() && !self.keys.is_dragging();
         let fitted_to = (columns.len(), width);
-        if is_still && self.fitted_to != fitted_to {
-            // More keyframes, or another width: a view that was never zoomed fits itself again. A change of durations does not move it.
-            self.fitted_to = fitted_to;
+        if is_still && (is_replaced || self.fitted_to != fitted_to) {
             let fresh = VisibleTime::at_first(first, last, width);
-            let same_zoom = self.untouched.filter(|view| view.points_per_unit == fresh.points_per_unit);
-            self.untouched = Some(same_zoom.unwrap_or(fresh));
+            let (before, width_before) = std::mem::replace(&mut self.fitted_to, fitted_to);
+            // New keyframes that no longer fit make a view that was never zoomed smaller. What is pasted (it is selected), what is deleted
+            // and what is undone changes no scale: what is under the pointer stays there.
+            let is_new = editor.session().selected.is_empty() && editor.redo_label().is_none();
+            let outgrows = columns.len() > before && is_new;
+            let fits_again = is_replaced || width != width_before || outgrows;
+            let keeps = |view: &VisibleTime| {
+                let is_smaller = fresh.points_per_unit < view.points_per_unit;
+                !fits_again || view.points_per_unit == fresh.points_per_unit || (outgrows && !is_smaller)
+            };
+            self.untouched = Some(self.untouched.filter(keeps).unwrap_or(fresh));
         }
         let now = (editor.document().keyframes.current(), columns.len());
         let is_new = self.shown.replace(now) != Some(now);
@@ -373,19 +404,23 @@ fn missing(ui: &Ui, look: &Look<'_>, bindings: &[Binding]) {
     painter.text(at, Align2::LEFT_CENTER, text, FontId::proportional(12.0), look.tokens.dim);
 }
 
-/// Adds the diamonds of the summary row as widgets for the keyboard and screen readers. The mouse is handled by the tracks.
-fn diamonds(timeline: &mut Timeline, ui: &Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
+/// Adds the diamonds of the summary row as widgets for the keyboard and screen readers. The mouse is handled by the tracks. Returns the
+/// one of the current keyframe.
+fn diamonds(timeline: &mut Timeline, ui: &Ui, look: &Look<'_>, commands: &mut Vec<Command>) -> Option<egui::Id> {
     let Target { layout, scale, columns, .. } = *look.target;
     let y = layout.summary.center().y;
     let editor = look.editor;
+    let current = editor.document().keyframes.current().map(KeyframeIndex::get);
+    let mut entry = None;
     for group in columns.groups(scale.in_sight(0.0), scale.units(2.0 * RADIUS)) {
-        let index = group.start;
+        let is_current = current.is_some_and(|current| group.contains(&current));
+        let index = current.filter(|_| is_current).unwrap_or(group.start);
         let centre = pos2(scale.x_of(columns.time(index)), y);
         let area = Rect::from_center_size(centre, vec2(2.0 * RADIUS, ROW - 2.0)).intersect(layout.summary);
         let id = ui.scope_id().with(("keyframe", index));
-        let response = ui.interact(area, id, Sense::focusable_noninteractive());
-        let keyframe_index = KeyframeIndex::new(index);
-        let is_current = editor.document().keyframes.current() == Some(keyframe_index);
+        entry = entry.or(is_current.then_some(id));
+        let sense = timeline.keyboard.item(ui, id, 0, centre.x, Sense::empty());
+        let response = ui.interact(area, id, sense);
         response.widget_info(|| {
             WidgetInfo::selected(
                 Role::ListBoxOption,
@@ -409,6 +444,7 @@ fn diamonds(timeline: &mut Timeline, ui: &Ui, look: &Look<'_>, commands: &mut Ve
             timeline.pick(index, editor, modifiers, commands);
         }
     }
+    entry
 }
 
 /// The hotkey of a command, or its name if it has no hotkey.

@@ -1,10 +1,10 @@
 //! The transport: step, play, stop, pause, loop; auto-key; the key time; the pace; the interpolation; ghosts; the current keyframe.
 //! Where there are too few keyframes to play, its buttons play the timed keys.
 
-use egui::{ComboBox, DragValue, RichText, Role, Sense, Ui, WidgetInfo, vec2};
+use egui::{Button, ComboBox, DragValue, RichText, Role, Sense, Ui, WidgetInfo, vec2};
 
 use super::binding_of;
-use super::icons::{Icon, button};
+use super::icons::{Icon, button, was_pressed};
 use super::theme::{GRID, ROW, Tokens};
 use super::words::Words;
 use crate::editor::keymap::Binding;
@@ -13,34 +13,115 @@ use crate::interpolation::Interpolation;
 use crate::keyframe::{KeyframeIndex, MS_BETWEEN_KEYFRAMES_RANGE, PlayRange};
 use crate::words::texts;
 
-/// Narrower than this, in points, and the row leaves out what the keyboard and the menus have too.
-const ALL_FITS: f32 = 964.0;
-/// Narrower than this, and it leaves out speed and ghosts too.
-const MOST_FITS: f32 = 812.0;
+/// What is shown in the row; the rest is in its menu.
+#[derive(Clone, Copy)]
+struct Fits {
+    keyframes: bool,
+    speed_and_ghosts: bool,
+    interpolation: bool,
+    pace: bool,
+}
+
+impl Fits {
+    /// What fits a width, in points.
+    const fn of(width: f32) -> Self {
+        Self {
+            keyframes: width >= 964.0,
+            speed_and_ghosts: width >= 812.0,
+            interpolation: width >= 664.0,
+            pace: width >= 500.0,
+        }
+    }
+}
 
 /// Shows the row.
 pub fn show(ui: &mut Ui, editor: &Editor, bindings: &[Binding], commands: &mut Vec<Command>) {
-    let width = ui.available_width();
+    let fits = Fits::of(ui.available_width());
     ui.horizontal_centered(|ui| {
         ui.spacing_mut().item_spacing.x = 2.0;
         playing(ui, editor, bindings, commands);
         divider(ui);
-        if width >= ALL_FITS {
+        if fits.keyframes {
             keyframes(ui, editor, bindings, commands);
             divider(ui);
         }
         readout(ui, editor);
-        divider(ui);
-        pace(ui, editor, bindings, commands);
-        if width >= MOST_FITS {
+        if fits.pace {
+            divider(ui);
+            pace(ui, editor, bindings, commands);
+        }
+        if fits.speed_and_ghosts {
             speed(ui, editor, commands);
         }
-        ui.add_space(GRID);
-        interpolation(ui, editor, bindings, commands);
-        if width >= MOST_FITS {
+        if fits.interpolation {
+            ui.add_space(GRID);
+            interpolation(ui, editor, bindings, commands);
+        }
+        if fits.speed_and_ghosts {
             divider(ui);
             ghosts(ui, editor, bindings, commands);
         }
+        if !fits.keyframes {
+            more(ui, fits, editor, bindings, commands);
+        }
+    });
+}
+
+/// The menu of what has no room in the row.
+fn more(ui: &mut Ui, fits: Fits, editor: &Editor, bindings: &[Binding], commands: &mut Vec<Command>) {
+    let words = Words::of(ui);
+    let menu = ui.menu_button("…", |ui| {
+        ui.set_min_width(200.0);
+        ui.spacing_mut().item_spacing.y = 0.0;
+        for edit in [Edit::CreateKeyframe, Edit::UpdateCurrent, Edit::DisplayCurrent, Edit::DeleteCurrent] {
+            item(ui, editor, bindings, Command::Edit(edit), commands);
+        }
+        if !fits.pace {
+            ui.separator();
+            labelled(ui, words.say(texts::MILLISECONDS_BETWEEN_KEYFRAMES), |ui| pace(ui, editor, bindings, commands));
+        }
+        if !fits.speed_and_ghosts {
+            ui.separator();
+            labelled(ui, words.say(texts::SPEED_IN_PERCENT), |ui| speed(ui, editor, commands));
+        }
+        if !fits.interpolation {
+            ui.separator();
+            let current = editor.document().interpolation;
+            for interpolation in Interpolation::ALL {
+                let label = Button::selectable(current == interpolation, words.say(interpolation.title()));
+                if was_pressed(&ui.add(label.min_size(vec2(0.0, ROW)))) {
+                    commands.push(Command::Edit(Edit::SetInterpolation(interpolation)));
+                    ui.close();
+                }
+            }
+        }
+        if !fits.speed_and_ghosts {
+            ui.separator();
+            item(ui, editor, bindings, Command::View(ViewCommand::NextGhosts), commands);
+        }
+    });
+    menu.response.widget_info(|| WidgetInfo::labeled(Role::Button, true, words.say(texts::MORE_OF_THE_TRANSPORT)));
+    menu.response.on_hover_text(words.say(texts::MORE_OF_THE_TRANSPORT));
+}
+
+fn item(ui: &mut Ui, editor: &Editor, bindings: &[Binding], command: Command, commands: &mut Vec<Command>) {
+    let Some(binding) = binding_of(bindings, &command) else { return };
+    let words = Words::of(ui);
+    let key = RichText::new(binding.menu_key()).monospace();
+    let button = Button::new(words.say(binding.title())).shortcut_text(key).min_size(vec2(0.0, ROW));
+    let response = ui.add_enabled(editor.can(&command), button).on_hover_text(words.say(binding.explanation()));
+    if was_pressed(&response) {
+        commands.push(command);
+        ui.close();
+    }
+}
+
+fn labelled(ui: &mut Ui, label: &str, field: impl FnOnce(&mut Ui)) {
+    ui.horizontal(|ui| {
+        ui.add_space(2.0);
+        ui.label(label);
+        ui.add_space(2.0 * GRID);
+        field(ui);
     });
 }
 
@@ -164,7 +245,8 @@ pub fn key_time_text(editor: &Editor, words: Words) -> String {
         Some(current) if (1..=range.last_key_time() + 1).contains(&current) => {
             shown(&format!("{:.2}", current_key_time(current)))
         }
-        _ => shown("–.––"),
+        Some(current) => words.message(texts::index_only_steers(current)),
+        None => shown("–.––"),
     }
 }
 
@@ -181,7 +263,13 @@ fn readout(ui: &mut Ui, editor: &Editor) {
     let (rect, response) = ui.allocate_exact_size(vec2(112.0, ROW), Sense::hover());
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &text));
     ui.painter().text(rect.left_center(), egui::Align2::LEFT_CENTER, text, super::theme::number_font(), colour);
+    let steers = editor.key_time().is_none()
+        && editor.document().keyframes.current().is_some_and(|current| {
+            let range = PlayRange::new(&editor.document().keyframes);
+            range.is_ok_and(|range| !(1..=range.last_key_time() + 1).contains(&current.get()))
+        });
     let tip = match editor.transport() {
+        Transport::Keyframes if steers => texts::IT_ONLY_STEERS_THE_SPLINE_IT_IS,
         Transport::Keyframes => texts::KEY_TIME_AND_THE_LAST_ONE_KEY,
         Transport::TimedKeys => texts::TIME_AND_THE_LAST_TIMED_KEY,
     };
@@ -235,7 +323,7 @@ fn interpolation(ui: &mut Ui, editor: &Editor, bindings: &[Binding], commands: &
     response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, words.say(texts::INTERPOLATION)));
     let key = binding_of(bindings, &Command::Edit(Edit::NextInterpolation)).map(Binding::menu_key).unwrap_or_default();
     let response = response.on_hover_text(super::tip(words.say(texts::INTERPOLATION), &key));
-    let _ = super::icons::was_pressed(&response);
+    let _ = was_pressed(&response);
 }
 
 fn ghosts(ui: &mut Ui, editor: &Editor, bindings: &[Binding], commands: &mut Vec<Command>) {

@@ -71,6 +71,10 @@ impl Shell {
         if press.typed == Some(Key::Escape) && self.ui.takes_escape(&stage.context) {
             return;
         }
+        let is_arrow = matches!(press.typed, Some(Key::Left | Key::Right | Key::Up | Key::Down));
+        if is_arrow && self.ui.takes_arrows(&stage.context) {
+            return;
+        }
         if let Some(command) = binding_for(self.ui.keymap().bindings(), press).map(|binding| binding.command.clone()) {
             self.apply(command);
             self.request_redraw();

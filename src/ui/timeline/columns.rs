@@ -14,11 +14,15 @@ pub struct Columns {
 }
 
 impl Columns {
-    /// Takes in a list. Costs nothing where it holds the same keyframes as before.
-    pub fn update(&mut self, list: &KeyframeList) {
+    /// Takes in a list. Costs nothing where it holds the same keyframes as before. Says whether it is another list altogether, as after an
+    /// import: its ends are not in the old one.
+    pub fn update(&mut self, list: &KeyframeList) -> bool {
         if self.times.len() == list.len() && self.list.same_keyframes(list) {
-            return;
+            return false;
         }
+        let old = self.list.as_slice();
+        let is_old = |keyframe: &Keyframe| old.iter().any(|other| other.pose.shares_with(&keyframe.pose));
+        let is_replaced = ![list.as_slice().first(), list.as_slice().last()].into_iter().flatten().any(is_old);
         self.list = list.clone();
         self.times.clear();
         let keyframes = list.as_slice();
@@ -28,6 +32,7 @@ impl Columns {
             // The first played keyframe is where times are counted from, to the bit.
             time = if self.times.len() == 1 { 0.0 } else { time + keyframe.duration };
         }
+        is_replaced && !list.is_empty()
     }
 
     /// Sets the times of the first and the last timed key.

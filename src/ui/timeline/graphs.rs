@@ -244,6 +244,7 @@ impl Graphs {
             painter.text(tracks.center(), Align2::CENTER_CENTER, text, FontId::proportional(12.0), look.tokens.dim);
             return;
         };
+        curves_legend(&painter, look);
         let shown: Vec<Quantity> = Quantity::ALL
             .into_iter()
             .zip(self.shown)
@@ -354,6 +355,30 @@ fn colour_of(look: &Look<'_>, quantity: Quantity, axis: usize) -> Color32 {
     }
 }
 
+/// Which interpolations the strong and the faint curves are of, in the ruler: the graphs below are full.
+fn curves_legend(painter: &Painter, look: &Look<'_>) {
+    let (ruler, tokens) = (look.target.layout.ruler, look.tokens);
+    let painter = painter.with_clip_rect(ruler);
+    let in_force = look.editor.document().interpolation;
+    let others = Interpolation::ALL.into_iter().filter(|&other| other != in_force);
+    let mut right = ruler.right() - 8.0;
+    let y = ruler.top() + 7.0;
+    let mut entries: Vec<Interpolation> = std::iter::once(in_force).chain(others).collect();
+    entries.reverse();
+    for interpolation in entries {
+        let is_in_force = interpolation == in_force;
+        let text = look.words.say(interpolation.title()).to_owned();
+        let galley = painter.layout_no_wrap(text, FontId::proportional(10.0), tokens.dim);
+        let left = right - galley.size().x;
+        let behind = Rect::from_x_y_ranges(left - 26.0..=right + 4.0, ruler.top()..=ruler.top() + 14.0);
+        painter.rect_filled(behind, 2.0, tokens.panel);
+        painter.galley(pos2(left, y - galley.size().y / 2.0), galley, tokens.dim);
+        let colour = if is_in_force { tokens.text } else { tokens.text.gamma_multiply(0.35) };
+        painter.hline(left - 22.0..=left - 5.0, y, Stroke::new(if is_in_force { 1.6 } else { 1.0 }, colour));
+        right = left - 34.0;
+    }
+}
+
 /// What a graph shows, and its least and largest value at the left.
 fn scale_of_values(painter: &Painter, look: &Look<'_>, lane: &Lane) {
     let tokens = look.tokens;
@@ -370,12 +395,14 @@ fn scale_of_values(painter: &Painter, look: &Look<'_>, lane: &Lane) {
         let rect = anchor.anchor_size(at, galley.size());
         painter.rect_filled(rect.expand2(vec2(3.0, 0.0)), 2.0, tokens.window.gamma_multiply(0.8));
         painter.galley(rect.min, galley, tokens.dim);
+        rect.right()
     };
     let (high, low) = (format!("{:.decimals$}{unit}", lane.high), format!("{:.decimals$}{unit}", lane.low));
-    write(pos2(left, area.top() - 2.0), Align2::LEFT_TOP, high, font.clone());
+    let name_at = write(pos2(left, area.top() - 2.0), Align2::LEFT_TOP, high, font.clone()) + 10.0;
     write(pos2(left, area.bottom() + 2.0), Align2::LEFT_BOTTOM, low, font);
     let name = look.words.say(lane.quantity.name()).to_owned();
-    write(pos2(area.right() - 6.0, area.top() - 2.0), Align2::RIGHT_TOP, name, FontId::proportional(10.0));
+    // Beside the greatest value: at the right it would run into the dots of the last keyframes.
+    write(pos2(name_at, area.top() - 2.0), Align2::LEFT_TOP, name, FontId::proportional(10.0));
 }
 
 /// The intervals in sight that turn by nearly half a turn: where their middles stand, where they begin, and by how many degrees.

@@ -73,11 +73,24 @@ pub fn rows(timeline: &mut Timeline, ui: &Ui, look: &Look<'_>, rows: &[Row], com
         let rect = Rect::from_x_y_ranges(column.x_range(), look.target.row_rect(index).y_range());
         let seen = rect.intersect(area);
         match row.subject {
-            Subject::Rbt { rbt, .. } => name(ui, &painter, look, (row, rbt), seen, rect, commands),
-            _ => timeline.keys.label(ui, &painter, look, row, (rect, seen), commands),
+            Subject::Rbt { rbt, .. } => {
+                let id = ui.scope_id().with(("row", rbt));
+                let sense = timeline.keyboard.item(ui, id, index + 1, rect.left(), Sense::click());
+                name(ui, &painter, look, (row, rbt), (seen, id, sense), rect, commands);
+            }
+            _ => timeline.keys.label(
+                ui,
+                &painter,
+                look,
+                (row, index + 1),
+                (rect, seen),
+                &mut timeline.keyboard,
+                commands,
+            ),
         }
         let left = column.left() + 12.0 + 12.0 * depth(row);
         if row.has_children {
+            fold_by_keyboard(timeline, ui, look, row, index + 1);
             triangle(timeline, ui, &painter, look, row, pos2(left, rect.center().y));
         }
     }
@@ -88,14 +101,14 @@ fn name(
     painter: &Painter,
     look: &Look<'_>,
     (row, rbt): (&Row, RbtIndex),
-    seen: Rect,
+    (seen, id, sense): (Rect, egui::Id, Sense),
     rect: Rect,
     commands: &mut Vec<Command>,
 ) {
     let tokens = look.tokens;
     let scene = look.editor.scene();
     let is_chosen = look.editor.session().chosen.contains(&rbt);
-    let response = ui.interact(seen.shrink2(vec2(1.0, 0.0)), ui.scope_id().with(("row", rbt)), Sense::click());
+    let response = ui.interact(seen.shrink2(vec2(1.0, 0.0)), id, sense);
     let path = scene.rbt_path(rbt);
     response.widget_info(|| {
         WidgetInfo::selected(Role::ListBoxOption, true, is_chosen, look.words.message(texts::row_of(path)))
@@ -130,10 +143,22 @@ fn name(
     }
 }
 
+/// Right unfolds a row whose name has the focus, Left folds it.
+fn fold_by_keyboard(timeline: &mut Timeline, ui: &Ui, look: &Look<'_>, row: &Row, place: usize) {
+    if timeline.keyboard.focused_row(ui) != Some(place) {
+        return;
+    }
+    let key = if row.is_unfolded { egui::Key::ArrowLeft } else { egui::Key::ArrowRight };
+    if ui.input(|input| input.key_pressed(key)) {
+        timeline.folds_focused = true;
+        timeline.rows.toggle(look.editor.scene().node(row.node).path.as_str());
+    }
+}
+
 fn triangle(timeline: &mut Timeline, ui: &Ui, painter: &Painter, look: &Look<'_>, row: &Row, centre: Pos2) {
     let tokens = look.tokens;
     let area = Rect::from_center_size(centre, vec2(18.0, ROW)).intersect(painter.clip_rect());
-    let response = ui.interact(area, ui.scope_id().with(("fold row", row.node)), Sense::click());
+    let response = ui.interact(area, ui.scope_id().with(("fold row", row.node)), Sense::CLICK);
     let path = look.editor.scene().node(row.node).path.as_str();
     response.widget_info(|| {
         let name = if row.is_unfolded {

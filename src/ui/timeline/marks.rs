@@ -20,7 +20,7 @@ pub fn strip(painter: &Painter, look: &Look<'_>, thumbnails: &mut Thumbnails) {
     for (index, rect) in look.target.thumbnails() {
         let keyframe_index = KeyframeIndex::new(index);
         let Some(keyframe) = columns.keyframes().get(index) else { continue };
-        thumbnails.paint(&painter, rect, &keyframe.pose, tokens);
+        thumbnails.paint(&painter, rect, (index, &keyframe.pose), tokens);
         let is_selected = editor.session().selected.binary_search(&keyframe_index).is_ok();
         let border = if current == Some(keyframe_index) {
             Stroke::new(2.0, tokens.accent)

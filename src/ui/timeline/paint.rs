@@ -1,10 +1,10 @@
 //! Painting of the timeline: ruler, rows, diamonds, playhead. Input is handled elsewhere.
 
-use egui::text::{LayoutJob, TextWrapping};
 use egui::{Align2, Color32, FontFamily, FontId, Painter, Rect, Shape, Stroke, pos2, vec2};
 
 use super::drag::Drag;
 use super::hit::{Hit, LEAST_FOR_EASING, LEAST_GAP, RADIUS, RANGE_BAR, SMALL_RADIUS, Target};
+use super::numbers;
 use super::rows::{Row, Subject, differs};
 use super::scale::{marks, seconds_text};
 use crate::editor::Editor;
@@ -68,7 +68,7 @@ pub fn ruler(painter: &Painter, look: &Look<'_>) {
     let painter = painter.with_clip_rect(ruler.intersect(painter.clip_rect()));
     painter.hline(ruler.x_range(), ruler.bottom() - 0.5, Stroke::new(1.0, tokens.line));
     seconds(&painter, look);
-    numbers(&painter, look);
+    numbers::show(&painter, look);
     if let Some((from, to)) = played_x(look) {
         let y = ruler.bottom() - 3.5;
         painter.hline(from..=to, y, Stroke::new(2.0, tokens.strong_line));
@@ -104,45 +104,6 @@ fn seconds(painter: &Painter, look: &Look<'_>) {
             let text = seconds_text(at, step);
             painter.text(pos2(x + 8.0, ruler.top() + 7.0), Align2::LEFT_CENTER, text, ruler_font(), tokens.dim);
         }
-    }
-}
-
-fn numbers(painter: &Painter, look: &Look<'_>) {
-    let Target { layout, scale, columns, .. } = *look.target;
-    let (tokens, keyframes) = (look.tokens, keyframes(look));
-    let y = layout.ruler.top() + 20.0;
-    let current = look.editor.document().keyframes.current();
-    // The current one is always named; the others where there is room.
-    let mut taken = f32::NEG_INFINITY;
-    let current_x = current.map(|current| scale.x_of(columns.time(current.get())));
-    let groups = columns.groups(scale.in_sight(120.0), scale.units(18.0));
-    let others = groups.map(|group| group.start).filter(|&index| current != Some(KeyframeIndex::new(index)));
-    for index in current.map(KeyframeIndex::get).into_iter().chain(others) {
-        let is_current = current == Some(KeyframeIndex::new(index));
-        let x = scale.x_of(columns.time(index));
-        if !is_current && (x < taken || current_x.is_some_and(|current| (x - current).abs() < 22.0)) {
-            continue;
-        }
-        let colour = match (is_current, look.hovered == Some(Hit::Diamond(index))) {
-            (true, _) => tokens.accent,
-            (false, true) => tokens.text,
-            (false, false) => tokens.dim,
-        };
-        let number = painter.text(pos2(x, y), Align2::CENTER_CENTER, index, ruler_font(), colour);
-        let Some(name) = keyframes.get(index).and_then(|keyframe| keyframe.name.as_deref()) else {
-            taken = if is_current { taken } else { number.right() + 6.0 };
-            continue;
-        };
-        let to = scale.x_of(columns.time_after(index)).max(x + 60.0);
-        let room = Rect::from_x_y_ranges(number.right() + 4.0..=to - 12.0, layout.ruler.y_range());
-        let font = FontId::new(11.0, FontFamily::Proportional);
-        let text = if is_current { tokens.accent } else { tokens.text };
-        let mut job = LayoutJob::simple_singleline(name.to_owned(), font, text);
-        job.wrap = TextWrapping::truncate_at_width(room.width());
-        let galley = painter.layout_job(job);
-        let written = Rect::from_min_size(pos2(room.left(), y - galley.size().y / 2.0), galley.size());
-        painter.galley(written.min, galley, text);
-        taken = if is_current { taken } else { written.right() + 6.0 };
     }
 }
 

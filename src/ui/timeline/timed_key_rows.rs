@@ -4,6 +4,7 @@ use egui::{Align2, Color32, Painter, Rect, Response, Role, Sense, Stroke, Ui, Wi
 
 use super::dragging::label;
 use super::hit::SMALL_RADIUS;
+use super::keyboard::Keyboard;
 use super::labels::depth;
 use super::paint::Look;
 use super::rows::{Row, Subject, has_key_rows};
@@ -13,7 +14,7 @@ use super::tips::tip;
 use crate::editor::{Command, KeyAt, SceneEdit, SelectionCommand};
 use crate::scene::{Channel, KeyValue};
 use crate::ui::angles::degrees_from_rotation;
-use crate::ui::icons::{Icon, button_at, diamond, was_pressed};
+use crate::ui::icons::{Icon, button_id, button_sensing, diamond, was_pressed};
 use crate::ui::theme::{CORNER, ROW, Tokens, small_font, text_font};
 use crate::ui::words::Words;
 use crate::words::texts;
@@ -127,7 +128,14 @@ impl Keys {
     }
 
     /// Makes the diamonds of the rows in sight known to the keyboard and to screen readers: Space selects one, Enter opens its numbers.
-    pub fn diamonds(&mut self, ui: &Ui, view: &KeyView<'_>, tokens: &Tokens, commands: &mut Vec<Command>) {
+    pub fn diamonds(
+        &mut self,
+        ui: &Ui,
+        view: &KeyView<'_>,
+        tokens: &Tokens,
+        keyboard: &mut Keyboard,
+        commands: &mut Vec<Command>,
+    ) {
         let words = Words::of(ui);
         let scene = view.editor.scene();
         self.open_selected(ui, view);
@@ -142,7 +150,8 @@ impl Keys {
                     let area = Rect::from_center_size(centre, vec2(2.0 * SMALL_RADIUS, ROW - 4.0));
                     let area = area.intersect(view.target.layout.nodes);
                     let id = ui.scope_id().with(("key", track, seconds.to_bits()));
-                    let response = ui.interact(area, id, Sense::focusable_noninteractive());
+                    let sense = keyboard.item(ui, id, row + 1, centre.x, Sense::empty());
+                    let response = ui.interact(area, id, sense);
                     let key = KeyAt { track: track.clone(), seconds };
                     let is_selected = view.editor.session().selected_keys.contains(&key);
                     let channel = channel_name(words, track.channel);
@@ -197,8 +206,9 @@ impl Keys {
         ui: &Ui,
         painter: &Painter,
         look: &Look<'_>,
-        row: &Row,
+        (row, place): (&Row, usize),
         (rect, seen): (Rect, Rect),
+        keyboard: &mut Keyboard,
         commands: &mut Vec<Command>,
     ) {
         let words = Words::of(ui);
@@ -217,7 +227,9 @@ impl Keys {
             }
             _ => (node.name.clone(), words.message(texts::control_node(&node.path))),
         };
-        let response = ui.interact(seen.shrink2(vec2(1.0, 0.0)), ui.scope_id().with(("keys", &says)), Sense::click());
+        let id = ui.scope_id().with(("keys", &says));
+        let sense = keyboard.item(ui, id, place, rect.left(), Sense::click());
+        let response = ui.interact(seen.shrink2(vec2(1.0, 0.0)), id, sense);
         let is_channel = matches!(row.subject, Subject::Channel(_));
         response.widget_info(|| WidgetInfo::labeled(Role::ListBoxOption, true, &says));
         self.paint_label(painter, look, row, rect, &name, &response);
@@ -225,7 +237,13 @@ impl Keys {
         let about = if is_channel || matches!(row.subject, Subject::Shape) { says.clone() } else { node.path.clone() };
         let add_name = words.message(texts::add_key_at_playhead(&about));
         let is_inside = seen.contains(add_area.center());
-        if is_inside && button_at(ui, add_area, Icon::NewKeyframe, &add_name, "", !look.editor.is_playing(), false) {
+        let can_add = is_inside && !look.editor.is_playing();
+        let sense = if can_add {
+            keyboard.item(ui, button_id(ui, &add_name), place, add_area.center().x, Sense::click())
+        } else {
+            Sense::hover()
+        };
+        if is_inside && button_sensing(ui, add_area, Icon::NewKeyframe, &add_name, "", sense, false) {
             add(&view, 0, playhead(look.editor), commands);
         }
         let text = if matches!(row.subject, Subject::Control) {

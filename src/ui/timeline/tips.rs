@@ -35,7 +35,7 @@ impl Timeline {
                 let pose = look.editor.document().keyframes.get(KeyframeIndex::new(index)).map(|it| &it.pose);
                 response.clone().on_hover_ui_at_pointer(|ui| {
                     if let Some(pose) = pose {
-                        thumbnails.show_large(ui, pose);
+                        thumbnails.show_large(ui, (index, pose));
                     }
                     tip(ui, &heading, &body, look);
                 });
