@@ -12,7 +12,8 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use inbetween::editor::keymap::{binding_for, press_from_word};
 use inbetween::editor::{
-    Command, Edit, Editor, Effect, PlayMode, PlaybackCommand, SelectionCommand, TimelineEdit, WindowCommand,
+    Command, Edit, Editor, Effect, PlayMode, PlaybackCommand, SelectionCommand, TimelineEdit, ViewCommand,
+    WindowCommand,
 };
 use inbetween::keyframe::{Easing, KeyframeIndex, keyframes_to_json};
 use inbetween::settings::Settings;
@@ -408,6 +409,25 @@ fn tab_stops_once_and_arrows_move_within() {
     harness.key_press(Key::Enter);
     harness.run();
     assert_eq!((selected(&harness), current(&harness)), (vec![1], 1));
+}
+
+#[test]
+fn the_ruler_says_which_curve_of_a_graph_is_which() {
+    let mut harness = six();
+    let robot = harness.state().editor.scene().find_rbt("robot1");
+    apply(&mut harness.state_mut().editor, Command::View(ViewCommand::Choose(robot)));
+    click(&mut harness, "Graphs");
+    let ruler = harness.get_by_label("Timeline").rect();
+    let written: Vec<String> = (harness.output().shapes.iter())
+        .filter_map(|clipped| match &clipped.shape {
+            egui::Shape::Text(text) if clipped.clip_rect.contains(text.visual_bounding_rect().center()) => {
+                let is_in_ruler = (ruler.top()..ruler.top() + 14.0).contains(&text.visual_bounding_rect().center().y);
+                is_in_ruler.then(|| text.galley.text().to_owned())
+            }
+            _ => None,
+        })
+        .collect();
+    assert!(written.contains(&"Linear".to_owned()) && written.contains(&"Catmull-Rom".to_owned()), "{written:?}");
 }
 
 #[test]

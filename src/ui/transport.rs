@@ -70,7 +70,7 @@ pub fn show(ui: &mut Ui, editor: &Editor, bindings: &[Binding], commands: &mut V
 /// The menu of what has no room in the row.
 fn more(ui: &mut Ui, fits: Fits, editor: &Editor, bindings: &[Binding], commands: &mut Vec<Command>) {
     let words = Words::of(ui);
-    let menu = ui.menu_button("…", |ui| {
+    let menu = ui.menu_button(RichText::new("…").color(Tokens::of(ui).text), |ui| {
         ui.set_min_width(200.0);
         ui.spacing_mut().item_spacing.y = 0.0;
         for edit in [Edit::CreateKeyframe, Edit::UpdateCurrent, Edit::DisplayCurrent, Edit::DeleteCurrent] {

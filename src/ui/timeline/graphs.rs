@@ -25,6 +25,8 @@ const STEP: f32 = 3.0;
 const REACH: f32 = 7.0;
 /// Half a dot.
 const DOT: f32 = 3.5;
+/// Height of the line above a graph that says what it shows.
+const HEADING: f32 = 16.0;
 const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// A graph as it was last drawn.
@@ -231,6 +233,7 @@ impl Graphs {
     /// Draws the graphs.
     pub fn paint(&mut self, painter: &Painter, look: &Look<'_>) {
         let tracks = look.target.layout.tracks;
+        let whole = painter;
         let painter = painter.with_clip_rect(tracks.intersect(painter.clip_rect()));
         self.lanes.clear();
         let (Some(rbt), Ok(range)) =
@@ -244,7 +247,7 @@ impl Graphs {
             painter.text(tracks.center(), Align2::CENTER_CENTER, text, FontId::proportional(12.0), look.tokens.dim);
             return;
         };
-        curves_legend(&painter, look);
+        curves_legend(whole, look);
         let shown: Vec<Quantity> = Quantity::ALL
             .into_iter()
             .zip(self.shown)
@@ -260,7 +263,14 @@ impl Graphs {
             if index > 0 {
                 painter.hline(area.x_range(), top + 0.5, Stroke::new(1.0, look.tokens.line));
             }
-            let lane = self.lane(&painter, look, &range, rbt, quantity, area.shrink2(vec2(0.0, 4.0)));
+            let lane = self.lane(
+                &painter,
+                look,
+                &range,
+                rbt,
+                quantity,
+                area.with_min_y(top + HEADING).with_max_y(area.bottom() - DOT - 1.0),
+            );
             self.lanes.push(lane);
         }
         for (x, ..) in warnings(look, rbt) {
@@ -358,7 +368,7 @@ fn colour_of(look: &Look<'_>, quantity: Quantity, axis: usize) -> Color32 {
 /// Which interpolations the strong and the faint curves are of, in the ruler: the graphs below are full.
 fn curves_legend(painter: &Painter, look: &Look<'_>) {
     let (ruler, tokens) = (look.target.layout.ruler, look.tokens);
-    let painter = painter.with_clip_rect(ruler);
+    let painter = painter.with_clip_rect(ruler.intersect(painter.clip_rect()));
     let in_force = look.editor.document().interpolation;
     let others = Interpolation::ALL.into_iter().filter(|&other| other != in_force);
     let mut right = ruler.right() - 8.0;
@@ -379,7 +389,7 @@ fn curves_legend(painter: &Painter, look: &Look<'_>) {
     }
 }
 
-/// What a graph shows, and its least and largest value at the left.
+/// What a graph shows, and its least and largest value, above it: within it they would run into the curves and their dots.
 fn scale_of_values(painter: &Painter, look: &Look<'_>, lane: &Lane) {
     let tokens = look.tokens;
     let font = FontId::new(9.5, FontFamily::Monospace);
@@ -390,19 +400,12 @@ fn scale_of_values(painter: &Painter, look: &Look<'_>, lane: &Lane) {
         let zero = Stroke::new(1.0, tokens.line);
         painter.hline(area.x_range(), lane.y_of(0.0).round() + 0.5, zero);
     }
-    let write = |at: Pos2, anchor: Align2, text: String, font: FontId| {
-        let galley = painter.layout_no_wrap(text, font, tokens.dim);
-        let rect = anchor.anchor_size(at, galley.size());
-        painter.rect_filled(rect.expand2(vec2(3.0, 0.0)), 2.0, tokens.window.gamma_multiply(0.8));
-        painter.galley(rect.min, galley, tokens.dim);
-        rect.right()
-    };
     let (high, low) = (format!("{:.decimals$}{unit}", lane.high), format!("{:.decimals$}{unit}", lane.low));
-    let name_at = write(pos2(left, area.top() - 2.0), Align2::LEFT_TOP, high, font.clone()) + 10.0;
-    write(pos2(left, area.bottom() + 2.0), Align2::LEFT_BOTTOM, low, font);
-    let name = look.words.say(lane.quantity.name()).to_owned();
-    // Beside the greatest value: at the right it would run into the dots of the last keyframes.
-    write(pos2(name_at, area.top() - 2.0), Align2::LEFT_TOP, name, FontId::proportional(10.0));
+    let at = pos2(left, area.top() - HEADING / 2.0);
+    let name = look.words.say(lane.quantity.name());
+    let name = painter.text(at, Align2::LEFT_CENTER, name, FontId::proportional(10.0), tokens.dim);
+    let at = pos2(name.right() + 8.0, at.y);
+    painter.text(at, Align2::LEFT_CENTER, format!("{low} … {high}"), font, tokens.dim);
 }
 
 /// The intervals in sight that turn by nearly half a turn: where their middles stand, where they begin, and by how many degrees.
