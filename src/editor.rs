@@ -251,7 +251,7 @@ impl Editor {
         self.message.as_ref().map(Message::to_string).unwrap_or_default()
     }
 
-    /// What the status line shows: the last message. A drag, which says nothing, leaves it there.
+    /// What the status line shows: the last message. The beginning of a drag takes it away; what follows of the drag says nothing.
     #[must_use]
     pub const fn status(&self) -> Option<&Message> {
         self.status.as_ref()

@@ -26,6 +26,8 @@ pub const MOST_RECENT_FILES: usize = 10;
 pub const SCALES: [u16; 7] = [75, 90, 100, 125, 150, 175, 200];
 /// The valid panel sizes, in points.
 const PANEL_SIZES: RangeInclusive<f32> = 40.0..=4000.0;
+/// The valid sides of the window, in points.
+const WINDOW_SIZES: RangeInclusive<f32> = 40.0..=16_000.0;
 
 /// The colour theme.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -40,9 +42,32 @@ pub enum ThemeChoice {
     Dark,
 }
 
+impl WindowPlace {
+    /// A place whose sides are within what a settings file can hold.
+    #[must_use]
+    pub fn new(size: [f32; 2], at_px: Option<[i32; 2]>) -> Self {
+        let size = size.map(|side| side.round().clamp(*WINDOW_SIZES.start(), *WINDOW_SIZES.end()));
+        Self { size, at_px, is_maximized: false }
+    }
+}
+
 impl ThemeChoice {
     /// All themes, in menu order.
     pub const ALL: [Self; 3] = [Self::System, Self::Light, Self::Dark];
+}
+
+/// Where a window was, and how large.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct WindowPlace {
+    /// Width and height of its inside, in points.
+    pub size: [f32; 2],
+    /// Its top left corner, in pixels of the desktop; `None` if the window system does not say it.
+    #[serde(default)]
+    pub at_px: Option<[i32; 2]>,
+    /// Whether it fills its monitor.
+    #[serde(default)]
+    pub is_maximized: bool,
 }
 
 /// The settings of one user.
@@ -64,6 +89,10 @@ pub struct Settings {
     pub journal: bool,
     /// Whether the window reads files again when another program changes them.
     pub reload: bool,
+    /// Where the window was when it was closed, and how large.
+    pub window: Option<WindowPlace>,
+    /// Whether an empty window shows the first steps.
+    pub tour: bool,
 }
 
 impl Default for Settings {
@@ -77,6 +106,8 @@ impl Default for Settings {
             panels: BTreeMap::new(),
             journal: true,
             reload: false,
+            window: None,
+            tour: true,
         }
     }
 }
@@ -103,6 +134,10 @@ struct File {
     journal: bool,
     #[serde(default)]
     reload: bool,
+    #[serde(default)]
+    window: Option<WindowPlace>,
+    #[serde(default = "kept")]
+    tour: bool,
 }
 
 const fn kept() -> bool {
@@ -186,6 +221,11 @@ impl Settings {
             let (what, found) = (texts::settings_panel_size(name).into(), size.to_string());
             return Err(SettingsError::Range { what, found, least: 40, most: 4000 });
         }
+        if let Some(size) = file.window.iter().flat_map(|window| window.size).find(|size| !WINDOW_SIZES.contains(size))
+        {
+            let (what, found) = (Message::from(texts::SETTINGS_WINDOW_SIZE).into(), size.to_string());
+            return Err(SettingsError::Range { what, found, least: 40, most: 16_000 });
+        }
         let mut recent = file.recent;
         recent.truncate(MOST_RECENT_FILES);
         Ok(Self {
@@ -197,6 +237,8 @@ impl Settings {
             panels: file.panels,
             journal: file.journal,
             reload: file.reload,
+            window: file.window,
+            tour: file.tour,
         })
     }
 
@@ -216,6 +258,8 @@ impl Settings {
             recent,
             journal: self.journal,
             reload: self.reload,
+            window: self.window.clone(),
+            tour: self.tour,
         };
         let mut text = serde_json::to_string_pretty(&file).expect("settings are plain text and numbers");
         text.push('\n');
@@ -241,8 +285,9 @@ impl Settings {
         next.unwrap_or(at)
     }
 
-    /// Records a panel's size in points. Returns whether it changed.
-    pub fn resized(&mut self, panel: &str, size: f32) -> bool {
+    /// Records a panel's size in points, `None` for its usual one. Returns whether it changed.
+    pub fn resized(&mut self, panel: &str, size: Option<f32>) -> bool {
+        let Some(size) = size else { return self.panels.remove(panel).is_some() };
         let size = size.clamp(*PANEL_SIZES.start(), *PANEL_SIZES.end()).round();
         self.panels.insert(panel.to_owned(), size) != Some(size)
     }
@@ -259,8 +304,10 @@ mod tests {
             settings.keys.insert("keyframe-new".to_owned(), vec!["Ctrl+K".to_owned(), "n".to_owned()]);
             settings.scale_percent = 125;
             settings.used(Path::new("folder/걷기.json"));
-            assert!(settings.resized("side", 300.2));
-            assert!(!settings.resized("side", 300.4));
+            settings.window = Some(WindowPlace { size: [900.0, 600.0], at_px: Some([-3, 4]), is_maximized: true });
+            settings.tour = false;
+            assert!(settings.resized("side", Some(300.2)));
+            assert!(!settings.resized("side", Some(300.4)));
             let text = settings.to_json();
             assert!(text.contains(&format!("\"language\": \"{}\"", language.code())), "{text}");
             assert_eq!(Settings::from_json(text.as_bytes()), Ok(settings));
@@ -295,6 +342,10 @@ mod tests {
         );
         check_refused(r#"{"format": "inbetween.settings", "version": 1, "scale_percent": 9}"#, "is 9");
         check_refused(r#"{"format": "inbetween.settings", "version": 1, "panels": {"side": 1e9}}"#, "\"side\"");
+        check_refused(
+            r#"{"format": "inbetween.settings", "version": 1, "window": {"size": [900, 1e9]}}"#,
+            "a side of the window is 1000000000",
+        );
     }
 
     #[test]

@@ -10,10 +10,12 @@ mod choices;
 mod dialogs;
 mod export;
 mod fonts;
+mod gestures;
 mod help;
 mod hotkeys;
 mod icons;
 mod inspector;
+mod layout;
 mod legend;
 mod log;
 mod manual;
@@ -32,25 +34,22 @@ mod transport;
 mod tree;
 pub mod words;
 
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use egui::{CentralPanel, Frame, Margin, Panel, Rect, ScrollArea};
+use egui::{CentralPanel, Rect};
 
-use crate::editor::commands::WindowState;
 use crate::editor::keymap::{Binding, Keymap};
 use crate::editor::{Command, Editor, FileCommand};
 use crate::film::ExportOptions;
 use crate::pose::Pose;
 use crate::settings::Settings;
-use crate::words::Message;
+use crate::words::{Message, texts};
 pub use changed::{ChangeAnswer, ChangeOffer};
 use dialogs::Dialog;
 pub use export::Exporting;
 pub use overwrite::{OverwriteAnswer, OverwriteQuestion, OverwriteReason};
 pub use recovery::{RecoveryAnswer, RecoveryOffer};
 pub use statistics::Statistics;
-use theme::Tokens;
 pub use thumbnails::THUMBNAIL_PX;
 
 /// What the user answered to the question about unsaved work.
@@ -86,8 +85,8 @@ pub struct UiOutput {
     pub viewport: Rect,
     /// The answer to [`Panels::ask_before_quitting`], once.
     pub quit_answer: Option<QuitAnswer>,
-    /// Panels whose edges were dragged, and their new sizes in points, once.
-    pub panels: Vec<(&'static str, f32)>,
+    /// Panels whose edges were dragged, and their new sizes in points, once; `None`: the usual size.
+    pub panels: Vec<(&'static str, Option<f32>)>,
     /// The answer to [`Panels::recovery`], once.
     pub recovery: Option<RecoveryAnswer>,
     /// The answer to [`Panels::changed`], once.
@@ -134,15 +133,6 @@ struct PanelInput<'a> {
     is_exporting: bool,
 }
 
-/// A panel's size when it was last shown.
-#[derive(Clone, Copy, Debug)]
-struct PanelSize {
-    size: f32,
-    is_dragged: bool,
-    /// Frames since all buttons were released. The final size is only reported one frame later.
-    rests: u8,
-}
-
 /// The panels and their own state.
 #[derive(Debug, Default)]
 pub struct Panels {
@@ -150,7 +140,10 @@ pub struct Panels {
     settings: Settings,
     log: log::Log,
     manual: manual::Manual,
-    watched: BTreeMap<&'static str, PanelSize>,
+    help: help::Help,
+    rooms: layout::Rooms,
+    /// Panels whose edges were dragged since that was last reported.
+    resized: Vec<(&'static str, Option<f32>)>,
     tree: tree::Tree,
     angles: angles::ShownAngles,
     timeline: timeline::Timeline,
@@ -245,16 +238,20 @@ impl Panels {
         self.thumbnails.begin();
         self.log.take_in(editor.said(), ui.input(|input| input.time));
         let mut output = UiOutput::default();
+        if self.has_dialog() || editor.session().shows_help {
+            hide_tooltips(ui);
+        }
         if editor.session().shows_panels {
             self.show_panels(ui, editor, &mut output.commands);
         }
         output.recovery = self.recovery.as_ref().and_then(|offer| recovery::show(ui, offer));
         output.change = self.changed.as_ref().and_then(|offer| changed::show(ui, offer));
         output.viewport = CentralPanel::no_frame().show(ui, |ui| ui.max_rect()).inner;
+        say_of_frame(ui, editor, output.viewport);
         overlay::show(ui, output.viewport, editor, &self.keymap, &self.log, self.statistics.as_ref());
         legend::show(ui, output.viewport, editor, &mut output.commands);
         if editor.session().shows_help {
-            help::show(ui, self.keymap.bindings(), &mut output.commands);
+            self.help.show(ui, self.keymap.bindings(), &mut output.commands);
         }
         self.log.show_list(ui.ctx(), output.viewport, &mut output.commands);
         self.log.show_toasts(ui, output.viewport);
@@ -268,60 +265,35 @@ impl Panels {
         if let Some(Command::File(FileCommand::Export(options))) = output.commands.last() {
             self.exported = Some((editor.keyframe_file().to_owned(), options.as_ref().clone()));
         }
-        output.panels = self.dragged_panels(ui);
+        output.panels = std::mem::take(&mut self.resized);
         output
     }
+}
 
-    fn show_panels(&mut self, ui: &mut egui::Ui, editor: &Editor, commands: &mut Vec<Command>) {
-        let tokens = Tokens::of(ui);
-        let plain = |fill, x, y| Frame::new().fill(fill).inner_margin(Margin::symmetric(x, y));
-        let is_exporting = self.exporting.is_some();
-        let shown = PanelInput { editor, keymap: &self.keymap, settings: &self.settings, is_exporting };
-        let state = WindowState {
-            messages: self.log.is_shown(),
-            statistics: self.statistics.is_some(),
-            journal: self.settings.journal,
-            reload: self.settings.reload,
-        };
-        Panel::top("menu bar").exact_size(theme::MENU_BAR).frame(plain(tokens.panel, 4, 1)).show(ui, |ui| {
-            menu::show(ui, shown, state, commands);
-        });
-        Panel::bottom("status").exact_size(theme::STATUS).frame(plain(tokens.panel, 8, 2)).show(ui, |ui| {
-            status::show(ui, editor, self.statistics.as_ref());
-        });
-        let mut timeline_height = theme::TIMELINE;
-        Panel::bottom("timeline")
-            .default_size(self.panel_size("timeline", theme::TIMELINE))
-            .size_range(96.0..=560.0)
-            .resizable(true)
-            .frame(Frame::new())
-            .show(ui, |ui| {
-                // What is in it may be lower than the panel.
-                timeline_height = ui.available_height();
-                self.timeline.show(ui, editor, self.keymap.bindings(), &mut self.thumbnails, commands);
-            });
-        self.watch_panel(ui, "timeline", timeline_height);
-        Panel::bottom("transport").exact_size(theme::TRANSPORT).frame(plain(tokens.panel, 8, 4)).show(ui, |ui| {
-            transport::show(ui, editor, self.keymap.bindings(), commands);
-        });
-        let side = Panel::right("side")
-            .default_size(self.panel_size("side", theme::SIDE))
-            .size_range(200.0..=480.0)
-            .frame(plain(tokens.panel, 0, 0))
-            .show(ui, |ui| self.show_side(ui, editor, commands));
-        self.watch_panel(ui, "side", side.response.rect.width());
-    }
+/// What screen readers say of the window itself and of the 3D view, which are no widgets.
+fn say_of_frame(ui: &egui::Ui, editor: &Editor, viewport: Rect) {
+    let words = words::Words::of(ui);
+    ui.ctx().accesskit_node_builder(egui::accesskit_root_id(), |node| {
+        node.set_label(format!("{} • {}", editor.keyframe_file().display(), words.say(texts::WINDOW_OF_INBETWEEN)));
+    });
+    let looks = words.message(editor.view_sentence());
+    let [min, max] = [viewport.min, viewport.max].map(|at| at * ui.pixels_per_point());
+    ui.ctx().accesskit_node_builder(egui::Id::unique("3D view"), |node| {
+        node.set_role(egui::accesskit::Role::Canvas);
+        node.set_label(words.say(texts::THE_3D_VIEW));
+        node.set_value(looks);
+        let (x0, y0, x1, y1) = (min.x.into(), min.y.into(), max.x.into(), max.y.into());
+        node.set_bounds(egui::accesskit::Rect { x0, y0, x1, y1 });
+    });
+}
 
-    fn show_side(&mut self, ui: &mut egui::Ui, editor: &Editor, commands: &mut Vec<Command>) {
-        Panel::bottom("inspector").frame(Frame::new().inner_margin(Margin::same(12))).show(ui, |ui| {
-            inspector::show(ui, editor, &mut self.angles, &self.keymap, commands);
-        });
-        ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-            Frame::new().inner_margin(Margin { left: 4, right: 4, top: 8, bottom: 8 }).show(ui, |ui| {
-                self.tree.show(ui, editor, &self.keymap, commands);
-            });
-        });
-    }
+/// Hides tooltips of what lies under a dialog: one that is open would stay over it as long as the pointer rests. Tooltips give way to
+/// open popups of their layer; this is one without a place, which shows nothing.
+fn hide_tooltips(ui: &egui::Ui) {
+    let id = egui::Id::unique("no tooltips");
+    let nowhere = egui::PopupAnchor::PointerFixed;
+    let popup = egui::Popup::new(id, ui.ctx().clone(), nowhere, ui.layer_id());
+    let _ = popup.open(true).show(|_| ());
 }
 
 /// The hotkeys of a command as text; empty if it has none.

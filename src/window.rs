@@ -18,6 +18,7 @@ mod meter;
 pub mod motion_path;
 mod outside;
 mod panels;
+mod place;
 pub mod pointer;
 mod screen;
 mod settings_file;

@@ -31,8 +31,11 @@ fn panel(scene: &str) -> Panel {
     let mut editor = Editor::new(scene, PathBuf::from("animation.json"));
     apply(&mut editor, Command::View(ViewCommand::ScrubSeconds(1.0)));
     let app = App { editor, ui: Panels::new(), commands: Vec::new(), is_dressed: false, cursor: CursorIcon::Default };
-    let mut harness =
-        Harness::builder().with_size(vec2(1280.0, 900.0)).with_max_steps(60).with_step_dt(1.0 / 60.0).build_ui_state(
+    let mut harness = Harness::builder()
+        .with_size(vec2(1280.0 + theme::SIDE, 900.0))
+        .with_max_steps(60)
+        .with_step_dt(1.0 / 60.0)
+        .build_ui_state(
             |ui, app: &mut App| {
                 if !std::mem::replace(&mut app.is_dressed, true) {
                     theme::install(ui.ctx());
@@ -47,9 +50,7 @@ fn panel(scene: &str) -> Panel {
         );
     harness.run();
     // All rows are in sight.
-    let edges = harness.get_all_by_label("Resize panel").map(|edge| edge.rect());
-    let edge = edges.filter(|edge| edge.width() > 600.0).min_by(|a, b| a.top().total_cmp(&b.top()));
-    let edge = edge.expect("the timeline's panel can be resized").center();
+    let edge = harness.get_by_label("Edge of the timeline").rect().center();
     drag(&mut harness, edge, edge - vec2(0.0, 240.0));
     harness.state_mut().commands.clear();
     harness

@@ -18,7 +18,7 @@ struct App {
     ui: Panels,
     settings: Settings,
     commands: Vec<Command>,
-    panels: Vec<(&'static str, f32)>,
+    panels: Vec<(&'static str, Option<f32>)>,
     viewport: egui::Rect,
     is_dressed: bool,
 }
@@ -291,7 +291,7 @@ fn a_repeated_error_is_one_toast() {
 fn the_window_speaks_korean() {
     let mut harness = harness(0);
     ask(&mut harness, WindowCommand::SetLanguage(Language::of_code("ko").unwrap()));
-    click(&mut harness, "편집");
+    click(&mut harness, "편집(E)");
     harness.get_by_label("새 키프레임 n");
     press(&mut harness, Key::Escape);
     harness.state_mut().apply(Command::Edit(Edit::CreateKeyframe));
@@ -300,7 +300,7 @@ fn the_window_speaks_korean() {
     ask(&mut harness, WindowCommand::ShowCommands);
     type_text(&mut harness, "영");
     type_text(&mut harness, "x");
-    harness.get_by_label("이름에 \"영x\"이(가) 들어간 명령이 없습니다.");
+    harness.get_by_label("\"영x\"(이)라는 것이 여기에 없습니다.");
 }
 
 #[test]
@@ -332,11 +332,11 @@ fn a_dragged_panel_is_remembered() {
     harness.run();
     let panels = harness.state().panels.clone();
     assert_eq!(panels.len(), 1, "{panels:?}");
-    assert!(panels[0].0 == "side" && (panels[0].1 - theme::SIDE - 60.0).abs() < 4.0, "{panels:?}");
+    assert!(panels[0].0 == "side" && (panels[0].1.unwrap() - theme::SIDE - 60.0).abs() < 4.0, "{panels:?}");
 
     let mut settings = Settings::default();
-    settings.resized("side", 400.0);
-    settings.resized("timeline", 300.0);
+    settings.resized("side", Some(400.0));
+    settings.resized("timeline", Some(300.0));
     let usual = harness.state().viewport.bottom();
     let harness = harness_with(0, settings);
     let bottom = harness.state().viewport.bottom();

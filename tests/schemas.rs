@@ -9,7 +9,7 @@ use inbetween::interpolation::Interpolation;
 use inbetween::keyframe::{Easing, keyframes_from_json};
 use inbetween::references::read_list;
 use inbetween::scene::{SceneGraph, scene_from_json};
-use inbetween::settings::{Settings, ThemeChoice};
+use inbetween::settings::{Settings, ThemeChoice, WindowPlace};
 use inbetween::words::Language;
 use serde_json::{Value, json};
 
@@ -194,7 +194,8 @@ fn settings() {
         Settings { theme: ThemeChoice::Light, language: Language::of_code("ko").unwrap(), ..Settings::default() };
     settings.keys.insert("New keyframe".to_owned(), vec!["Ctrl+K".to_owned(), "n".to_owned()]);
     settings.used(Path::new("folder/걷기.json"));
-    settings.resized("side", 300.0);
+    settings.resized("side", Some(300.0));
+    settings.window = Some(WindowPlace::new([900.0, 600.0], Some([-3, 40])));
     check("settings", &settings.to_json(), &reader_of_settings());
 }
 

@@ -45,18 +45,19 @@ type Timeline = Harness<'static, App>;
 fn timeline(editor: Editor) -> Timeline {
     let (ui, settings, commands) = (Panels::new(), Settings::default(), Vec::new());
     let app = App { editor, ui, settings, commands, is_dressed: false, cursor: CursorIcon::Default };
-    let mut harness = Harness::builder().with_size(vec2(1280.0, 800.0)).with_max_steps(60).build_ui_state(
-        |ui, app: &mut App| {
-            if !std::mem::replace(&mut app.is_dressed, true) {
-                theme::install(ui.ctx());
-            }
-            for command in app.ui.show(ui, &app.editor).commands {
-                app.apply(command);
-            }
-            app.cursor = ui.output(|output| output.cursor_icon);
-        },
-        app,
-    );
+    let mut harness =
+        Harness::builder().with_size(vec2(1280.0 + theme::SIDE, 800.0)).with_max_steps(60).build_ui_state(
+            |ui, app: &mut App| {
+                if !std::mem::replace(&mut app.is_dressed, true) {
+                    theme::install(ui.ctx());
+                }
+                for command in app.ui.show(ui, &app.editor).commands {
+                    app.apply(command);
+                }
+                app.cursor = ui.output(|output| output.cursor_icon);
+            },
+            app,
+        );
     harness.run();
     harness
 }

@@ -4,7 +4,7 @@ use super::commands::{Row, row_of};
 use super::history::Run;
 use super::keymap::Keymap;
 use super::{
-    ClipboardCommand, Command, CommandError, Document, Edit, Editor, Effect, Message, PlaybackCommand,
+    ClipboardCommand, Command, CommandError, Document, Edit, Editor, Effect, GestureCommand, Message, PlaybackCommand,
     SelectionCommand, ViewCommand,
 };
 use crate::keyframe::{Keyframe, KeyframeIndex, KeyframeList, MS_BETWEEN_KEYFRAMES_RANGE};
@@ -20,12 +20,12 @@ pub(super) type CommandResult = Result<Option<Message>, CommandError>;
 
 impl Editor {
     /// Runs a command, and returns the effect that the host must perform. Afterwards, [`Editor::message`] is its message or its refusal.
-    /// Without a message, a gesture command leaves the status line unchanged, and any other command clears it.
+    /// Without a message, a drag leaves the status line unchanged once it has begun, and any other command clears it.
     ///
     /// # Errors
     /// Why the command was refused. The document is then unchanged, except that a running drag may have been committed.
     pub fn apply(&mut self, command: Command) -> Result<Option<Effect>, CommandError> {
-        let is_drag = matches!(command, Command::Gesture(_));
+        let is_drag = matches!(&command, Command::Gesture(gesture) if *gesture != GestureCommand::Begin);
         self.message = None;
         let outcome = self.dispatch(command);
         self.fit_session_to_list();

@@ -9,7 +9,7 @@ impl Settings {
     /// panel sizes, each entry is a field of its own. Of recent files, each stays that neither side has removed.
     #[must_use]
     pub fn merged(&self, base: &Self, file: Self) -> Self {
-        let Settings { keys, theme, language, scale_percent, recent: _, panels, journal, reload } = self;
+        let Settings { keys, theme, language, scale_percent, recent: _, panels, journal, reload, window, tour } = self;
         Self {
             keys: merged_map(keys, &base.keys, file.keys),
             theme: changed(theme, &base.theme, file.theme),
@@ -19,6 +19,8 @@ impl Settings {
             panels: merged_map(panels, &base.panels, file.panels),
             journal: changed(journal, &base.journal, file.journal),
             reload: changed(reload, &base.reload, file.reload),
+            window: changed(window, &base.window, file.window),
+            tour: changed(tour, &base.tour, file.tour),
         }
     }
 
@@ -66,7 +68,11 @@ mod tests {
     use std::path::{Path, PathBuf};
 
     use super::*;
-    use crate::settings::ThemeChoice;
+    use crate::settings::{ThemeChoice, WindowPlace};
+
+    fn place(width: f32) -> WindowPlace {
+        WindowPlace::new([width, 600.0], None)
+    }
 
     fn settings(change: impl FnOnce(&mut Settings)) -> Settings {
         let mut settings = Settings::default();
@@ -83,11 +89,14 @@ mod tests {
             own.theme = ThemeChoice::Dark;
             own.panels.insert("side".to_owned(), 300.0);
             own.keys.clear();
+            own.window = Some(place(900.0));
         });
         let file = settings(|file| {
             file.scale_percent = 150;
             file.journal = false;
             file.reload = true;
+            file.window = Some(place(800.0));
+            file.tour = false;
             file.panels.insert("timeline".to_owned(), 200.0);
             file.keys.insert("redo".to_owned(), vec!["F2".to_owned()]);
         });
@@ -96,6 +105,8 @@ mod tests {
             expected.scale_percent = 150;
             expected.journal = false;
             expected.reload = true;
+            expected.window = Some(place(900.0));
+            expected.tour = false;
             expected.panels = BTreeMap::from([("side".to_owned(), 300.0), ("timeline".to_owned(), 200.0)]);
             expected.keys = BTreeMap::from([("redo".to_owned(), vec!["F2".to_owned()])]);
         });

@@ -108,15 +108,14 @@ fn path(ui: &mut Ui, purpose: PathPurpose, typed: &mut String, is_new: &mut bool
         field.request_focus();
     }
     let is_typed = !typed.trim().is_empty();
-    let entered = is_typed && field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
     ui.add_space(16.0);
     let mut is_confirmed = false;
     let mut is_cancelled = false;
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-        is_confirmed = ui.add_enabled(is_typed, primary(ui, verb)).clicked();
+        is_confirmed = default_button(ui, verb, is_typed);
         is_cancelled = ui.button(words.say(texts::CANCEL)).clicked();
     });
-    if entered || is_confirmed {
+    if is_confirmed {
         let path = PathBuf::from(typed.trim());
         output.commands.push(Command::File(match purpose {
             PathPurpose::Open => FileCommand::Open(path),
@@ -125,7 +124,7 @@ fn path(ui: &mut Ui, purpose: PathPurpose, typed: &mut String, is_new: &mut bool
             PathPurpose::SaveSceneAs => FileCommand::SaveSceneAs(path),
         }));
     }
-    entered || is_confirmed || is_cancelled
+    is_confirmed || is_cancelled
 }
 
 fn quit(ui: &mut Ui, shown: PanelInput<'_>, output: &mut UiOutput) -> bool {
@@ -160,13 +159,7 @@ fn quit(ui: &mut Ui, shown: PanelInput<'_>, output: &mut UiOutput) -> bool {
     let mut is_cancelled = false;
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
         let mut answer = |ui: &mut Ui, label: &str, is_primary: bool, answer: QuitAnswer| {
-            let button = if is_primary { primary(ui, label) } else { egui::Button::new(label) };
-            let response = ui.add(button);
-            // Focus the default answer, so that Return chooses it.
-            if is_primary && ui.memory(|memory| memory.focused().is_none()) {
-                response.request_focus();
-            }
-            if response.clicked() {
+            if if is_primary { default_button(ui, label, true) } else { ui.button(label).clicked() } {
                 output.quit_answer = Some(answer);
             }
         };
@@ -183,8 +176,13 @@ fn quit(ui: &mut Ui, shown: PanelInput<'_>, output: &mut UiOutput) -> bool {
     output.quit_answer.is_some() || is_cancelled
 }
 
-/// The button that is meant to be pressed.
-pub fn primary(ui: &Ui, label: &str) -> egui::Button<'static> {
+/// The button that is meant to be pressed. Says whether it was: by a click, or by Enter anywhere in the dialog but on another button.
+/// It stands after all fields, which give the keyboard back at Enter.
+pub fn default_button(ui: &mut Ui, label: &str, is_enabled: bool) -> bool {
     let tokens = Tokens::of(ui);
-    egui::Button::new(label.to_owned()).fill(tokens.accent_fill).stroke(egui::Stroke::new(1.0, tokens.accent))
+    let stroke = egui::Stroke::new(1.0, tokens.accent);
+    let button = egui::Button::new(label.to_owned()).fill(tokens.accent_fill).stroke(stroke);
+    let is_clicked = ui.add_enabled(is_enabled, button).clicked();
+    let enter = ui.input(|input| input.key_pressed(Key::Enter)) && ui.memory(|memory| memory.focused().is_none());
+    is_clicked || (is_enabled && enter)
 }

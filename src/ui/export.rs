@@ -8,7 +8,7 @@ use egui::{
 };
 
 use super::PanelInput;
-use super::dialogs::primary;
+use super::dialogs::default_button;
 use super::icons::was_pressed;
 use super::theme::{CORNER, GRID, ROW, Tokens};
 use super::words::Words;
@@ -120,7 +120,7 @@ impl ExportDialog {
         let (mut is_confirmed, mut is_cancelled) = (false, false);
         let can = problem.is_none() && !typed.trim().is_empty();
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            is_confirmed = ui.add_enabled(can, primary(ui, words.say(texts::EXPORT))).clicked();
+            is_confirmed = default_button(ui, words.say(texts::EXPORT), can);
             is_cancelled = ui.button(words.say(texts::CANCEL)).clicked();
         });
         if is_confirmed {

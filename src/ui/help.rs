@@ -1,168 +1,214 @@
-//! The help overlay: hotkeys by group, and mouse gestures.
+//! The help over the dimmed window: hotkeys by group and what the mouse does, with a field that searches in it. Hotkeys work meanwhile.
 
-use egui::{Align2, Area, Color32, Frame, Margin, Order, Rect, RichText, ScrollArea, Sense, Stroke, Ui, vec2};
+use egui::{
+    Align, Align2, Area, Color32, Frame, Id, Layout, Margin, Order, Rect, RichText, Role, ScrollArea, Sense, Stroke,
+    TextEdit, Ui, WidgetInfo, pos2, vec2,
+};
 
 use super::binding_of;
+use super::gestures::{GESTURES, Place};
 use super::icons::was_pressed;
-use super::theme::{CORNER, Tokens, number_font};
+use super::theme::{CORNER, GRID, ROW, Tokens, number_font};
 use super::words::Words;
 use crate::editor::keymap::{Binding, Chord, Group};
 use crate::editor::{Command, ViewCommand};
 use crate::words::{Argument, texts};
 
-/// What the mouse does over the scene, as (gesture, meaning).
-fn mouse(words: Words) -> [(&'static str, &'static str); 7] {
-    [
-        (words.say(texts::LEFT_DRAG), words.say(texts::TURN_BY_THE_ARCBALL)),
-        (words.say(texts::RIGHT_DRAG), words.say(texts::MOVE_IN_THE_VIEWS_PLANE)),
-        (words.say(texts::MIDDLE_DRAG), words.say(texts::MOVE_ALONG_THE_VIEW)),
-        (words.say(texts::LEFT_RIGHT_DRAG), words.say(texts::MOVE_ALONG_THE_VIEW)),
-        (words.say(texts::SPACE_LEFT_DRAG), words.say(texts::MOVE_ALONG_THE_VIEW)),
-        (words.say(texts::WHEEL), words.say(texts::MOVE_ALONG_THE_VIEW)),
-        (words.say(texts::CTRL_CLICK), words.say(texts::CHOOSE_THE_NODE_TO_MOVE_THE_GROUND)),
-    ]
-}
-
-/// Width of a column of keys and sentences, in points.
-const COLUMN: f32 = 396.0;
+/// The least and the largest width of a column of keys and sentences, in points.
+const COLUMN: [f32; 2] = [312.0, 396.0];
+/// The most columns side by side.
+const MOST_COLUMNS: usize = 3;
 /// Room between two of those, in points.
 const GAP: f32 = 16.0;
 /// Height of a line, in points.
 const LINE: f32 = 19.0;
+/// Room around the help in the window, in points.
+const AROUND: f32 = 16.0;
 
-/// Shows the help; a click on its cross asks to hide it.
-pub fn show(ui: &Ui, bindings: &[Binding], commands: &mut Vec<Command>) {
-    let tokens = Tokens::of(ui);
-    // Three columns need more than the 3D view.
-    let window = ui.ctx().content_rect();
-    Area::new(egui::Id::unique("help"))
-        .order(Order::Middle)
-        .pivot(Align2::CENTER_CENTER)
-        .fixed_pos(window.center())
-        .constrain_to(window)
-        .show(ui.ctx(), |ui| {
-            Frame::new()
-                .fill(tokens.panel)
-                .stroke(Stroke::new(1.0, tokens.line))
-                .corner_radius(2 * CORNER)
-                .inner_margin(Margin::same(16))
-                .show(ui, |ui| {
-                    let room = window.size() - vec2(44.0, 64.0);
-                    ScrollArea::both()
-                        .min_scrolled_width(room.x)
-                        .min_scrolled_height(room.y)
-                        .show(ui, |ui| contents(ui, bindings, room.x, commands));
-                });
+/// What is searched for.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Help {
+    typed: String,
+}
+
+/// A heading and what stands under it: keys or gestures, and what they do.
+struct Section {
+    heading: &'static str,
+    rows: Vec<(Vec<String>, &'static str)>,
+}
+
+impl Help {
+    /// Shows the help. A click on its button or beside it asks to hide it.
+    pub fn show(&mut self, ui: &Ui, bindings: &[Binding], commands: &mut Vec<Command>) {
+        let tokens = Tokens::of(ui);
+        let window = ui.ctx().content_rect();
+        let behind = Area::new(Id::unique("behind the help")).order(Order::Middle).fixed_pos(window.min);
+        let is_left = behind.show(ui.ctx(), |ui| {
+            ui.painter().rect_filled(window, 0.0, tokens.shade);
+            ui.interact(window, Id::unique("beside the help"), Sense::CLICK).clicked()
         });
-}
-
-fn contents(ui: &mut Ui, bindings: &[Binding], room: f32, commands: &mut Vec<Command>) {
-    ui.spacing_mut().item_spacing = vec2(GAP, 2.0);
-    ui.spacing_mut().interact_size.y = LINE;
-    let groups = |ui: &mut Ui, groups: &[Group]| {
-        let width = keys_width(bindings, groups);
-        for &one in groups {
-            group(ui, bindings, one, width);
-        }
-    };
-    let first = |ui: &mut Ui| groups(ui, &[Group::Keyframes, Group::Playing]);
-    let second = |ui: &mut Ui| groups(ui, &[Group::Timeline, Group::View]);
-    let mut third = |ui: &mut Ui| {
-        groups(ui, &[Group::File, Group::Window]);
-        mouse_group(ui, keys_width(bindings, &[Group::File, Group::Window]).max(124.0));
-        close(ui, bindings, commands);
-    };
-    if room >= 3.0 * COLUMN + 2.0 * GAP {
-        ui.horizontal_top(|ui| {
-            ui.vertical(first);
-            ui.vertical(second);
-            ui.vertical(&mut third);
-        });
-    } else if room >= 2.0 * COLUMN + GAP {
-        ui.horizontal_top(|ui| {
-            ui.vertical(|ui| {
-                first(ui);
-                second(ui);
-            });
-            ui.vertical(&mut third);
-        });
-    } else {
-        first(ui);
-        second(ui);
-        third(ui);
-    }
-}
-
-/// Room for the keys of some groups, in points.
-fn keys_width(bindings: &[Binding], groups: &[Group]) -> f32 {
-    let width = |chord: &Chord| 7.0 * points(chord.label().len()) + 14.0;
-    let rows = bindings.iter().filter(|binding| groups.contains(&binding.group));
-    let widest = rows.map(|binding| binding.chords.iter().map(width).sum::<f32>()).fold(0.0, f32::max);
-    widest.clamp(100.0, COLUMN / 2.0)
-}
-
-#[expect(clippy::cast_precision_loss, reason = "labels are short")]
-const fn points(letters: usize) -> f32 {
-    letters as f32
-}
-
-fn mouse_group(ui: &mut Ui, width: f32) {
-    let words = Words::of(ui);
-    heading(ui, words.say(texts::MOUSE_OVER_THE_SCENE));
-    for (gesture, meaning) in mouse(words) {
-        row(ui, &[gesture.to_owned()], meaning, width);
-    }
-}
-
-fn close(ui: &mut Ui, bindings: &[Binding], commands: &mut Vec<Command>) {
-    let help = binding_of(bindings, &Command::View(ViewCommand::ToggleHelp)).map(Binding::menu_key);
-    let keys = Words::of(ui).message(texts::key_or_escape(help.unwrap_or_default()));
-    ui.add_space(16.0);
-    ui.allocate_ui_with_layout(vec2(COLUMN, 24.0), egui::Layout::right_to_left(egui::Align::Center), |ui| {
-        if was_pressed(&ui.button(Words::of(ui).say(texts::CLOSE))) {
+        if is_left.inner {
             commands.push(Command::View(ViewCommand::ToggleHelp));
         }
-        ui.label(RichText::new(keys).small().color(Tokens::of(ui).dim));
-    });
+        Area::new(Id::unique("help"))
+            .order(Order::Middle)
+            .pivot(Align2::CENTER_CENTER)
+            .fixed_pos(window.center())
+            .constrain_to(window)
+            .show(ui.ctx(), |ui| {
+                Frame::new()
+                    .fill(tokens.panel)
+                    .stroke(Stroke::new(1.0, tokens.line))
+                    .corner_radius(2 * CORNER)
+                    .inner_margin(Margin::same(16))
+                    .show(ui, |ui| {
+                        let room = window.size() - vec2(2.0, 2.0) * (AROUND + 17.0);
+                        self.contents(ui, bindings, room, commands);
+                    });
+            });
+    }
+
+    fn contents(&mut self, ui: &mut Ui, bindings: &[Binding], room: egui::Vec2, commands: &mut Vec<Command>) {
+        let count = (1..MOST_COLUMNS).take_while(|&count| columns_width(count + 1, COLUMN[0]) <= room.x).count() + 1;
+        let column = ((room.x + GAP) / points(count) - GAP).min(COLUMN[1]);
+        let width = columns_width(count, column);
+        ui.set_width(width);
+        self.bar(ui, bindings, commands);
+        ui.add_space(2.0 * GRID);
+        let words = Words::of(ui);
+        let sections = sections(bindings, &self.typed, words);
+        if sections.is_empty() {
+            ui.label(RichText::new(words.message(texts::no_command_named(&self.typed))).color(Tokens::of(ui).dim));
+        }
+        let height = (room.y - ROW - 4.0 * GRID).max(4.0 * LINE);
+        ui.spacing_mut().scroll = egui::style::ScrollStyle::thin();
+        let scrolled = ScrollArea::vertical().max_height(height).min_scrolled_height(height).auto_shrink([false, true]);
+        scrolled.show(ui, |ui| {
+            ui.spacing_mut().item_spacing = vec2(GAP, 2.0);
+            ui.horizontal_top(|ui| {
+                for part in in_columns(sections, count) {
+                    ui.vertical(|ui| {
+                        ui.set_width(column);
+                        let keys = keys_width(ui, &part).clamp(100.0_f32.min(column / 2.0), column / 2.0);
+                        for section in part {
+                            show_section(ui, &section, keys, column);
+                        }
+                    });
+                }
+            });
+        });
+    }
+
+    /// The heading, the field, and how to leave.
+    fn bar(&mut self, ui: &mut Ui, bindings: &[Binding], commands: &mut Vec<Command>) {
+        let words = Words::of(ui);
+        ui.horizontal(|ui| {
+            ui.heading(words.say(texts::HELP));
+            ui.add_space(2.0 * GRID);
+            let hint = words.say(texts::SEARCH_THE_HELP);
+            let field = ui.add(TextEdit::singleline(&mut self.typed).desired_width(160.0).hint_text(hint));
+            field.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, hint));
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                if was_pressed(&ui.button(words.say(texts::CLOSE))) {
+                    commands.push(Command::View(ViewCommand::ToggleHelp));
+                }
+                let help = binding_of(bindings, &Command::View(ViewCommand::ToggleHelp)).map(Binding::menu_key);
+                let keys = words.message(texts::key_or_escape(help.unwrap_or_default()));
+                ui.label(RichText::new(keys).small().color(Tokens::of(ui).dim));
+            });
+        });
+    }
 }
 
-fn group(ui: &mut Ui, bindings: &[Binding], group: Group, width: f32) {
-    let words = Words::of(ui);
-    heading(ui, words.say(group.heading()));
-    // What has no key stands in the menus and in the list of commands.
-    for binding in bindings.iter().filter(|binding| binding.group == group && !binding.chords.is_empty()) {
-        let keys: Vec<String> = binding.chords.iter().map(Chord::label).collect();
-        row(ui, &keys, words.say(binding.explanation()), width);
+fn columns_width(count: usize, column: f32) -> f32 {
+    points(count) * (column + GAP) - GAP
+}
+
+#[expect(clippy::cast_precision_loss, reason = "these are counts of rows and columns")]
+const fn points(count: usize) -> f32 {
+    count as f32
+}
+
+/// What matches the search, by groups and places.
+fn sections(bindings: &[Binding], typed: &str, words: Words) -> Vec<Section> {
+    let typed = typed.trim().to_lowercase();
+    let fits = |text: &str| text.to_lowercase().contains(&typed);
+    let groups = Group::ALL.into_iter().map(|group| {
+        // What has no key stands in the menus and in the list of commands.
+        let rows = bindings.iter().filter(|binding| binding.group == group && !binding.chords.is_empty());
+        let rows = rows.filter(|binding| {
+            let also = binding.synonyms().map_or("", |also| words.say(also));
+            let labels = binding.chords.iter().any(|chord| fits(&chord.label()));
+            labels || fits(words.say(binding.title())) || fits(words.say(binding.explanation())) || fits(also)
+        });
+        let row =
+            |binding: &Binding| (binding.chords.iter().map(Chord::label).collect(), words.say(binding.explanation()));
+        Section { heading: words.say(group.heading()), rows: rows.map(row).collect() }
+    });
+    let places = Place::ALL.into_iter().map(|place| {
+        let rows = GESTURES.iter().filter(|gesture| gesture.place == place);
+        let rows = rows.map(|gesture| (words.say(gesture.how), words.say(gesture.does)));
+        let rows = rows.filter(|(how, does)| fits(how) || fits(does));
+        let rows = rows.map(|(how, does)| (vec![how.to_owned()], does)).collect();
+        Section { heading: words.say(place.heading()), rows }
+    });
+    groups.chain(places).filter(|section| !section.rows.is_empty()).collect()
+}
+
+/// The sections in their order, in columns that are about equally long.
+fn in_columns(sections: Vec<Section>, count: usize) -> Vec<Vec<Section>> {
+    let lines = |section: &Section| section.rows.len() + 2;
+    let all: usize = sections.iter().map(lines).sum();
+    let mut columns: Vec<Vec<Section>> = (0..count).map(|_| Vec::new()).collect();
+    let mut before = 0;
+    for section in sections {
+        let middle = before + lines(&section) / 2;
+        before += lines(&section);
+        columns[(middle * count / all.max(1)).min(count - 1)].push(section);
+    }
+    columns
+}
+
+/// Room for the keys of some sections, in points.
+fn keys_width(ui: &Ui, sections: &[Section]) -> f32 {
+    let rows = sections.iter().flat_map(|section| &section.rows);
+    rows.map(|(keys, _)| keys.iter().map(|key| cap_width(ui, key) + GRID).sum::<f32>()).fold(0.0, f32::max) + GRID
+}
+
+fn cap_width(ui: &Ui, key: &str) -> f32 {
+    let galley = ui.painter().layout_no_wrap(key.to_owned(), number_font(), Color32::PLACEHOLDER);
+    galley.size().x.max(6.0) + 10.0
+}
+
+fn show_section(ui: &mut Ui, section: &Section, keys: f32, column: f32) {
+    ui.label(RichText::new(section.heading).strong().color(Tokens::of(ui).accent_text));
+    ui.add_space(2.0);
+    for (labels, meaning) in &section.rows {
+        row(ui, labels, meaning, keys, column);
     }
     ui.add_space(12.0);
 }
 
-fn heading(ui: &mut Ui, text: &str) {
-    ui.label(RichText::new(text).strong().color(Tokens::of(ui).accent));
-    ui.add_space(2.0);
-}
-
-fn row(ui: &mut Ui, keys: &[String], meaning: &str, width: f32) {
-    let sentences = COLUMN - 4.0 - width;
+fn row(ui: &mut Ui, keys: &[String], meaning: &str, keys_width: f32, column: f32) {
     let tokens = Tokens::of(ui);
-    ui.horizontal_top(|ui| {
-        ui.spacing_mut().item_spacing.x = 4.0;
-        let (rect, _) = ui.allocate_exact_size(vec2(width, LINE), Sense::hover());
-        let mut left = rect.left();
-        for key in keys {
-            let galley = ui.painter().layout_no_wrap(key.clone(), number_font(), tokens.text);
-            let cap =
-                Rect::from_min_size(egui::pos2(left, rect.top() + 1.0), vec2(galley.size().x.max(6.0) + 10.0, 17.0));
-            ui.painter().rect(cap, 3.0, tokens.raised, Stroke::new(1.0, tokens.line), egui::StrokeKind::Inside);
-            ui.painter().galley(cap.center() - galley.size() / 2.0, galley, Color32::PLACEHOLDER);
-            left = cap.right() + 4.0;
-        }
-        let galley = ui.painter().layout(meaning.to_owned(), egui::FontId::proportional(12.0), tokens.text, sentences);
-        let height = galley.size().y.max(LINE);
-        let (rect, response) = ui.allocate_exact_size(vec2(sentences, height), Sense::hover());
-        let either = keys.iter().map(Argument::from).reduce(|one, other| texts::key_or_key(one, other).into());
-        let label = Words::of(ui).message(texts::key_does(either.unwrap_or_else(|| "".into()), meaning));
-        response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Label, true, &label));
-        ui.painter().galley(rect.left_top() + vec2(0.0, (height - galley.size().y) / 2.0), galley, tokens.text);
-    });
+    let caps: f32 = keys.iter().map(|key| cap_width(ui, key) + GRID).sum();
+    let begin = keys_width.max(caps + GRID);
+    let font = egui::FontId::proportional(12.0);
+    let galley = ui.painter().layout(meaning.to_owned(), font, tokens.text, (column - begin).max(60.0));
+    let (rect, response) = ui.allocate_exact_size(vec2(column, galley.size().y.max(LINE)), Sense::hover());
+    let either = keys.iter().map(Argument::from).reduce(|one, other| texts::key_or_key(one, other).into());
+    let label = Words::of(ui).message(texts::key_does(either.unwrap_or_else(|| "".into()), meaning));
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &label));
+    let mut left = rect.left();
+    for key in keys {
+        let galley = ui.painter().layout_no_wrap(key.clone(), number_font(), tokens.text);
+        let cap = Rect::from_min_size(pos2(left, rect.top() + 1.0), vec2(cap_width(ui, key), LINE - 2.0));
+        ui.painter().rect(cap, 3.0, tokens.raised, Stroke::new(1.0, tokens.line), egui::StrokeKind::Inside);
+        ui.painter().galley(cap.center() - galley.size() / 2.0, galley, Color32::PLACEHOLDER);
+        left = cap.right() + GRID;
+    }
+    // The first line stands on the keys' line.
+    let first = galley.rows.first().map_or(LINE, |row| row.height());
+    let top = rect.top() + ((LINE - first) / 2.0).max(0.0);
+    ui.painter().galley(pos2(rect.left() + begin, top), galley, tokens.text);
 }

@@ -59,7 +59,7 @@ impl HotkeysDialog {
         ScrollArea::vertical().max_height(room).auto_shrink(false).show(ui, |ui| {
             for group in Group::ALL {
                 ui.add_space(GRID);
-                ui.label(RichText::new(words.say(group.heading())).strong().color(Tokens::of(ui).accent));
+                ui.label(RichText::new(words.say(group.heading())).strong().color(Tokens::of(ui).accent_text));
                 for binding in shown.keymap.bindings().iter().filter(|binding| binding.group == group) {
                     self.row(ui, binding, words, commands);
                 }
@@ -119,7 +119,7 @@ impl HotkeysDialog {
         let tokens = Tokens::of(ui);
         let is_waiting = self.waiting == Some((binding.id, index));
         let text = if is_waiting {
-            RichText::new(words.say(texts::PRESS_A_KEY)).color(tokens.accent)
+            RichText::new(words.say(texts::PRESS_A_KEY)).color(tokens.accent_text)
         } else {
             RichText::new(label).monospace()
         };

@@ -1,11 +1,16 @@
 //! The menu bar: its items are the bindings of the table of commands. At its right, the file and whether it has unsaved changes.
 
-use egui::{Align, Button, Label, Layout, MenuBar, Response, RichText, Sense, Ui, vec2};
+use egui::accesskit::HasPopup;
+use egui::text::LayoutJob;
+use egui::{
+    Align, Button, Key, Label, Layout, MenuBar, Modifiers, Popup, Response, RichText, Sense, Stroke, TextFormat, Ui,
+    vec2,
+};
 
 use super::PanelInput;
 use super::choices::{Choice, Topic, choices};
 use super::icons::{self, Icon, was_pressed};
-use super::theme::{ROW, Tokens};
+use super::theme::{ROW, Tokens, text_font};
 use super::words::Words;
 use crate::editor::commands::{Binding, Menu, WindowState};
 use crate::editor::{Command, Editor, FileCommand, PlaybackCommand, WindowCommand};
@@ -22,15 +27,61 @@ fn name_of(menu: Menu, words: Words) -> &'static str {
     })
 }
 
+/// The letter that opens a menu with Alt: the first of its English name, in every language.
+const fn letter_of(menu: Menu) -> (char, Key) {
+    match menu {
+        Menu::File => ('F', Key::F),
+        Menu::Edit => ('E', Key::E),
+        Menu::View => ('V', Key::V),
+        Menu::Animation => ('A', Key::A),
+        Menu::Help => ('H', Key::H),
+    }
+}
+
+/// The name of a menu, with its letter underlined while Alt is held. A name without the letter has it in brackets.
+fn title(ui: &Ui, menu: Menu) -> LayoutJob {
+    let (letter, _) = letter_of(menu);
+    let mut name = name_of(menu, Words::of(ui)).to_owned();
+    if !name.contains(letter) {
+        name = format!("{name}({letter})");
+    }
+    let at = name.find(letter).unwrap_or(0);
+    let colour = Tokens::of(ui).text;
+    let plain = TextFormat::simple(text_font(), colour);
+    let width = if ui.input(|input| input.modifiers.alt) { 1.0 } else { 0.0 };
+    let underlined = TextFormat { underline: Stroke::new(width, colour), ..plain.clone() };
+    let mut job = LayoutJob::default();
+    job.append(&name[..at], 0.0, plain.clone());
+    job.append(&name[at..=at], 0.0, underlined);
+    job.append(&name[at + 1..], 0.0, plain);
+    job
+}
+
+/// The menu that the keyboard asks for: Alt with its letter, or F10 for the first. A hotkey with the same keys comes first.
+fn asked_for(ui: &Ui, shown: PanelInput<'_>) -> Option<Menu> {
+    let is_hotkey = |label: &str| {
+        let bindings = shown.keymap.bindings().iter();
+        bindings.flat_map(|binding| &binding.chords).any(|chord| chord.label() == label)
+    };
+    let pressed = |modifiers, key| ui.input_mut(|input| input.consume_key(modifiers, key));
+    if !is_hotkey("F10") && pressed(Modifiers::NONE, Key::F10) {
+        return Some(Menu::ALL[0]);
+    }
+    Menu::ALL.into_iter().find(|&menu| {
+        let (letter, key) = letter_of(menu);
+        !is_hotkey(&format!("Alt+{letter}")) && pressed(Modifiers::ALT, key)
+    })
+}
+
 /// Room at both sides of an item, in points; at the left a tick stands in it.
 const INSET: f32 = 20.0;
 
 /// Shows the bar.
 pub fn show(ui: &mut Ui, shown: PanelInput<'_>, window: WindowState, commands: &mut Vec<Command>) {
-    let words = Words::of(ui);
+    let asked_for = asked_for(ui, shown);
     MenuBar::new().ui(ui, |ui| {
         for menu in Menu::ALL {
-            ui.menu_button(name_of(menu, words), |ui| {
+            let shown_menu = ui.menu_button(title(ui, menu), |ui| {
                 ui.set_min_width(240.0);
                 ui.spacing_mut().button_padding.x = INSET;
                 ui.spacing_mut().item_spacing.y = 0.0;
@@ -49,6 +100,17 @@ pub fn show(ui: &mut Ui, shown: PanelInput<'_>, window: WindowState, commands: &
                     }
                 }
                 more_items(ui, menu, shown, commands);
+            });
+            let button = shown_menu.response;
+            let is_open = shown_menu.inner.is_some();
+            if asked_for == Some(menu) {
+                Popup::open_id(ui.ctx(), Popup::default_response_id(&button));
+                button.request_focus();
+            }
+            super::tree::ring(ui, button.rect, &button);
+            ui.ctx().accesskit_node_builder(button.id, |node| {
+                node.set_has_popup(HasPopup::Menu);
+                node.set_expanded(is_open);
             });
         }
         file_name(ui, shown);

@@ -15,21 +15,22 @@ use crate::words::texts;
 pub fn show(ui: &Ui, viewport: Rect, editor: &Editor, keymap: &Keymap, log: &Log, statistics: Option<&Statistics>) {
     let tokens = Tokens::of(ui);
     let words = Words::of(ui);
-    let painter = ui.painter();
+    // In a small view a text may be longer than it.
+    let painter = &ui.painter().with_clip_rect(viewport);
     let margin = vec2(2.0 * GRID, -2.0 * GRID);
     let left = viewport.left_bottom() + margin;
     let mut after =
         tag(painter, left, Align2::LEFT_BOTTOM, &words.message(editor.view_sentence()), tokens.text, tokens);
     let mut add = |text: &str, colour| after = tag(painter, next_to(after), Align2::LEFT_BOTTOM, text, colour, tokens);
     if editor.session().is_picking {
-        add(words.say(texts::CLICK_WHAT_TO_MOVE_ESC_LEAVES), tokens.accent);
+        add(words.say(texts::CLICK_WHAT_TO_MOVE_ESC_LEAVES), tokens.accent_text);
     }
     if editor.is_playing() {
         let key = key_of(keymap, &Command::Playback(PlaybackCommand::PlayOrStop));
-        add(&words.message(texts::playing_stops(&key)), tokens.accent);
+        add(&words.message(texts::playing_stops(&key)), tokens.accent_text);
     } else if editor.is_paused() {
         let key = key_of(keymap, &Command::Playback(PlaybackCommand::PauseOrResume));
-        add(&words.message(texts::paused_goes_on(&key)), tokens.accent);
+        add(&words.message(texts::paused_goes_on(&key)), tokens.accent_text);
     }
     let status = editor.status().filter(|message| !editor.session().shows_panels && !log.shows(message));
     if let Some(message) = status {
@@ -44,7 +45,11 @@ pub fn show(ui: &Ui, viewport: Rect, editor: &Editor, keymap: &Keymap, log: &Log
     let key = key_of(keymap, &Command::View(ViewCommand::ToggleHelp));
     if !key.is_empty() {
         let right = viewport.right_bottom() + vec2(-margin.x, margin.y);
-        tag(painter, right, Align2::RIGHT_BOTTOM, &words.message(texts::key_for_help(&key)), tokens.text, tokens);
+        let text = words.message(texts::key_for_help(&key));
+        let width = painter.layout_no_wrap(text.clone(), small_font(), tokens.text).size().x + 12.0;
+        if next_to(after).x + width <= right.x {
+            tag(painter, right, Align2::RIGHT_BOTTOM, &text, tokens.text, tokens);
+        }
     }
 }
 

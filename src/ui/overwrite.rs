@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use egui::{Align, Layout, RichText, ScrollArea, Ui};
 
 use super::UiOutput;
-use super::dialogs::primary;
+use super::dialogs::default_button;
 use super::theme::Tokens;
 use super::words::Words;
 use crate::words::{Message, texts};
@@ -79,13 +79,8 @@ pub(super) fn show(ui: &mut Ui, question: &OverwriteQuestion, output: &mut UiOut
     let mut is_cancelled = false;
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
         let mut answer = |ui: &mut Ui, label: &str, is_primary: bool, answer: OverwriteAnswer| {
-            let button = if is_primary { primary(ui, label) } else { egui::Button::new(label) };
-            let response = ui.add(button);
-            // Return chooses what loses nothing.
-            if is_primary && ui.memory(|memory| memory.focused().is_none()) {
-                response.request_focus();
-            }
-            if response.clicked() {
+            // Enter chooses what loses nothing.
+            if if is_primary { default_button(ui, label, true) } else { ui.button(label).clicked() } {
                 output.overwrite = Some(answer);
             }
         };

@@ -1,20 +1,23 @@
-//! The command list: typing filters it, arrows move in it, Enter runs a command.
+//! The command list: typing filters it, arrows move in it, Enter runs a command. It finds commands by their names in the window's language
+//! and in English and by their synonyms, choices with a value, and the scene's nodes.
 
-use egui::{Align2, Key, Modifiers, Response, Role, ScrollArea, Sense, TextEdit, Ui, WidgetInfo, vec2};
+use egui::{Align2, Key, Layout, Modifiers, Response, Role, ScrollArea, Sense, TextEdit, Ui, WidgetInfo, vec2};
 
 use super::PanelInput;
 use super::choices::choices;
 use super::theme::{CORNER, GRID, Tokens, number_font, small_font, text_font};
 use super::words::Words;
-use crate::editor::Command;
+use crate::editor::{Command, ViewCommand};
 use crate::words::texts;
 
 /// Width of the list, in points.
 const WIDTH: f32 = 520.0;
 /// Height of a row, in points.
 const LINE: f32 = 26.0;
-/// How many rows show at once.
+/// How many rows show at once, where the window is high enough.
 const ROWS: f32 = 12.0;
+/// What of the window's height the rows leave to the field, the margins and the room around the list, in points.
+const AROUND: f32 = 136.0;
 
 /// The typed text and the current row.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -27,8 +30,8 @@ pub struct Palette {
 /// One row.
 struct Entry {
     name: String,
-    /// The English name, which is found too.
-    english: String,
+    /// What else it is found by: the English name, and synonyms in both languages.
+    others: Vec<String>,
     keys: String,
     group: String,
     command: Command,
@@ -40,7 +43,7 @@ impl Palette {
     pub fn show(&mut self, ui: &mut Ui, shown: PanelInput<'_>, commands: &mut Vec<Command>) -> bool {
         ui.set_width(WIDTH);
         let words = Words::of(ui);
-        let entries = entries(shown, words);
+        let entries = entries(shown, words, !self.typed.trim().is_empty());
         // The arrows and Enter are the list's, wherever the keyboard is.
         let (up, down, enter) = ui.input_mut(|input| {
             let mut pressed = |key| input.consume_key(Modifiers::NONE, key);
@@ -66,21 +69,27 @@ impl Palette {
         };
         ui.add_space(GRID);
         let mut chosen = if enter { found.get(self.at).copied() } else { None };
-        if found.is_empty() {
-            let text = words.message(texts::no_command_named(&self.typed));
-            ui.label(egui::RichText::new(text).color(Tokens::of(ui).dim));
-        }
-        ScrollArea::vertical().max_height(ROWS * LINE).auto_shrink([false, true]).show(ui, |ui| {
-            ui.spacing_mut().item_spacing.y = 0.0;
-            for (index, entry) in found.iter().enumerate() {
-                let response = row(ui, entry, index == self.at);
-                if has_moved && index == self.at {
-                    response.scroll_to_me_animation(None, egui::style::ScrollAnimation::none());
-                }
-                if response.clicked() {
-                    chosen = Some(entry);
-                }
+        // As high whatever is found: nothing moves, and a long list never has to scroll in the room of a short one.
+        let height = (ui.ctx().content_rect().height() - AROUND).clamp(3.0 * LINE, ROWS * LINE);
+        ui.allocate_ui_with_layout(vec2(WIDTH, height), Layout::default(), |ui| {
+            ui.set_min_height(height);
+            if found.is_empty() {
+                let text = words.message(texts::no_command_named(&self.typed));
+                ui.label(egui::RichText::new(text).color(Tokens::of(ui).dim));
             }
+            let rows = ScrollArea::vertical().min_scrolled_height(height).max_height(height).auto_shrink([false, true]);
+            rows.show(ui, |ui| {
+                ui.spacing_mut().item_spacing.y = 0.0;
+                for (index, entry) in found.iter().enumerate() {
+                    let response = row(ui, entry, index == self.at);
+                    if has_moved && index == self.at {
+                        response.scroll_to_me_animation(None, egui::style::ScrollAnimation::none());
+                    }
+                    if response.clicked() {
+                        chosen = Some(entry);
+                    }
+                }
+            });
         });
         let Some(chosen) = chosen.filter(|entry| entry.is_enabled) else { return false };
         commands.push(chosen.command.clone());
@@ -119,34 +128,53 @@ fn row(ui: &mut Ui, entry: &Entry, is_at: bool) -> Response {
     response
 }
 
-fn entries(shown: PanelInput<'_>, words: Words) -> Vec<Entry> {
+fn entries(shown: PanelInput<'_>, words: Words, has_typed: bool) -> Vec<Entry> {
     let PanelInput { editor, keymap, settings, .. } = shown;
-    let rows = keymap.bindings().iter().map(|binding| Entry {
-        name: words.say(binding.title()).to_owned(),
-        english: binding.title().english().to_owned(),
-        keys: binding.menu_key(),
-        group: words.say(binding.group.heading()).to_owned(),
-        command: binding.command.clone(),
-        is_enabled: editor.can(&binding.command),
+    let rows = keymap.bindings().iter().map(|binding| {
+        let synonyms = binding.synonyms().into_iter();
+        let synonyms = synonyms.flat_map(|also| [words.say(also), also.english()]).flat_map(|also| also.split(','));
+        Entry {
+            name: words.say(binding.title()).to_owned(),
+            others: std::iter::once(binding.title().english()).chain(synonyms).map(str::to_owned).collect(),
+            keys: binding.menu_key(),
+            group: words.say(binding.group.heading()).to_owned(),
+            command: binding.command.clone(),
+            is_enabled: editor.can(&binding.command),
+        }
     });
     let english = choices(editor, settings, Words::default());
     let chosen = choices(editor, settings, words).into_iter().zip(english).map(|(choice, english)| Entry {
         name: format!("{}: {}", choice.topic.name(words), choice.label),
-        english: format!("{}: {}", english.topic.name(Words::default()), english.label),
+        others: vec![format!("{}: {}", english.topic.name(Words::default()), english.label)],
         keys: String::new(),
         group: String::new(),
         is_enabled: editor.can(&choice.command),
         command: choice.command,
     });
-    rows.chain(chosen).collect()
+    let scene = editor.scene();
+    let nodes = scene.rbt_indices().filter(|_| has_typed).map(|rbt| {
+        let path = scene.rbt_path(rbt);
+        let command = Command::View(ViewCommand::Choose(Some(rbt)));
+        Entry {
+            name: path.to_owned(),
+            // As one says it: the last name first.
+            others: vec![path.rsplit('/').collect::<Vec<_>>().join(" ")],
+            keys: String::new(),
+            group: words.say(texts::CHOOSE_THIS_NODE).to_owned(),
+            is_enabled: editor.can(&command),
+            command,
+        }
+    });
+    rows.chain(chosen).chain(nodes).collect()
 }
 
-/// The entries that match the typed text, best match first; equal matches in the table's order.
+/// The entries that match the typed text, best match first; equal matches in the table's order. Synonyms come after names.
 fn found<'a>(entries: &'a [Entry], typed: &str) -> Vec<&'a Entry> {
     let mut found: Vec<(u32, &Entry)> = entries
         .iter()
         .filter_map(|entry| {
-            let fits = [&entry.name, &entry.english].into_iter().filter_map(|name| misfit(name, typed)).min();
+            let others = entry.others.iter().filter_map(|other| Some(2 * misfit(other, typed)? + 1));
+            let fits = misfit(&entry.name, typed).map(|misfit| 2 * misfit).into_iter().chain(others).min();
             Some((fits?, entry))
         })
         .collect();
@@ -154,9 +182,11 @@ fn found<'a>(entries: &'a [Entry], typed: &str) -> Vec<&'a Entry> {
     found.into_iter().map(|(_, entry)| entry).collect()
 }
 
-/// The penalty of a match, 0 for the best; `None` for no match. The typed letters must occur in this order; spaces are ignored.
+/// The penalty of a match, 0 for the best; `None` for no match. The typed letters must occur in this order and without many gaps; spaces
+/// are ignored, and what joins words in the names of nodes is a space.
 fn misfit(name: &str, typed: &str) -> Option<u32> {
-    let (name, typed) = (name.to_lowercase(), typed.trim().to_lowercase());
+    let plain = |text: &str| text.trim().to_lowercase().replace(['_', '/'], " ");
+    let (name, typed) = (plain(name), plain(typed));
     if typed.is_empty() {
         return Some(0);
     }
@@ -165,12 +195,14 @@ fn misfit(name: &str, typed: &str) -> Option<u32> {
         return Some(if at == 0 { 0 } else { 2 - u32::from(begins_word) });
     }
     let mut letters = name.chars();
-    let mut gaps = 0;
+    let (mut gaps, mut count) = (0, 0);
     for wanted in typed.chars().filter(|letter| !letter.is_whitespace()) {
         let skipped = letters.by_ref().position(|letter| letter == wanted)?;
         gaps += u32::from(skipped > 0);
+        count += 1;
     }
-    Some(3 + gaps)
+    // With more gaps than that nearly every name has the letters.
+    (2 * gaps <= count + 1).then_some(3 + gaps)
 }
 
 #[cfg(test)]
@@ -193,6 +225,8 @@ mod tests {
         assert!(misfit("New keyframe", "fkn").is_none());
         assert!(misfit("새 키프레임", "키프").is_some());
         assert!(misfit("Save As…", "save a").is_some());
+        assert_eq!(misfit("robot1/right_shoulder/right_elbow", "right elbow"), Some(1));
         assert_eq!(misfit("Quit", "  "), Some(0));
+        assert_eq!(misfit("Go to previous keyframe and", "grid"), None);
     }
 }

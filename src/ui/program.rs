@@ -1,5 +1,6 @@
 //! Commands of the window itself: lists, dialogs and settings.
 
+use super::Panels;
 use super::dialogs::Dialog;
 use super::export::ExportDialog;
 use super::hotkeys::HotkeysDialog;
@@ -7,14 +8,10 @@ use super::palette::Palette;
 use super::statistics::Statistics;
 use super::timeline::Ask;
 use super::words::Words;
-use super::{PanelSize, Panels};
 use crate::editor::WindowCommand;
 use crate::editor::keymap::{Chord, Keymap, KeymapError, chords_of_table};
 use crate::settings::{Settings, ThemeChoice};
 use crate::words::{Argument, Message, texts};
-
-/// The number of frames after a drag until a panel's size is final.
-const SETTLED: u8 = 2;
 
 impl Panels {
     /// Applies settings. Returns what is wrong with the hotkeys in them.
@@ -108,34 +105,5 @@ impl Panels {
             context.request_repaint();
         }
         context.set_zoom_factor(f32::from(self.settings.scale_percent) / 100.0);
-    }
-
-    /// The size of a panel that it is shown in at first.
-    pub(super) fn panel_size(&self, name: &str, usual: f32) -> f32 {
-        self.settings.panels.get(name).copied().unwrap_or(usual)
-    }
-
-    /// Notes the size of a panel, which is news when a drag of its edge is over.
-    pub(super) fn watch_panel(&mut self, ui: &egui::Ui, name: &'static str, size: f32) {
-        let is_held = ui.input(|input| input.pointer.any_down());
-        let watched = self.watched.entry(name).or_insert(PanelSize { size, is_dragged: false, rests: 0 });
-        watched.is_dragged |= is_held && (watched.size - size).abs() >= 1.0;
-        watched.size = size;
-        watched.rests = if is_held { 0 } else { watched.rests.saturating_add(1) };
-        if watched.is_dragged && !is_held {
-            ui.ctx().request_repaint();
-        }
-    }
-
-    /// The sizes of panels whose edges were dragged, once each.
-    pub(super) fn dragged_panels(&mut self, ui: &egui::Ui) -> Vec<(&'static str, f32)> {
-        if ui.input(|input| input.pointer.any_down()) {
-            return Vec::new();
-        }
-        self.watched
-            .iter_mut()
-            .filter(|(_, watched)| watched.rests > SETTLED)
-            .filter_map(|(name, watched)| std::mem::take(&mut watched.is_dragged).then_some((*name, watched.size)))
-            .collect()
     }
 }

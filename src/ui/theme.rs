@@ -56,6 +56,8 @@ pub struct Tokens {
     pub dim: Color32,
     /// The current keyframe, the playhead, the selection.
     pub accent: Color32,
+    /// Text in the accent's colour.
+    pub accent_text: Color32,
     /// The background of selected items.
     pub accent_fill: Color32,
     /// What is selected in the timeline.
@@ -84,11 +86,12 @@ impl Tokens {
         text: shown(Colour::TEXT),
         dim: Color32::from_rgb(0x8b, 0x91, 0x9c),
         accent: shown(Colour::ACCENT),
+        accent_text: shown(Colour::ACCENT),
         accent_fill: Color32::from_rgb(0x48, 0x38, 0x21),
         selected: shown(Colour::BLUE),
         information: shown(Colour::BLUE),
         error: Color32::from_rgb(0xe9, 0x73, 0x6a),
-        axes: [Color32::from_rgb(0xe9, 0x73, 0x6a), Color32::from_rgb(0x7f, 0xc4, 0x6b), shown(Colour::BLUE)],
+        axes: [Color32::from_rgb(0xea, 0x78, 0x6f), Color32::from_rgb(0x7f, 0xc4, 0x6b), shown(Colour::BLUE)],
         over_scene: Color32::from_rgba_premultiplied(0x17, 0x19, 0x1c, 0xd8),
         shade: Color32::from_black_alpha(0x78),
     };
@@ -104,14 +107,15 @@ impl Tokens {
         text: Color32::from_rgb(0x22, 0x25, 0x2a),
         dim: Color32::from_rgb(0x62, 0x68, 0x73),
         accent: Color32::from_rgb(0xc9, 0x73, 0x0b),
-        accent_fill: Color32::from_rgb(0xfb, 0xe6, 0xc8),
+        accent_text: Color32::from_rgb(0xa0, 0x58, 0x00),
         selected: Color32::from_rgb(0x1f, 0x6f, 0xb0),
+        accent_fill: Color32::from_rgb(0xfd, 0xee, 0xd8),
         information: Color32::from_rgb(0x1b, 0x6f, 0xb3),
         error: Color32::from_rgb(0xc2, 0x3b, 0x30),
         axes: [
-            Color32::from_rgb(0xc2, 0x3b, 0x30),
-            Color32::from_rgb(0x2f, 0x7d, 0x32),
-            Color32::from_rgb(0x1b, 0x6f, 0xb3),
+            Color32::from_rgb(0xb0, 0x34, 0x2a),
+            Color32::from_rgb(0x28, 0x6c, 0x2b),
+            Color32::from_rgb(0x18, 0x64, 0x9f),
         ],
         over_scene: Color32::from_rgba_premultiplied(0xe4, 0xe5, 0xe7, 0xe6),
         shade: Color32::from_black_alpha(0x50),
@@ -208,11 +212,11 @@ fn visuals(tokens: &Tokens, theme: Theme) -> Visuals {
     visuals.widgets.hovered = widget(tokens.hovered, tokens.strong_line, tokens.text);
     visuals.widgets.active = widget(tokens.hovered, tokens.accent, tokens.text);
     visuals.widgets.open = widget(tokens.hovered, tokens.strong_line, tokens.text);
-    visuals.selection = Selection { bg_fill: tokens.accent_fill, stroke: Stroke::new(1.0, tokens.accent) };
+    visuals.selection = Selection { bg_fill: tokens.accent_fill, stroke: Stroke::new(1.0, tokens.accent_text) };
     visuals.weak_text_color = Some(tokens.dim);
     visuals.hyperlink_color = tokens.information;
     visuals.error_fg_color = tokens.error;
-    visuals.warn_fg_color = tokens.accent;
+    visuals.warn_fg_color = tokens.accent_text;
     visuals.extreme_bg_color = tokens.window;
     visuals.faint_bg_color = tokens.raised;
     visuals.panel_fill = tokens.panel;
@@ -246,11 +250,23 @@ mod tests {
     #[test]
     fn text_can_be_read() {
         for tokens in [Tokens::DARK, Tokens::LIGHT] {
-            for text in [tokens.text, tokens.dim, tokens.information, tokens.error] {
+            let [x, y, z] = tokens.axes;
+            let texts = [tokens.text, tokens.dim, tokens.information, tokens.error, tokens.accent_text];
+            for text in texts.into_iter().chain([tokens.selected, x, y, z]) {
                 check_contrast(text, tokens.panel, 4.5);
                 check_contrast(text, tokens.window, 4.5);
             }
+            for behind in [tokens.accent_fill, tokens.raised] {
+                check_contrast(tokens.accent_text, behind, 4.5);
+            }
+            // As much of the scene as shines through: from black to white.
+            for scene in [Color32::BLACK, Color32::WHITE] {
+                for text in [tokens.text, tokens.accent_text, tokens.error] {
+                    check_contrast(text, scene.blend(tokens.over_scene), 3.0);
+                }
+            }
             check_contrast(tokens.text, tokens.hovered, 4.5);
+            [x, y, z].map(|axis| check_contrast(axis, tokens.raised, 4.5));
             check_contrast(tokens.text, tokens.accent_fill, 4.5);
             check_contrast(tokens.accent, tokens.panel, 3.0);
         }

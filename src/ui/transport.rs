@@ -259,7 +259,7 @@ fn readout(ui: &mut Ui, editor: &Editor) {
     let tokens = Tokens::of(ui);
     let text = key_time_text(editor, Words::of(ui));
     let timed = editor.transport() == Transport::TimedKeys && editor.timed_keys_run();
-    let colour = if timed || editor.is_playing() || editor.is_scrubbed() { tokens.accent } else { tokens.text };
+    let colour = if timed || editor.is_playing() || editor.is_scrubbed() { tokens.accent_text } else { tokens.text };
     let (rect, response) = ui.allocate_exact_size(vec2(112.0, ROW), Sense::hover());
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &text));
     ui.painter().text(rect.left_center(), egui::Align2::LEFT_CENTER, text, super::theme::number_font(), colour);
@@ -340,7 +340,7 @@ fn ghosts(ui: &mut Ui, editor: &Editor, bindings: &[Binding], commands: &mut Vec
     }
     let (rect, _) = ui.allocate_exact_size(vec2(14.0, ROW), Sense::hover());
     let tokens = Tokens::of(ui);
-    let colour = if count > 0 { tokens.accent } else { tokens.dim };
+    let colour = if count > 0 { tokens.accent_text } else { tokens.dim };
     let font = super::theme::number_font();
     ui.painter().text(rect.left_center(), egui::Align2::LEFT_CENTER, count, font, colour);
 }

@@ -78,7 +78,7 @@ impl Tree {
         let left = rect.left() + 6.0 + 14.0 * points(row.depth);
         let middle = rect.center().y;
         if row.has_children {
-            self.triangle(ui, row.rbt, pos2(left + 5.0, middle));
+            self.triangle(ui, row.rbt, row.name, pos2(left + 5.0, middle));
         }
         let icon = match (row.eye, row.has_children, row.name) {
             (Some(0), ..) => Icon::Camera,
@@ -103,14 +103,15 @@ impl Tree {
         }
     }
 
-    fn triangle(&mut self, ui: &Ui, rbt: RbtIndex, centre: Pos2) {
+    fn triangle(&mut self, ui: &Ui, rbt: RbtIndex, name: &str, centre: Pos2) {
         let tokens = Tokens::of(ui);
         let is_folded = self.folded.contains(&rbt);
         let area = Rect::from_center_size(centre, vec2(16.0, ROW));
         let response = ui.interact(area, ui.scope_id().with(("fold", rbt)), Sense::click());
         let words = Words::of(ui);
-        let says = if is_folded { words.say(texts::UNFOLD) } else { words.say(texts::FOLD) };
-        response.widget_info(|| WidgetInfo::labeled(Role::Button, true, says));
+        let says = words.message(if is_folded { texts::unfold_node(name) } else { texts::fold_node(name) });
+        response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &says));
+        ui.ctx().accesskit_node_builder(response.id, |node| node.set_expanded(!is_folded));
         ring(ui, area, &response);
         let at = |x: f32, y: f32| centre + vec2(x, y);
         let corners = if is_folded {
@@ -178,7 +179,7 @@ fn highlight(ui: &Ui, rect: Rect, response: &Response, is_chosen: bool) {
 }
 
 /// Shows that the keyboard is here.
-fn ring(ui: &Ui, rect: Rect, response: &Response) {
+pub(super) fn ring(ui: &Ui, rect: Rect, response: &Response) {
     if response.has_focus() {
         let stroke = Stroke::new(1.0, Tokens::of(ui).accent);
         ui.painter().rect_stroke(rect, CORNER, stroke, egui::StrokeKind::Inside);

@@ -7,11 +7,10 @@ use std::time::{Duration, Instant};
 use egui_winit::accesskit_winit;
 use glam::Vec2;
 use winit::application::ApplicationHandler;
-use winit::dpi::LogicalSize;
 use winit::event::WindowEvent;
 use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoopProxy};
 use winit::keyboard::ModifiersState;
-use winit::window::{Window, WindowId};
+use winit::window::WindowId;
 
 use super::export::Export;
 use super::hotkeys::{KeyInput, SpaceBar};
@@ -22,7 +21,7 @@ use super::outside::Outside;
 use super::pointer::Pointer;
 use super::settings_file::SettingsFile;
 use super::stage::WindowSurface;
-use super::{ForTests, UserEvent, WindowError, desktop, display, ending, now};
+use super::{ForTests, UserEvent, WindowError, desktop, display, ending, now, place};
 use crate::clock::AnimationClock;
 use crate::editor::{Command, Editor, FileCommand, Severity};
 use crate::files;
@@ -34,11 +33,6 @@ use crate::ui::Panels;
 
 /// The longest time that one tick call may catch up. After a longer stall, playback continues from where it stopped.
 const LONGEST_STALL: Duration = Duration::from_millis(250);
-/// The window's size at first, in points.
-const SIZE: LogicalSize<f64> = LogicalSize::new(1280.0, 800.0);
-/// The smallest size at which the panels leave room for the scene, in points.
-const SMALLEST: LogicalSize<f64> = LogicalSize::new(720.0, 480.0);
-
 /// The program's state while the event loop runs.
 pub struct Shell {
     pub(super) editor: Editor,
@@ -134,8 +128,7 @@ impl Shell {
 
     fn open(&mut self, event_loop: &ActiveEventLoop) {
         self.title = title(&self.editor);
-        let attributes =
-            Window::default_attributes().with_inner_size(SIZE).with_min_inner_size(SMALLEST).with_visible(false);
+        let attributes = place::attributes(event_loop, self.settings_file.settings.window.as_ref());
         let stage = match event_loop.create_window(attributes) {
             Ok(window) => WindowSurface::new(event_loop, Arc::new(window), &self.proxy, None),
             Err(error) => Err(WindowError::NoDisplay { reason: error.to_string(), variables: display::variables() }),
@@ -326,6 +319,18 @@ impl Shell {
         }
     }
 
+    /// Keeps where the window is for the next one.
+    fn keep_place(&mut self) {
+        let Some(stage) = &self.stage else { return };
+        let settings = &mut self.settings_file.settings;
+        let place = place::of_window(&stage.window, settings.window.as_ref());
+        if place.is_some() && place != settings.window {
+            settings.window = place;
+            // Nobody is left to be told where that fails.
+            let _ = self.settings_file.write();
+        }
+    }
+
     fn update_title(&mut self) {
         let title = title(&self.editor);
         if title != self.title
@@ -381,6 +386,7 @@ impl ApplicationHandler<UserEvent> for Shell {
     }
 
     fn exiting(&mut self, _event_loop: &ActiveEventLoop) {
+        self.keep_place();
         // Cancel a running export, so that no incomplete file remains.
         if let Some(export) = self.export.take() {
             export.end();

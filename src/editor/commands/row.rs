@@ -147,6 +147,12 @@ impl Binding {
             .expect("en.txt has the help of every row, which a test checks")
     }
 
+    /// Other words by which the list of commands finds it, separated by commas: the text `command.ID.also`, where there is one.
+    #[must_use]
+    pub fn synonyms(&self) -> Option<Phrase> {
+        Phrase::of_id(&format!("command.{}.also", self.id))
+    }
+
     /// Gives it default hotkeys, as [`Chord::parse`] reads them.
     pub(super) fn hotkeys(mut self, keys: &[&str]) -> Self {
         self.chords = keys.iter().map(|key| Chord::parse(key).expect("the table's hotkeys are hotkeys")).collect();

@@ -42,7 +42,7 @@ fn heading(ui: &mut Ui, level: u8, text: &[Span], is_target: bool) {
         ui.add_space(8.0);
     }
     let text: String = text.iter().map(|span| span.text.as_str()).collect();
-    let colour = if level == 3 { Tokens::of(ui).accent } else { Tokens::of(ui).text };
+    let colour = if level == 3 { Tokens::of(ui).accent_text } else { Tokens::of(ui).text };
     let response = ui.add(Label::new(RichText::new(text).size(size).color(colour)).wrap());
     if is_target {
         response.scroll_to_me_animation(Some(Align::TOP), egui::style::ScrollAnimation::none());
@@ -86,7 +86,7 @@ fn styled(ui: &Ui, span: &Span) -> RichText {
     match span.style {
         Style::Plain => text.color(colour),
         Style::Emphasis => text.color(colour).italics(),
-        Style::Strong => text.color(tokens.accent),
+        Style::Strong => text.color(tokens.accent_text),
         Style::Code => text.font(FontId::new(SIZE - 1.0, FontFamily::Monospace)).color(colour).code(),
         Style::Picture => text.color(tokens.dim).italics(),
     }

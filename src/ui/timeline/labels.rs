@@ -130,7 +130,7 @@ fn name(
     let text = pos2(rect.left() + 22.0 + 12.0 * depth(row), rect.center().y);
     let name = &scene.node(row.node).name;
     let font = if row.depth == 0 { text_font() } else { small_font() };
-    painter.text(text, Align2::LEFT_CENTER, name, font, if is_chosen { tokens.accent } else { tokens.text });
+    painter.text(text, Align2::LEFT_CENTER, name, font, if is_chosen { tokens.accent_text } else { tokens.text });
     let tip = if is_chosen {
         look.words.say(texts::A_CLICK_CHOOSES_NOTHING)
     } else {

@@ -252,7 +252,7 @@ fn easing_button(ui: &mut Ui, easing: Easing, is_current: bool) -> bool {
     if is_current || response.has_focus() {
         ui.painter().rect_stroke(rect, CORNER, Stroke::new(1.0, tokens.accent), egui::StrokeKind::Inside);
     }
-    let colour = if is_current { tokens.accent } else { tokens.text };
+    let colour = if is_current { tokens.accent_text } else { tokens.text };
     // Back and elastic leave the square.
     curve(ui.painter(), rect.shrink2(vec2(8.0, 8.0)), easing, Stroke::new(1.5, colour));
     was_pressed(&response.on_hover_text(name))

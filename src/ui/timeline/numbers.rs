@@ -73,7 +73,7 @@ fn label(painter: &Painter, look: &Look<'_>, index: usize, until: f32) -> Label 
     let tokens = look.tokens;
     let is_current = look.editor.document().keyframes.current() == Some(KeyframeIndex::new(index));
     let colour = match (is_current, look.hovered == Some(Hit::Diamond(index))) {
-        (true, _) => tokens.accent,
+        (true, _) => tokens.accent_text,
         (false, true) => tokens.text,
         (false, false) => tokens.dim,
     };
@@ -86,7 +86,7 @@ fn label(painter: &Painter, look: &Look<'_>, index: usize, until: f32) -> Label 
     if let Some(name) = keyframes(look).get(index).and_then(|keyframe| keyframe.name.as_deref()) {
         let room = next.max(x + 48.0).min(until) - right - BESIDE;
         if room > LEAST_FOR_NAME {
-            let text = if is_current { tokens.accent } else { tokens.text };
+            let text = if is_current { tokens.accent_text } else { tokens.text };
             let mut job = LayoutJob::simple_singleline(name.to_owned(), font, text);
             job.wrap = TextWrapping::truncate_at_width(room);
             return with_name((number, left), painter.layout_job(job), right + BESIDE);

@@ -1,0 +1,92 @@
+//! How the window is divided.
+
+use egui::{Rect, pos2, vec2};
+use egui_kittest::kittest::Queryable as _;
+
+use crate::{App, drag, editor, harness_of};
+
+/// Panels in a window of this size and scale, with the timeline as high as this.
+fn panels(size: egui::Vec2, percent: u16, timeline: Option<f32>) -> egui_kittest::Harness<'static, App> {
+    let mut app = App::new(editor(5));
+    app.settings.scale_percent = percent;
+    app.settings.panels.extend(timeline.map(|height| ("timeline".to_owned(), height)));
+    app.ui.adopt(&app.settings);
+    harness_of(app, size)
+}
+
+#[test]
+fn nothing_is_painted_over_anything() {
+    let sizes = [vec2(720.0, 480.0), vec2(1280.0, 800.0), vec2(1500.0, 900.0) / 2.0];
+    for (size, percent) in sizes.into_iter().flat_map(|size| [(size, 100), (size, 200)]) {
+        for timeline in [None, Some(407.0), Some(4000.0)] {
+            let mut harness = panels(size, percent, timeline);
+            let window = Rect::from_min_size(pos2(0.0, 0.0), harness.ctx.content_rect().size());
+            let scene = harness.state().viewport;
+            assert!(window.contains_rect(scene) && scene.width() >= 160.0 && scene.height() >= 60.0, "{size}: {scene}");
+            // A press on a number is the inspector's, and one on a row the tree's, wherever they can be seen.
+            let side = Rect::from_min_max(pos2(scene.right(), scene.top()), window.max);
+            let numbers: Vec<Rect> =
+                harness.get_all_by_role(egui::accesskit::Role::SpinButton).map(|node| node.rect()).collect();
+            let rows: Vec<Rect> =
+                harness.get_all_by_role(egui::accesskit::Role::ListBoxOption).map(|node| node.rect()).collect();
+            let inspector = numbers
+                .iter()
+                .filter(|rect| side.contains(rect.center()))
+                .map(|rect| rect.top())
+                .fold(f32::MAX, f32::min);
+            assert!(inspector > side.top() + 60.0, "{size} at {percent} %: the inspector begins at {inspector}");
+            let visible = rows.iter().filter(|row| side.contains(row.center()) && row.bottom() <= inspector).count();
+            let least = if side.height() < 240.0 { 1 } else { 3 };
+            assert!(visible >= least, "{size} at {percent} %: {visible} rows of the tree");
+            let before = harness.state().commands.len();
+            harness.hover_at(pos2(side.center().x, inspector + 8.0));
+            harness.run();
+            assert_eq!(harness.state().commands.len(), before);
+        }
+    }
+}
+
+#[test]
+fn edges_are_dragged_and_kept() {
+    let mut harness = panels(vec2(1280.0, 800.0), 100, None);
+    let before = harness.state().viewport;
+    let edge = harness.get_by_label("Edge of the right panel").rect().center();
+    drag(&mut harness, edge, edge - vec2(60.0, 0.0));
+    let width = before.right() - harness.state().viewport.right();
+    assert!((width - 60.0).abs() <= 1.0, "{width}");
+    let edge = harness.get_by_label("Edge of the timeline").rect().center();
+    drag(&mut harness, edge, edge + vec2(0.0, 40.0));
+    let height = harness.state().viewport.bottom() - before.bottom();
+    assert!((height - 40.0).abs() <= 1.0, "{height}");
+    let kept: Vec<&str> = harness.state().output.panels.iter().map(|(name, _)| *name).collect();
+    assert_eq!(kept, ["side", "timeline"]);
+    // A drag beyond the window leaves room for the scene.
+    let edge = harness.state().viewport.center_bottom();
+    drag(&mut harness, edge, pos2(edge.x, -50.0));
+    assert!(harness.state().viewport.height() >= 90.0, "{}", harness.state().viewport);
+}
+
+#[test]
+fn the_divider_of_the_right_panel_moves_and_goes_back() {
+    let mut harness = panels(vec2(1280.0, 800.0), 100, None);
+    let top = |harness: &egui_kittest::Harness<'_, App>| harness.get_by_label("Translation x").rect().top();
+    let before = top(&harness);
+    let edge = |harness: &egui_kittest::Harness<'_, App>| harness.get_by_label("Edge of the inspector").rect().center();
+    let at = edge(&harness);
+    drag(&mut harness, at, at - vec2(0.0, 80.0));
+    let moved = before - top(&harness);
+    assert!((moved - 80.0).abs() <= 1.0, "{moved}");
+    assert!(harness.state().output.panels.iter().any(|(name, _)| *name == "inspector"));
+    let at = edge(&harness);
+    harness.hover_at(at);
+    harness.run();
+    for _ in 0..2 {
+        harness.drag_at(at);
+        harness.step();
+        harness.drop_at(at);
+        harness.step();
+    }
+    harness.run();
+    assert!((top(&harness) - before).abs() <= 1.0);
+    assert_eq!(harness.state().output.panels.last(), Some(&("inspector", None)));
+}
