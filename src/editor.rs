@@ -34,13 +34,14 @@ use std::sync::Arc;
 
 pub use choice::{Choice, Pivot};
 pub use command::{
-    ClipboardCommand, Command, Edit, Effect, FileCommand, GestureCommand, PlaybackCommand, SelectionCommand,
+    Beginning, ClipboardCommand, Command, Edit, Effect, FileCommand, GestureCommand, PlaybackCommand, SelectionCommand,
     TimelineEdit, ViewCommand, WindowCommand,
 };
 pub use comparing::ComparedAnimation;
 pub use document::Document;
 pub use error::CommandError;
 pub use eye::{Eye, WorkEye};
+pub use files::NEW_FILE;
 pub use history::{MOST_STEPS, Reach};
 pub use host::{FileAccess, FileOutcome, Host, PathQuestion, WindowHost, Writing, Written};
 pub use manipulate::{DragKind, Manipulation};

@@ -4,12 +4,14 @@
 //! parsers know no files; this room adds the names.
 
 mod animation;
+mod beginning;
 mod error;
 mod image;
 mod known;
 pub mod scene;
 
 pub use animation::keyframes;
+pub use beginning::begun;
 pub use error::{FileError, WorkError};
 pub use image::{LARGEST_IMAGE_BYTES, image, image_size};
 pub use known::{known_at_start, read_known, write_known};

@@ -19,7 +19,7 @@ mod walk;
 mod write;
 
 pub use builder::{MOST_LEVELS, SceneBuilder};
-pub use built_in::{DEFAULT_SCENE, built_in_scene, built_in_scene_names};
+pub use built_in::{BUILT_IN_ANIMATIONS, BuiltInAnimation, DEFAULT_SCENE, built_in_scene, built_in_scene_names};
 pub use channel::{Channel, KeyValue};
 pub use checks::LARGEST_SCALE;
 pub use file::{SceneError, scene_from_bytes, scene_from_json};

@@ -208,6 +208,15 @@ pub fn next_screenshot_path(beside: &Path) -> PathBuf {
         .expect("the numbers do not end")
 }
 
+/// This path if nothing is there, or the first free one with a number: `walk-2.json`.
+#[must_use]
+pub fn free_path(path: &Path) -> PathBuf {
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    let ending = path.extension().map(|ending| format!(".{}", ending.to_string_lossy())).unwrap_or_default();
+    let others = (2_u32..).map(|count| path.with_file_name(format!("{stem}-{count}{ending}")));
+    std::iter::once(path.to_owned()).chain(others).find(|path| !path.exists()).expect("the numbers do not end")
+}
+
 /// Writes bytes at the end of a file, which is created if it is missing.
 ///
 /// # Errors

@@ -3,12 +3,14 @@
 //! Widgets read a shared [`Editor`] and push [`Command`]s; nothing here changes it. Only zoom, scroll, folding and text that is being
 //! typed live in [`Panels`]. Nothing here knows the window, the GPU, files or the clock.
 
+mod about;
 pub mod angles;
 mod bar;
 mod changed;
 mod choices;
 mod dialogs;
 mod export;
+mod export_shape;
 mod fonts;
 mod gestures;
 mod help;
@@ -30,6 +32,7 @@ mod status;
 pub mod theme;
 mod thumbnails;
 mod timeline;
+mod tour;
 mod transport;
 mod tree;
 pub mod words;
@@ -39,7 +42,7 @@ use std::path::{Path, PathBuf};
 use egui::{CentralPanel, Rect};
 
 use crate::editor::keymap::{Binding, Keymap};
-use crate::editor::{Command, Editor, FileCommand};
+use crate::editor::{Beginning, Command, Editor, FileCommand, WindowCommand};
 use crate::film::ExportOptions;
 use crate::pose::Pose;
 use crate::settings::Settings;
@@ -74,6 +77,22 @@ pub enum PathPurpose {
     SaveAs,
     /// To write the scene to it.
     SaveSceneAs,
+    /// To begin with the scene in it.
+    OpenScene,
+}
+
+impl PathPurpose {
+    /// The command that a path answers with.
+    #[must_use]
+    pub const fn command(self, path: PathBuf) -> Command {
+        match self {
+            Self::Open => Command::File(FileCommand::Open(path)),
+            Self::Compare => Command::File(FileCommand::CompareWith(path)),
+            Self::SaveAs => Command::File(FileCommand::SaveAs(path)),
+            Self::SaveSceneAs => Command::File(FileCommand::SaveSceneAs(path)),
+            Self::OpenScene => Command::Window(WindowCommand::Begin(Beginning::SceneFile(path))),
+        }
+    }
 }
 
 /// What came of showing the panels once.
@@ -131,6 +150,8 @@ struct PanelInput<'a> {
     settings: &'a Settings,
     /// Whether an export is under way.
     is_exporting: bool,
+    /// The size of the 3D view, in points.
+    view: egui::Vec2,
 }
 
 /// The panels and their own state.
@@ -141,6 +162,7 @@ pub struct Panels {
     log: log::Log,
     manual: manual::Manual,
     help: help::Help,
+    tour: tour::Tour,
     rooms: layout::Rooms,
     /// Panels whose edges were dragged since that was last reported.
     resized: Vec<(&'static str, Option<f32>)>,
@@ -153,6 +175,8 @@ pub struct Panels {
     exported: Option<(PathBuf, ExportOptions)>,
     /// The running export.
     pub exporting: Option<Exporting>,
+    /// The film that was exported last, until its notice is closed.
+    pub made: Option<PathBuf>,
     /// What is offered that was not saved.
     pub recovery: Option<RecoveryOffer>,
     /// The file that another program has changed.
@@ -175,7 +199,21 @@ impl Panels {
 
     /// Asks what to do with unsaved work before quitting. The answer is [`UiOutput::quit_answer`]; there is none where the user cancels.
     pub fn ask_before_quitting(&mut self) {
-        self.dialog = Some(Dialog::Quit);
+        self.dialog = Some(Dialog::Unsaved { is_quitting: true });
+    }
+
+    /// Asks what to do with unsaved work before another document is shown, and answers as [`Self::ask_before_quitting`].
+    pub fn ask_before_going_on(&mut self) {
+        self.dialog = Some(Dialog::Unsaved { is_quitting: false });
+    }
+
+    /// Forgets what belongs to a document that is no longer shown: what is folded, chosen and zoomed.
+    pub fn begin_anew(&mut self) {
+        self.tree = tree::Tree::default();
+        self.angles = angles::ShownAngles::default();
+        self.timeline = timeline::Timeline::default();
+        self.thumbnails = thumbnails::Thumbnails::default();
+        self.exported = None;
     }
 
     /// Asks before a file is replaced that holds something that the user may not know of. The answer is [`UiOutput::overwrite`].
@@ -250,6 +288,8 @@ impl Panels {
         say_of_frame(ui, editor, output.viewport);
         overlay::show(ui, output.viewport, editor, &self.keymap, &self.log, self.statistics.as_ref());
         legend::show(ui, output.viewport, editor, &mut output.commands);
+        self.tour.take_in(editor, self.settings.tour);
+        self.tour.show(ui, output.viewport, &self.keymap, &mut output.commands);
         if editor.session().shows_help {
             self.help.show(ui, self.keymap.bindings(), &mut output.commands);
         }
@@ -257,9 +297,14 @@ impl Panels {
         self.log.show_toasts(ui, output.viewport);
         if let Some(exporting) = &self.exporting {
             export::show_progress(ui, output.viewport, exporting, &mut output.commands);
+        } else if let Some(made) = &self.made
+            && export::show_made(ui, output.viewport, made, &mut output.commands)
+        {
+            self.made = None;
         }
         let is_exporting = self.exporting.is_some();
-        let shown = PanelInput { editor, keymap: &self.keymap, settings: &self.settings, is_exporting };
+        let view = output.viewport.size();
+        let shown = PanelInput { editor, keymap: &self.keymap, settings: &self.settings, is_exporting, view };
         dialogs::show(ui, &mut self.dialog, shown, &mut output);
         self.manual.show(ui);
         if let Some(Command::File(FileCommand::Export(options))) = output.commands.last() {

@@ -3,6 +3,7 @@
 //! Only here are winit's names known and, for the window, the clock on the wall read. What can be decided without a window is
 //! plain data with tables of tests: [`hotkeys`], [`motion_path`] and [`mod@pointer`].
 
+mod beginning;
 mod damage;
 mod desktop;
 mod dialog;

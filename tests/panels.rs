@@ -144,7 +144,7 @@ fn ten_thousand_keyframes_cost_only_what_is_seen() {
 fn the_empty_timeline_teaches() {
     let harness = harness(editor(0));
     harness
-        .get_by_label("No keyframes yet: pose the robots, press n to keep a pose. Four make an animation; y plays it.");
+        .get_by_label("No keyframes yet: pose the scene, press n to keep a pose. Four make an animation; y plays it.");
 }
 
 #[test]
@@ -348,7 +348,7 @@ fn unsaved_work_is_asked_about() {
     harness.state_mut().editor.apply(Command::Edit(moved)).unwrap();
     harness.state_mut().ui.ask_before_quitting();
     harness.run();
-    harness.get_by_label("The robots stand in a pose that no keyframe holds.");
+    harness.get_by_label("The scene stands in a pose that no keyframe holds.");
     harness.get_by_label("Discard");
     click(&mut harness, "Cancel");
     assert_eq!(harness.state().output.quit_answer, None);

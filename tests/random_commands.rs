@@ -47,6 +47,7 @@ fn any_edit() -> impl Strategy<Value = Command> {
         (0usize..8).prop_map(|place| Edit::GoTo(KeyframeIndex::new(place))),
         Just(Edit::DeleteCurrent),
         Just(Edit::ResetPose),
+        Just(Edit::BeginAnew),
         Just(Edit::NextInterpolation),
         Just(Edit::SetInterpolation(Interpolation::Linear)),
         Just(Edit::Faster),

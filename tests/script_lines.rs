@@ -37,6 +37,7 @@ const EDITS: &[(&str, &str, &str, &str)] = &[
     ("", "key n", "0 1 2 3 4 5 [5] | 5", "Keyframe 6 (0 to 6): created after keyframe 5."),
     ("", "do reverse keyframes", "5 4 3 2 1 [0] | 0", "Reversed 6 keyframes."),
     ("select-keyframes 1-2", "move 6", "0 3 4 5 [1] 2 | 1", "Moved 2 keyframes to place 4."),
+    ("", "new", " | -2", "A new animation: no keyframes yet."),
     ("go 2", "move 0", "[2] 0 1 3 4 5 | 2", "Moved 1 keyframe to place 0."),
     ("select-keyframes 1 3", "cut", "[0] 2 4 5 | 0", "Deleted 2 keyframes. Keyframe 0 (0 to 3)."),
     (

@@ -40,7 +40,7 @@ pub use script::ScriptArguments;
 pub use verify::VerifyArguments;
 
 /// The keyframe file if none is given.
-pub const DEFAULT_KEYFRAME_FILE: &str = "animation.json";
+pub const DEFAULT_KEYFRAME_FILE: &str = crate::editor::NEW_FILE;
 
 const AFTER_HELP: &str = "\
 `-` is standard input for FILE, and standard output for -o.

@@ -133,6 +133,7 @@ impl Editor {
                 self.record(texts::ACT_RETURN_TO_THE_REST_POSE, None, |document| document.live_pose = rest)?;
                 Ok(Some(texts::POSE_IS_REST.into()))
             }
+            Edit::BeginAnew => self.begin_anew(),
             Edit::NextInterpolation => self.set_interpolation(self.document.interpolation.next()),
             Edit::SetInterpolation(interpolation) => self.set_interpolation(interpolation),
             Edit::Faster => self.set_ms(self.document.ms_between_keyframes.saturating_sub(MS_STEP)),

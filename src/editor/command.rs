@@ -42,6 +42,17 @@ pub enum Command {
     Window(WindowCommand),
 }
 
+/// What a window can begin with, in place of what it shows.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Beginning {
+    /// A scene file, with no keyframes.
+    SceneFile(PathBuf),
+    /// The built-in scene of this name, with no keyframes.
+    Scene(&'static str),
+    /// The built-in animation of this name, with its scene.
+    Animation(&'static str),
+}
+
 /// What concerns the window and its settings, not the scene.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum WindowCommand {
@@ -79,6 +90,18 @@ pub enum WindowCommand {
     ResetAllHotkeys,
     /// Forgets the recent files.
     ForgetRecent,
+    /// Asks which scene file to begin with.
+    ChooseOpenScene,
+    /// Begins with another scene. Scripts are written for one scene, so they have no line for it.
+    Begin(Beginning),
+    /// Shows version and licences.
+    ShowAbout,
+    /// Shows the first steps again.
+    ShowTour,
+    /// Hides the first steps, from now on.
+    CloseTour,
+    /// Shows a file's folder in the system's file manager.
+    ShowFolder(PathBuf),
     /// Asks for the name of the current keyframe.
     RenameCurrent,
     /// Brings the whole list into sight in the timeline.
@@ -110,6 +133,8 @@ pub enum Edit {
     DeleteCurrent,
     /// Returns the scene to its rest pose.
     ResetPose,
+    /// Begins a new animation of the scene: no keyframes, the scene at rest, the usual values, and [`super::NEW_FILE`] as its file.
+    BeginAnew,
     /// Switches to the next interpolation.
     NextInterpolation,
     /// Switches to an interpolation.

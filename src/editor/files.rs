@@ -3,14 +3,29 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use super::apply::CommandResult;
 use super::playback::Playback;
-use super::{CommandError, Editor, Effect, FileCommand, Message, Severity, Written};
+use super::{CommandError, Document, Editor, Effect, FileCommand, Message, Severity, Written};
 use crate::keyframe::{KeyframeList, KeyframesText, LARGEST_FILE_BYTES};
 use crate::scene::{scene_from_bytes, scene_to_json};
 use crate::text_layouts::{ImportError, Imported, Options, import};
 use crate::words::texts;
 
+/// The name of a new animation's keyframe file.
+pub const NEW_FILE: &str = "animation.json";
+
 impl Editor {
+    /// Begins a new animation of the scene. Undo brings the old one back; the file stays the new one's.
+    pub(super) fn begin_anew(&mut self) -> CommandResult {
+        let new = Document::new(Arc::clone(&self.document.scene));
+        self.record(texts::ACT_NEW_ANIMATION, None, |document| *document = new)?;
+        self.playback = Playback::Stopped;
+        self.is_now_saved_in(self.keyframe_file.with_file_name(NEW_FILE));
+        self.is_file_known = false;
+        self.fit_session_to_list();
+        Ok(Some(texts::FILE_NEW.into()))
+    }
+
     pub(super) fn file(&mut self, command: FileCommand) -> Result<Effect, CommandError> {
         Ok(match command {
             FileCommand::Import => {

@@ -12,6 +12,33 @@ const BUILT_IN: [(&str, &str); 3] = [
     ("orbits", include_str!("../../assets/scenes/orbits.json")),
 ];
 
+/// An animation that is part of the program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct BuiltInAnimation {
+    /// Its name, which is that of its file without `.json`.
+    pub name: &'static str,
+    /// The name of the built-in scene that it is of.
+    pub scene: &'static str,
+    /// The text of its keyframe file.
+    pub text: &'static str,
+}
+
+/// The animations that are part of the program: data files under `assets/animations/`.
+pub const BUILT_IN_ANIMATIONS: [BuiltInAnimation; 4] = [
+    BuiltInAnimation { name: "walk", scene: DEFAULT_SCENE, text: include_str!("../../assets/animations/walk.json") },
+    BuiltInAnimation { name: "wave", scene: DEFAULT_SCENE, text: include_str!("../../assets/animations/wave.json") },
+    BuiltInAnimation {
+        name: "handshake",
+        scene: DEFAULT_SCENE,
+        text: include_str!("../../assets/animations/handshake.json"),
+    },
+    BuiltInAnimation {
+        name: "orbits-tour",
+        scene: "orbits",
+        text: include_str!("../../assets/animations/orbits-tour.json"),
+    },
+];
+
 /// The names of the built-in scenes.
 pub fn built_in_scene_names() -> impl Iterator<Item = &'static str> {
     BUILT_IN.iter().map(|(name, _)| *name)

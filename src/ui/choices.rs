@@ -1,8 +1,9 @@
 //! Choices with a value: recent files, eyes, interpolations, colours, languages, sizes. Menus and the command list show the same.
 
 use super::words::Words;
-use crate::editor::{Command, Edit, Editor, Eye, FileCommand, ViewCommand, WindowCommand};
+use crate::editor::{Beginning, Command, Edit, Editor, Eye, FileCommand, ViewCommand, WindowCommand};
 use crate::interpolation::Interpolation;
+use crate::scene::{BUILT_IN_ANIMATIONS, built_in_scene_names};
 use crate::settings::{SCALES, Settings, ThemeChoice};
 use crate::words::{Language, texts};
 
@@ -11,6 +12,8 @@ use crate::words::{Language, texts};
 pub enum Topic {
     /// A keyframe file that was used lately.
     Recent,
+    /// An example that is part of the program.
+    Example,
     /// Where to look from.
     Eye,
     /// How keyframes are joined.
@@ -28,6 +31,7 @@ impl Topic {
     pub fn name(self, words: Words) -> &'static str {
         match self {
             Self::Recent => words.say(texts::OPEN_RECENT),
+            Self::Example => words.say(texts::EXAMPLES),
             Self::Eye => words.say(texts::LOOK_FROM),
             Self::Interpolation => words.say(texts::INTERPOLATION),
             Self::Theme => words.say(texts::THEME),
@@ -57,6 +61,15 @@ pub fn choices(editor: &Editor, settings: &Settings, words: Words) -> Vec<Choice
     for path in &settings.recent {
         let command = Command::File(FileCommand::Open(path.clone()));
         add(Topic::Recent, path.display().to_string(), command, false);
+    }
+    for example in BUILT_IN_ANIMATIONS {
+        let label = words.message(texts::example_animation(example.name, example.scene));
+        let command = Command::Window(WindowCommand::Begin(Beginning::Animation(example.name)));
+        add(Topic::Example, label, command, false);
+    }
+    for name in built_in_scene_names() {
+        let command = Command::Window(WindowCommand::Begin(Beginning::Scene(name)));
+        add(Topic::Example, words.message(texts::example_scene(name)), command, false);
     }
     let mut look_from = |label: String, eye: Eye| {
         add(Topic::Eye, label, Command::View(ViewCommand::SetEye(eye)), eye == editor.session().eye);

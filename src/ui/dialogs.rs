@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use egui::{Align, Align2, Frame, Id, Key, Layout, Margin, Modal, RichText, TextEdit, Ui, vec2};
 
+use super::about;
 use super::export::ExportDialog;
 use super::hotkeys::{DialogState, HotkeysDialog};
 use super::overwrite::{self, OverwriteQuestion};
@@ -11,7 +12,6 @@ use super::palette::Palette;
 use super::theme::{CORNER, Tokens};
 use super::words::Words;
 use super::{PanelInput, PathPurpose, QuitAnswer, UiOutput};
-use crate::editor::{Command, FileCommand};
 use crate::words::texts;
 
 /// The dialog that is open.
@@ -27,7 +27,12 @@ pub enum Dialog {
         is_new: bool,
     },
     /// What about unsaved work?
-    Quit,
+    Unsaved {
+        /// Whether the program ends afterwards; if not, it goes on with another document.
+        is_quitting: bool,
+    },
+    /// Which program is this?
+    About,
     /// Is a file to be replaced?
     Overwrite(OverwriteQuestion),
     /// Which command?
@@ -57,7 +62,7 @@ pub fn show(ui: &Ui, dialog: &mut Option<Dialog>, shown: PanelInput<'_>, output:
         Dialog::Commands(_) => "commands",
         Dialog::Export(_) => "export",
         Dialog::Overwrite(_) => "overwrite",
-        Dialog::Path { .. } | Dialog::Quit | Dialog::Hotkeys(_) => "dialog",
+        Dialog::Path { .. } | Dialog::Unsaved { .. } | Dialog::Hotkeys(_) | Dialog::About => "dialog",
     });
     let mut modal = Modal::new(id).backdrop_color(Tokens::of(ui).shade).frame(frame);
     if matches!(question, Dialog::Commands(_) | Dialog::Hotkeys(_)) {
@@ -66,7 +71,8 @@ pub fn show(ui: &Ui, dialog: &mut Option<Dialog>, shown: PanelInput<'_>, output:
     }
     let response = modal.show(ui.ctx(), |ui| match question {
         Dialog::Path { purpose, typed, is_new } => at_width(ui, |ui| path(ui, *purpose, typed, is_new, output)),
-        Dialog::Quit => at_width(ui, |ui| quit(ui, shown, output)),
+        Dialog::Unsaved { is_quitting } => at_width(ui, |ui| unsaved(ui, *is_quitting, shown, output)),
+        Dialog::About => at_width(ui, |ui| about::show(ui, &mut output.commands)),
         Dialog::Overwrite(question) => outcome(overwrite::show(ui, question, output)),
         Dialog::Commands(palette) => outcome(palette.show(ui, shown, &mut output.commands)),
         Dialog::Hotkeys(keys) => keys.show(ui, shown, &mut output.commands),
@@ -74,8 +80,8 @@ pub fn show(ui: &Ui, dialog: &mut Option<Dialog>, shown: PanelInput<'_>, output:
     });
     let is_left = match question {
         // These lose nothing where one clicks beside them.
-        Dialog::Commands(_) | Dialog::Hotkeys(_) => response.backdrop_response.clicked(),
-        Dialog::Path { .. } | Dialog::Quit | Dialog::Overwrite(_) | Dialog::Export(_) => false,
+        Dialog::Commands(_) | Dialog::Hotkeys(_) | Dialog::About => response.backdrop_response.clicked(),
+        Dialog::Path { .. } | Dialog::Unsaved { .. } | Dialog::Overwrite(_) | Dialog::Export(_) => false,
     };
     if response.inner == DialogState::IsOver || is_left || (escape && response.inner != DialogState::TookEscape) {
         *dialog = None;
@@ -98,11 +104,16 @@ fn path(ui: &mut Ui, purpose: PathPurpose, typed: &mut String, is_new: &mut bool
         PathPurpose::Compare => (words.say(texts::COMPARE_WITH_A_FILE), words.say(texts::COMPARE)),
         PathPurpose::SaveAs => (words.say(texts::SAVE_THE_KEYFRAMES_AS), words.say(texts::SAVE)),
         PathPurpose::SaveSceneAs => (words.say(texts::SAVE_THE_SCENE_AS), words.say(texts::SAVE)),
+        PathPurpose::OpenScene => (words.say(texts::OPEN_A_SCENE_FILE), words.say(texts::OPEN)),
     };
     ui.heading(heading);
     ui.add_space(8.0);
     ui.label(RichText::new(words.say(texts::PATH_OF_THE_FILE)).small().color(Tokens::of(ui).dim));
-    let hint = if purpose == PathPurpose::SaveSceneAs { "scene.json" } else { "animation.json" };
+    let hint = if matches!(purpose, PathPurpose::SaveSceneAs | PathPurpose::OpenScene) {
+        "scene.json"
+    } else {
+        "animation.json"
+    };
     let field = ui.add(TextEdit::singleline(typed).desired_width(f32::INFINITY).hint_text(hint));
     if std::mem::take(is_new) {
         field.request_focus();
@@ -117,27 +128,22 @@ fn path(ui: &mut Ui, purpose: PathPurpose, typed: &mut String, is_new: &mut bool
     });
     if is_confirmed {
         let path = PathBuf::from(typed.trim());
-        output.commands.push(Command::File(match purpose {
-            PathPurpose::Open => FileCommand::Open(path),
-            PathPurpose::Compare => FileCommand::CompareWith(path),
-            PathPurpose::SaveAs => FileCommand::SaveAs(path),
-            PathPurpose::SaveSceneAs => FileCommand::SaveSceneAs(path),
-        }));
+        output.commands.push(purpose.command(path));
     }
     is_confirmed || is_cancelled
 }
 
-fn quit(ui: &mut Ui, shown: PanelInput<'_>, output: &mut UiOutput) -> bool {
+fn unsaved(ui: &mut Ui, is_quitting: bool, shown: PanelInput<'_>, output: &mut UiOutput) -> bool {
     let editor = shown.editor;
     let (changes, posing) = (editor.has_unsaved_changes(), editor.has_unsaved_posing());
     let words = Words::of(ui);
-    ui.heading(if changes {
-        words.say(texts::SAVE_THE_CHANGES_BEFORE_QUITTING)
-    } else if posing {
-        words.say(texts::QUIT_WITHOUT_KEEPING_THE_POSE)
-    } else {
-        words.say(texts::QUIT_BEFORE_THE_EXPORT_IS_DONE)
-    });
+    ui.heading(words.say(match (is_quitting, changes, posing) {
+        (true, true, _) => texts::SAVE_THE_CHANGES_BEFORE_QUITTING,
+        (true, false, true) => texts::QUIT_WITHOUT_KEEPING_THE_POSE,
+        (true, false, false) => texts::QUIT_BEFORE_THE_EXPORT_IS_DONE,
+        (false, true, _) => texts::SAVE_THE_CHANGES_BEFORE_GOING_ON,
+        (false, false, _) => texts::GO_ON_WITHOUT_KEEPING_THE_POSE,
+    }));
     ui.add_space(8.0);
     if editor.has_unsaved_keyframes() {
         let path = editor.keyframe_file().display().to_string();
@@ -150,9 +156,9 @@ fn quit(ui: &mut Ui, shown: PanelInput<'_>, output: &mut UiOutput) -> bool {
         });
     }
     if posing {
-        ui.label(words.say(texts::THE_ROBOTS_STAND_IN_A_POSE_THAT));
+        ui.label(words.say(texts::THE_SCENE_STANDS_IN_A_POSE_THAT));
     }
-    if shown.is_exporting {
+    if shown.is_exporting && is_quitting {
         ui.label(words.say(texts::AN_EXPORT_IS_UNDER_WAY_NOTHING_OF));
     }
     ui.add_space(16.0);

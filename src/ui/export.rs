@@ -9,10 +9,11 @@ use egui::{
 
 use super::PanelInput;
 use super::dialogs::default_button;
+use super::export_shape;
 use super::icons::was_pressed;
 use super::theme::{CORNER, GRID, ROW, Tokens};
 use super::words::Words;
-use crate::editor::{Command, Editor, FileCommand};
+use crate::editor::{Command, Editor, FileCommand, WindowCommand};
 use crate::film::{Encoder, ExportBackground, ExportOptions, FORMATS, Format};
 use crate::frame::MOST_GHOSTS;
 use crate::keyframe::{PlayRange, to_f64};
@@ -95,6 +96,7 @@ impl ExportDialog {
                 });
             });
             row(ui, words.say(texts::SIZE), |ui| size(ui, options, words));
+            row(ui, words.say(texts::SHAPE), |ui| export_shape::show(ui, options.size, shown.view));
             row(ui, words.say(texts::FRAMES_A_SECOND), |ui| {
                 let most = options.format.most_frames_per_second;
                 number(ui, &mut options.fps, 1..=most, words.say(texts::FRAMES_A_SECOND));
@@ -300,44 +302,79 @@ fn summary(options: &ExportOptions, editor: &Editor, words: Words) -> String {
     words.message(texts::export_length(frames.to_string(), format!("{seconds:.2}")))
 }
 
-/// Shows how far an export is, at the top right of the 3D view, with a button that ends it.
-pub fn show_progress(ui: &Ui, viewport: egui::Rect, exporting: &Exporting, commands: &mut Vec<Command>) {
-    let words = Words::of(ui);
+/// A notice at the top right of the 3D view.
+fn notice<R>(ui: &Ui, viewport: egui::Rect, contents: impl FnOnce(&mut Ui) -> R) -> R {
     let tokens = Tokens::of(ui);
-    Area::new(Id::unique("exporting"))
+    let area = Area::new(Id::unique("exporting"))
         .order(Order::Middle)
         .pivot(Align2::RIGHT_TOP)
         .fixed_pos(viewport.right_top() + vec2(-2.0 * GRID, 2.0 * GRID))
-        .fade_in(false)
-        .show(ui.ctx(), |ui| {
-            let frame = Frame::new()
-                .fill(tokens.panel)
-                .stroke(egui::Stroke::new(1.0, tokens.line))
-                .corner_radius(CORNER)
-                .inner_margin(Margin::symmetric(12, 8));
-            frame.show(ui, |ui| {
-                ui.set_width(PROGRESS);
-                let name = exporting.path.file_name().unwrap_or(exporting.path.as_os_str()).to_string_lossy();
-                let text = RichText::new(words.message(texts::exporting(&*name)));
-                ui.add(Label::new(text).truncate()).on_hover_text(exporting.path.display().to_string());
-                let share = exporting.done as f32 / exporting.count.max(1) as f32;
-                let bar = ProgressBar::new(share).desired_height(6.0).corner_radius(3).fill(tokens.accent);
-                ui.add(bar);
-                ui.horizontal(|ui| {
-                    let (done, count) = (exporting.done.to_string(), exporting.count.to_string());
-                    let text = match (exporting.is_ending, exporting.count) {
-                        (true, _) => words.say(texts::ENDING).to_owned(),
-                        (false, 0) => words.say(texts::BEGINNING).to_owned(),
-                        (false, _) => words.message(texts::export_frame(&done, &count)),
-                    };
-                    ui.label(RichText::new(text).small().color(tokens.dim));
-                    ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                        let cancel = ui.add_enabled(!exporting.is_ending, Button::new(words.say(texts::CANCEL_EXPORT)));
-                        if was_pressed(&cancel) {
-                            commands.push(Command::File(FileCommand::CancelExport));
-                        }
-                    });
-                });
+        .fade_in(false);
+    let shown = area.show(ui.ctx(), |ui| {
+        let frame = Frame::new()
+            .fill(tokens.panel)
+            .stroke(egui::Stroke::new(1.0, tokens.line))
+            .corner_radius(CORNER)
+            .inner_margin(Margin::symmetric(12, 8));
+        let within = frame.show(ui, |ui| {
+            ui.set_width(PROGRESS);
+            contents(ui)
+        });
+        within.inner
+    });
+    shown.inner
+}
+
+fn file_name(path: &Path) -> String {
+    path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
+}
+
+/// Shows how far an export is, with a button that ends it.
+pub fn show_progress(ui: &Ui, viewport: egui::Rect, exporting: &Exporting, commands: &mut Vec<Command>) {
+    let words = Words::of(ui);
+    let tokens = Tokens::of(ui);
+    notice(ui, viewport, |ui| {
+        let text = RichText::new(words.message(texts::exporting(file_name(&exporting.path))));
+        ui.add(Label::new(text).truncate()).on_hover_text(exporting.path.display().to_string());
+        let share = exporting.done as f32 / exporting.count.max(1) as f32;
+        ui.add(ProgressBar::new(share).desired_height(6.0).corner_radius(3).fill(tokens.accent));
+        ui.horizontal(|ui| {
+            let (done, count) = (exporting.done.to_string(), exporting.count.to_string());
+            let text = match (exporting.is_ending, exporting.count) {
+                (true, _) => words.say(texts::ENDING).to_owned(),
+                (false, 0) => words.say(texts::BEGINNING).to_owned(),
+                (false, _) => words.message(texts::export_frame(&done, &count)),
+            };
+            ui.label(RichText::new(text).small().color(tokens.dim));
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                let cancel = ui.add_enabled(!exporting.is_ending, Button::new(words.say(texts::CANCEL_EXPORT)));
+                if was_pressed(&cancel) {
+                    commands.push(Command::File(FileCommand::CancelExport));
+                }
             });
         });
+    });
+}
+
+/// Shows where an export is that is done. Says whether the notice is closed.
+pub fn show_made(ui: &Ui, viewport: egui::Rect, path: &Path, commands: &mut Vec<Command>) -> bool {
+    let words = Words::of(ui);
+    notice(ui, viewport, |ui| {
+        let whole = path.display().to_string();
+        let text = RichText::new(words.message(texts::exported_here(file_name(path))));
+        ui.add(Label::new(text).truncate()).on_hover_text(&whole);
+        let folder = path.parent().unwrap_or(path).display().to_string();
+        ui.add(Label::new(RichText::new(folder).small().color(Tokens::of(ui).dim)).truncate()).on_hover_text(&whole);
+        ui.horizontal(|ui| {
+            if was_pressed(&ui.button(words.say(texts::SHOW_FOLDER))) {
+                commands.push(Command::Window(WindowCommand::ShowFolder(path.to_owned())));
+            }
+            if was_pressed(&ui.button(words.say(texts::COPY_PATH))) {
+                ui.copy_text(whole);
+            }
+            let close = |ui: &mut Ui| was_pressed(&ui.button(words.say(texts::CLOSE)));
+            ui.with_layout(Layout::right_to_left(Align::Center), close).inner
+        })
+        .inner
+    })
 }

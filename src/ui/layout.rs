@@ -3,8 +3,8 @@
 
 use egui::accesskit::Action;
 use egui::{
-    CentralPanel, CursorIcon, Frame, Id, Margin, Panel, Pos2, Rect, Role, ScrollArea, Sense, Stroke, Ui, WidgetInfo,
-    pos2,
+    CentralPanel, CursorIcon, Frame, Id, Margin, Panel, Pos2, Rect, Role, ScrollArea, Sense, Stroke, Ui, Vec2,
+    WidgetInfo, pos2,
 };
 
 use super::theme::{self, ROW, Tokens};
@@ -96,12 +96,14 @@ impl Panels {
         let tokens = Tokens::of(ui);
         let plain = |fill, x, y| Frame::new().fill(fill).inner_margin(Margin::symmetric(x, y));
         let is_exporting = self.exporting.is_some();
-        let shown = PanelInput { editor, keymap: &self.keymap, settings: &self.settings, is_exporting };
+        let shown =
+            PanelInput { editor, keymap: &self.keymap, settings: &self.settings, is_exporting, view: Vec2::ZERO };
         let state = WindowState {
             messages: self.log.is_shown(),
             statistics: self.statistics.is_some(),
             journal: self.settings.journal,
             reload: self.settings.reload,
+            tour: self.tour.is_shown(),
         };
         Panel::top("menu bar").exact_size(theme::MENU_BAR).frame(plain(tokens.panel, 4, 1)).show(ui, |ui| {
             menu::show(ui, shown, state, commands);

@@ -97,6 +97,8 @@ pub fn show(ui: &mut Ui, shown: PanelInput<'_>, window: WindowState, commands: &
                     item(ui, shown.editor, binding, window, commands);
                     if binding.command == Command::File(FileCommand::ChooseOpen) {
                         recent(ui, shown, commands);
+                        let all = choices(shown.editor, shown.settings, Words::of(ui));
+                        submenu(ui, Topic::Example, shown, &all, commands);
                     }
                 }
                 more_items(ui, menu, shown, commands);

@@ -187,12 +187,12 @@ fn found<'a>(entries: &'a [Entry], typed: &str) -> Vec<&'a Entry> {
 fn misfit(name: &str, typed: &str) -> Option<u32> {
     let plain = |text: &str| text.trim().to_lowercase().replace(['_', '/'], " ");
     let (name, typed) = (plain(name), plain(typed));
-    if typed.is_empty() {
+    if typed.is_empty() || name == typed {
         return Some(0);
     }
     if let Some(at) = name.find(&typed) {
         let begins_word = name[..at].chars().next_back().is_none_or(|before| !before.is_alphanumeric());
-        return Some(if at == 0 { 0 } else { 2 - u32::from(begins_word) });
+        return Some(if at == 0 { 1 } else { 3 - u32::from(begins_word) });
     }
     let mut letters = name.chars();
     let (mut gaps, mut count) = (0, 0);
@@ -202,7 +202,7 @@ fn misfit(name: &str, typed: &str) -> Option<u32> {
         count += 1;
     }
     // With more gaps than that nearly every name has the letters.
-    (2 * gaps <= count + 1).then_some(3 + gaps)
+    (2 * gaps <= count + 1).then_some(4 + gaps)
 }
 
 #[cfg(test)]
@@ -212,10 +212,11 @@ mod tests {
     #[test]
     fn the_beginning_fits_best() {
         let fits = |name| misfit(name, "key");
-        assert_eq!(fits("Keys…"), Some(0));
-        assert_eq!(fits("New keyframe"), Some(1));
-        assert_eq!(fits("Monkey"), Some(2));
-        assert!(fits("Kite every year") > Some(2));
+        assert_eq!(fits("Key"), Some(0));
+        assert_eq!(fits("Keys…"), Some(1));
+        assert_eq!(fits("New keyframe"), Some(2));
+        assert_eq!(fits("Monkey"), Some(3));
+        assert!(fits("Kite every year") > Some(3));
         assert_eq!(fits("Save"), None);
     }
 
@@ -225,7 +226,7 @@ mod tests {
         assert!(misfit("New keyframe", "fkn").is_none());
         assert!(misfit("새 키프레임", "키프").is_some());
         assert!(misfit("Save As…", "save a").is_some());
-        assert_eq!(misfit("robot1/right_shoulder/right_elbow", "right elbow"), Some(1));
+        assert_eq!(misfit("robot1/right_shoulder/right_elbow", "right elbow"), Some(2));
         assert_eq!(misfit("Quit", "  "), Some(0));
         assert_eq!(misfit("Go to previous keyframe and", "grid"), None);
     }

@@ -69,6 +69,14 @@ impl Panels {
             WindowCommand::FitTimeline => self.timeline.ask(Ask::FitAll),
             WindowCommand::FitSelection => self.timeline.ask(Ask::FitSelection),
             WindowCommand::ForgetRecent => settings.recent.clear(),
+            WindowCommand::ShowAbout => self.dialog = Some(Dialog::About),
+            WindowCommand::ShowTour => settings.tour = self.tour.toggle(),
+            WindowCommand::CloseTour => {
+                self.tour.close();
+                settings.tour = false;
+            }
+            // The window does these by itself.
+            WindowCommand::ChooseOpenScene | WindowCommand::Begin(_) | WindowCommand::ShowFolder(_) => {}
         }
         self.adopt(settings);
         Ok(said)

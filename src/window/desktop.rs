@@ -1,5 +1,8 @@
-//! What the desktop prefers where the window system does not say it, as X11 does not: light or dark, by the settings portal of XDG.
+//! What the desktop prefers where the window system does not say it, as X11 does not: light or dark, by the settings portal of XDG. And
+//! its file manager.
 
+use std::path::Path;
+use std::process::{Command, Stdio};
 use std::thread;
 
 use egui::Theme;
@@ -15,6 +18,23 @@ pub fn ask_theme(proxy: EventLoopProxy<UserEvent>) {
             // Where the window is gone, so is the question.
             let _ = proxy.send_event(UserEvent::DesktopTheme(theme));
         }
+    });
+}
+
+/// Shows the folder of a file in the system's file manager, or the folder itself. Where there is none, nothing is shown.
+pub fn show_folder(path: &Path) {
+    let path = crate::storage::absolute(path);
+    let folder = if crate::storage::is_folder(&path) { path } else { path.parent().unwrap_or(&path).to_owned() };
+    let program = if cfg!(windows) {
+        "explorer"
+    } else if cfg!(target_os = "macos") {
+        "open"
+    } else {
+        "xdg-open"
+    };
+    thread::spawn(move || {
+        let mut command = Command::new(program);
+        let _ = command.arg(folder).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).status();
     });
 }
 

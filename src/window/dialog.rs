@@ -37,7 +37,7 @@ pub fn ask(question: Question, current: &Path, words: Words, proxy: EventLoopPro
             Question::Keyframes(PathPurpose::Open | PathPurpose::Compare | PathPurpose::SaveAs) => {
                 Some(texts::KEYFRAME_FILES)
             }
-            Question::Keyframes(PathPurpose::SaveSceneAs) => Some(texts::SCENE_FILES),
+            Question::Keyframes(PathPurpose::SaveSceneAs | PathPurpose::OpenScene) => Some(texts::SCENE_FILES),
             Question::Film | Question::Folder => None,
         };
         let mut dialog = FileDialog::new();
@@ -52,7 +52,7 @@ pub fn ask(question: Question, current: &Path, words: Words, proxy: EventLoopPro
             dialog = dialog.set_directory(folder);
         }
         let path = match question {
-            Question::Keyframes(PathPurpose::Open | PathPurpose::Compare) => dialog.pick_file(),
+            Question::Keyframes(PathPurpose::Open | PathPurpose::Compare | PathPurpose::OpenScene) => dialog.pick_file(),
             Question::Keyframes(PathPurpose::SaveAs | PathPurpose::SaveSceneAs) | Question::Film => {
                 dialog.set_file_name(name).save_file()
             }

@@ -4,6 +4,7 @@ use std::convert::Infallible;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 
+use super::desktop;
 use super::dialog::{self, Question};
 use super::shell::Shell;
 use crate::editor::{
@@ -108,7 +109,18 @@ impl WindowHost for Shell {
 impl Shell {
     /// Applies a command and does what it asks for. Refusals are the editor's message already.
     pub(super) fn apply(&mut self, command: Command) {
+        if !self.asks_before(&command) {
+            self.apply_now(command);
+        }
+    }
+
+    /// The same, whatever is unsaved.
+    pub(super) fn apply_now(&mut self, command: Command) {
+        let is_new = command == Command::Edit(Edit::BeginAnew);
         self.guarded(|shell| shell.carry_out(command));
+        if is_new && self.editor.message().is_some_and(|message| message.severity() != Severity::Error) {
+            self.name_new_animation();
+        }
     }
 
     /// Does something with the editor. If it panics, the editor is as it was before.
@@ -156,6 +168,12 @@ impl Shell {
     }
 
     fn window_command(&mut self, command: &WindowCommand) {
+        match command {
+            WindowCommand::ChooseOpenScene => self.choose_keyframes(PathPurpose::OpenScene),
+            WindowCommand::Begin(beginning) => self.begin(beginning),
+            WindowCommand::ShowFolder(path) => desktop::show_folder(path),
+            _ => {}
+        }
         let before = self.settings_file.settings.clone();
         match self.ui.perform(command, &mut self.settings_file.settings) {
             Ok(None) => {}
@@ -211,7 +229,7 @@ impl Shell {
     fn proposed(&self, purpose: PathPurpose) -> PathBuf {
         match purpose {
             PathPurpose::Open | PathPurpose::Compare | PathPurpose::SaveAs => self.editor.keyframe_file().to_owned(),
-            PathPurpose::SaveSceneAs => self.editor.proposed_scene_path(),
+            PathPurpose::SaveSceneAs | PathPurpose::OpenScene => self.editor.proposed_scene_path(),
         }
     }
 
@@ -220,12 +238,7 @@ impl Shell {
         self.is_choosing_path = false;
         let has_dialog = took >= dialog::TOO_FAST_FOR_A_USER;
         match (path, question) {
-            (Some(path), Question::Keyframes(purpose)) => self.apply(Command::File(match purpose {
-                PathPurpose::Open => FileCommand::Open(path),
-                PathPurpose::Compare => FileCommand::CompareWith(path),
-                PathPurpose::SaveAs => FileCommand::SaveAs(path),
-                PathPurpose::SaveSceneAs => FileCommand::SaveSceneAs(path),
-            })),
+            (Some(path), Question::Keyframes(purpose)) => self.apply(purpose.command(path)),
             (Some(path), Question::Film | Question::Folder) => self.ui.choose_export_path(&path),
             (None, _) if has_dialog => {}
             (None, Question::Keyframes(purpose)) => {
@@ -239,7 +252,8 @@ impl Shell {
     }
 
     fn quit_or_ask(&mut self) {
-        if self.editor.has_unsaved_changes() || self.editor.has_unsaved_posing() || self.export.is_some() {
+        self.leaving = None;
+        if self.has_unsaved_work() || self.export.is_some() {
             self.ui.ask_before_quitting();
         } else {
             self.is_quitting = true;
@@ -250,7 +264,7 @@ impl Shell {
     /// window open.
     pub(super) fn quit_answered(&mut self, answer: QuitAnswer) {
         if answer == QuitAnswer::Discard {
-            self.is_quitting = true;
+            self.leave();
             return;
         }
         if answer == QuitAnswer::KeepPoseAndSave {
@@ -266,6 +280,8 @@ impl Shell {
             self.apply(Command::File(FileCommand::WriteScene));
         }
         self.outside.set_quitting(false);
-        self.is_quitting = goes_on && !self.editor.has_unsaved_changes();
+        if goes_on && !self.editor.has_unsaved_changes() {
+            self.leave();
+        }
     }
 }

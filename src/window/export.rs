@@ -11,6 +11,7 @@ use super::shell::Shell;
 use crate::editor::Severity;
 use crate::export::Job;
 use crate::film::{ExportEnd, ExportOptions};
+use crate::storage;
 use crate::ui::Exporting;
 use crate::words::{Message, texts};
 
@@ -83,6 +84,9 @@ impl Shell {
 
     pub(super) fn export_ended(&mut self, end: ExportEnd) {
         if let Some(export) = self.export.take() {
+            if matches!(end, ExportEnd::Written(_)) {
+                self.ui.made = Some(storage::absolute(&export.path));
+            }
             self.editor.exported(&export.path, end);
             export.end();
         }

@@ -125,7 +125,14 @@ impl Keeper {
     }
 
     fn go_on_in_a_new_one(&mut self, editor: &Editor) {
-        if !self.writer.as_ref().is_some_and(Writer::is_full) || !editor.is_at_rest() {
+        if self.writer.as_ref().is_some_and(Writer::is_full) && editor.is_at_rest() {
+            self.begin_anew(editor);
+        }
+    }
+
+    /// Goes on in a new journal, which begins with what the editor is now, at rest. The old one is no longer wanted.
+    pub fn begin_anew(&mut self, editor: &Editor) {
+        if self.writer.is_none() {
             return;
         }
         let Some(log) = self.log() else { return };

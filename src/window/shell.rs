@@ -41,6 +41,8 @@ pub struct Shell {
     pub(super) proxy: EventLoopProxy<UserEvent>,
     pub(super) is_choosing_path: bool,
     pub(super) is_quitting: bool,
+    /// What is done once unsaved work is saved or discarded; `None`: the end.
+    pub(super) leaving: Option<Command>,
     at_start: Vec<Command>,
     pub(super) settings_file: SettingsFile,
     pub(super) keeper: Keeper,
@@ -90,6 +92,7 @@ impl Shell {
             proxy,
             is_choosing_path: false,
             is_quitting: false,
+            leaving: None,
             at_start,
             settings_file,
             keeper,

@@ -211,6 +211,7 @@ pub fn window_and_failures() -> String {
         texts::GPU_CANNOT_DRAW_ON_SURFACE.into(),
         texts::gpu_not_read_back("Adapter", "it broke"),
         texts::SCREENSHOT_NO_WINDOW.into(),
+        texts::refused_no_example("walk"),
     ];
     messages.into_iter().chain(times.into_iter().flatten()).map(|message: Message| format!("{message}\n")).collect()
 }

@@ -4,9 +4,11 @@
 #![expect(missing_docs, reason = "these are tests")]
 mod access;
 mod dialogs;
+mod files;
 mod help;
 mod layout;
 mod palette;
+mod tour;
 
 use std::path::PathBuf;
 use std::sync::Arc;

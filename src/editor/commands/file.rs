@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use super::line::{Ending, Line};
 use super::row::{Binding, Changes, Group, Menu, Row};
 use super::values::{file, file_text, quoted, split_option};
-use crate::editor::{Command, FileCommand, WindowCommand};
+use crate::editor::{Command, Edit, FileCommand, WindowCommand};
 use crate::words::texts;
 
 fn binding(id: &'static str, command: Command) -> Binding {
@@ -17,11 +17,16 @@ pub(super) fn rows() -> Vec<Row> {
 }
 
 fn keyframes() -> Vec<Row> {
+    let new = binding("new", Command::Edit(Edit::BeginAnew));
     let import = binding("import", Command::File(FileCommand::Import));
     let save = binding("save", Command::File(FileCommand::Write));
     let open = binding("open", Command::File(FileCommand::ChooseOpen));
     let save_as = binding("save-as", Command::File(FileCommand::ChooseSaveAs));
     vec![
+        Row::listed(Changes::Document, new.hotkeys(&["Ctrl+N"]).section(0)).refused(texts::ACT_NEW_ANIMATION).word(
+            "new",
+            "begins a new animation of the scene: no keyframes, the scene at rest, `animation.json` as its file",
+        ),
         Row::listed(Changes::Document, import.hotkeys(&["i"])).refused(texts::ACT_IMPORT),
         Row::listed(Changes::Files, save.hotkeys(&["w"])),
         Row::listed(Changes::Files, open.hotkeys(&["Ctrl+O"]).section(0)).refused(texts::ACT_OPEN_A_FILE),
@@ -59,8 +64,10 @@ fn keyframes() -> Vec<Row> {
 fn scene() -> Vec<Row> {
     let save = binding("scene-save", Command::File(FileCommand::WriteScene));
     let save_as = binding("scene-save-as", Command::File(FileCommand::ChooseSaveSceneAs));
+    let open = binding("scene-open", Command::Window(WindowCommand::ChooseOpenScene));
     let reload = binding("scene-reload", Command::File(FileCommand::ReloadScene));
     vec![
+        Row::listed(Changes::Window, open.section(1)),
         Row::listed(Changes::Document, reload)
             .refused(texts::ACT_RELOAD_THE_SCENE)
             .can(|editor, _| editor.scene_path.is_some()),

@@ -94,6 +94,8 @@ pub struct WindowState {
     pub journal: bool,
     /// Whether files are read again when another program changes them.
     pub reload: bool,
+    /// Whether the first steps are shown.
+    pub tour: bool,
 }
 
 /// The section of a menu that most items stand in.

@@ -15,6 +15,8 @@ fn lists() -> Vec<Row> {
     let commands = binding("commands", WindowCommand::ShowCommands);
     let manual = binding("manual", WindowCommand::ShowManual);
     let hotkeys = binding("hotkeys", WindowCommand::ShowHotkeys);
+    let tour = binding("tour", WindowCommand::ShowTour);
+    let about = binding("about", WindowCommand::ShowAbout);
     let messages = binding("messages", WindowCommand::ToggleMessages);
     let statistics = binding("statistics", WindowCommand::ToggleStatistics);
     let reload = binding("reload-changed", WindowCommand::ToggleReload).menu(Menu::File);
@@ -23,6 +25,8 @@ fn lists() -> Vec<Row> {
         Row::listed(Changes::Window, commands.hotkeys(&["Ctrl+Shift+P"]).menu(Menu::Help)),
         Row::listed(Changes::Window, manual.hotkeys(&["F1"]).menu(Menu::Help)),
         Row::listed(Changes::Window, hotkeys.menu(Menu::Help)),
+        Row::listed(Changes::Window, tour.menu(Menu::Help).ticked(|_, window| window.tour)),
+        Row::listed(Changes::Window, about.menu(Menu::Help).section(9)),
         Row::listed(Changes::Window, messages.ticked(|_, window| window.messages)),
         Row::listed(Changes::Window, statistics.ticked(|_, window| window.statistics)),
         Row::listed(Changes::Window, reload.ticked(|_, window| window.reload)),
@@ -44,6 +48,11 @@ fn scale() -> Vec<Row> {
 
 fn settings() -> Vec<Row> {
     vec![
+        Row::of(Changes::Window, "begin", |command| matches!(command, Command::Window(WindowCommand::Begin(_)))),
+        Row::of(Changes::Window, "tour-close", |command| matches!(command, Command::Window(WindowCommand::CloseTour))),
+        Row::of(Changes::Window, "folder-show", |command| {
+            matches!(command, Command::Window(WindowCommand::ShowFolder(_)))
+        }),
         Row::of(Changes::Window, "theme", |command| matches!(command, Command::Window(WindowCommand::SetTheme(_)))),
         Row::of(Changes::Window, "language", |command| {
             matches!(command, Command::Window(WindowCommand::SetLanguage(_)))
