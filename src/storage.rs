@@ -270,6 +270,22 @@ pub fn is_folder(path: &Path) -> bool {
     path.is_dir()
 }
 
+/// What is in a folder: names, and whether each is a folder. A name that is not UTF-8 is left out.
+///
+/// # Errors
+/// [`StorageError`]
+pub fn folder_contents(path: &Path) -> Result<Vec<(String, bool)>, StorageError> {
+    let entries = fs::read_dir(path)?.filter_map(Result::ok);
+    let named = entries.filter_map(|entry| Some((entry.file_name().into_string().ok()?, entry.path().is_dir())));
+    Ok(named.collect())
+}
+
+/// The user's own folder, if the system says where it is.
+#[must_use]
+pub fn home_folder() -> Option<PathBuf> {
+    std::env::home_dir().filter(|home| home.is_absolute())
+}
+
 /// Removes a file if it exists.
 ///
 /// # Errors

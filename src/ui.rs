@@ -25,6 +25,7 @@ mod menu;
 mod overlay;
 mod overwrite;
 mod palette;
+mod path_dialog;
 mod program;
 mod recovery;
 mod statistics;
@@ -51,6 +52,8 @@ pub use changed::{ChangeAnswer, ChangeOffer};
 use dialogs::Dialog;
 pub use export::Exporting;
 pub use overwrite::{OverwriteAnswer, OverwriteQuestion, OverwriteReason};
+use path_dialog::PathDialog;
+pub use path_dialog::{FolderEntry, Listing};
 pub use recovery::{RecoveryAnswer, RecoveryOffer};
 pub use statistics::Statistics;
 pub use thumbnails::THUMBNAIL_PX;
@@ -194,7 +197,21 @@ impl Panels {
 
     /// Asks for a path in a field of our own, for want of a system's dialog. The answer is a command.
     pub fn ask_for_path(&mut self, purpose: PathPurpose, proposed: &Path) {
-        self.dialog = Some(Dialog::for_path(purpose, proposed));
+        self.dialog = Some(Dialog::Path(Box::new(PathDialog::new(purpose, proposed))));
+    }
+
+    /// A folder whose contents the dialog for a path shows, where they have to be read: hand them to [`Panels::put_folder`].
+    #[must_use]
+    pub fn wanted_folder(&self) -> Option<PathBuf> {
+        let Some(Dialog::Path(path)) = &self.dialog else { return None };
+        path.wanted_folder()
+    }
+
+    /// Takes in what is in a folder that was wanted.
+    pub fn put_folder(&mut self, listing: Listing) {
+        if let Some(Dialog::Path(path)) = &mut self.dialog {
+            path.put(listing);
+        }
     }
 
     /// Asks what to do with unsaved work before quitting. The answer is [`UiOutput::quit_answer`]; there is none where the user cancels.
@@ -241,16 +258,16 @@ impl Panels {
         self.dialog.is_some() || self.manual.is_open()
     }
 
-    /// Whether a text field, or a dialog, has the keyboard, so that no hotkey may fire.
+    /// Whether a text field, a dialog or a menu has the keyboard, so that no hotkey may fire.
     #[must_use]
     pub fn has_keyboard(&self, context: &egui::Context) -> bool {
-        self.has_dialog() || context.text_edit_focused()
+        self.has_dialog() || context.text_edit_focused() || egui::Popup::is_any_open(context)
     }
 
     /// Whether Escape is for something of the panels: a field, a dialog, a drag on the timeline, or an open menu.
     #[must_use]
     pub fn takes_escape(&self, context: &egui::Context) -> bool {
-        self.has_keyboard(context) || self.timeline.takes_escape() || egui::Popup::is_any_open(context)
+        self.has_keyboard(context) || self.timeline.takes_escape()
     }
 
     /// Whether arrows are for the timeline, because the focus is there.

@@ -1,31 +1,23 @@
 //! Modal dialogs: a path, unsaved work, the command list, hotkeys, export.
 
-use std::path::{Path, PathBuf};
-
-use egui::{Align, Align2, Frame, Id, Key, Layout, Margin, Modal, RichText, TextEdit, Ui, vec2};
+use egui::{Align, Align2, Frame, Id, Key, Layout, Margin, Modal, Ui, vec2};
 
 use super::about;
 use super::export::ExportDialog;
 use super::hotkeys::{DialogState, HotkeysDialog};
 use super::overwrite::{self, OverwriteQuestion};
 use super::palette::Palette;
+use super::path_dialog::PathDialog;
 use super::theme::{CORNER, Tokens};
 use super::words::Words;
-use super::{PanelInput, PathPurpose, QuitAnswer, UiOutput};
+use super::{PanelInput, QuitAnswer, UiOutput};
 use crate::words::texts;
 
 /// The dialog that is open.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Dialog {
     /// Which file?
-    Path {
-        /// What for.
-        purpose: PathPurpose,
-        /// What is in the field.
-        typed: String,
-        /// Whether the field still has to be given the keyboard.
-        is_new: bool,
-    },
+    Path(Box<PathDialog>),
     /// What about unsaved work?
     Unsaved {
         /// Whether the program ends afterwards; if not, it goes on with another document.
@@ -43,13 +35,6 @@ pub enum Dialog {
     Export(Box<ExportDialog>),
 }
 
-impl Dialog {
-    /// Asks for a path, and proposes one.
-    pub fn for_path(purpose: PathPurpose, proposed: &Path) -> Self {
-        Self::Path { purpose, typed: proposed.to_string_lossy().into_owned(), is_new: true }
-    }
-}
-
 /// Shows the question, if there is one.
 pub fn show(ui: &Ui, dialog: &mut Option<Dialog>, shown: PanelInput<'_>, output: &mut UiOutput) {
     let Some(question) = dialog else { return };
@@ -62,7 +47,7 @@ pub fn show(ui: &Ui, dialog: &mut Option<Dialog>, shown: PanelInput<'_>, output:
         Dialog::Commands(_) => "commands",
         Dialog::Export(_) => "export",
         Dialog::Overwrite(_) => "overwrite",
-        Dialog::Path { .. } | Dialog::Unsaved { .. } | Dialog::Hotkeys(_) | Dialog::About => "dialog",
+        Dialog::Path(_) | Dialog::Unsaved { .. } | Dialog::Hotkeys(_) | Dialog::About => "dialog",
     });
     let mut modal = Modal::new(id).backdrop_color(Tokens::of(ui).shade).frame(frame);
     if matches!(question, Dialog::Commands(_) | Dialog::Hotkeys(_)) {
@@ -70,7 +55,7 @@ pub fn show(ui: &Ui, dialog: &mut Option<Dialog>, shown: PanelInput<'_>, output:
         modal = modal.area(Modal::default_area(id).anchor(Align2::CENTER_TOP, vec2(0.0, 64.0)));
     }
     let response = modal.show(ui.ctx(), |ui| match question {
-        Dialog::Path { purpose, typed, is_new } => at_width(ui, |ui| path(ui, *purpose, typed, is_new, output)),
+        Dialog::Path(path) => outcome(path.show(ui, shown.settings, output)),
         Dialog::Unsaved { is_quitting } => at_width(ui, |ui| unsaved(ui, *is_quitting, shown, output)),
         Dialog::About => at_width(ui, |ui| about::show(ui, &mut output.commands)),
         Dialog::Overwrite(question) => outcome(overwrite::show(ui, question, output)),
@@ -81,7 +66,7 @@ pub fn show(ui: &Ui, dialog: &mut Option<Dialog>, shown: PanelInput<'_>, output:
     let is_left = match question {
         // These lose nothing where one clicks beside them.
         Dialog::Commands(_) | Dialog::Hotkeys(_) | Dialog::About => response.backdrop_response.clicked(),
-        Dialog::Path { .. } | Dialog::Unsaved { .. } | Dialog::Overwrite(_) | Dialog::Export(_) => false,
+        Dialog::Path(_) | Dialog::Unsaved { .. } | Dialog::Overwrite(_) | Dialog::Export(_) => false,
     };
     if response.inner == DialogState::IsOver || is_left || (escape && response.inner != DialogState::TookEscape) {
         *dialog = None;
@@ -95,42 +80,6 @@ const fn outcome(is_over: bool) -> DialogState {
 fn at_width(ui: &mut Ui, contents: impl FnOnce(&mut Ui) -> bool) -> DialogState {
     ui.set_width(400.0);
     outcome(contents(ui))
-}
-
-fn path(ui: &mut Ui, purpose: PathPurpose, typed: &mut String, is_new: &mut bool, output: &mut UiOutput) -> bool {
-    let words = Words::of(ui);
-    let (heading, verb) = match purpose {
-        PathPurpose::Open => (words.say(texts::OPEN_A_KEYFRAME_FILE), words.say(texts::OPEN)),
-        PathPurpose::Compare => (words.say(texts::COMPARE_WITH_A_FILE), words.say(texts::COMPARE)),
-        PathPurpose::SaveAs => (words.say(texts::SAVE_THE_KEYFRAMES_AS), words.say(texts::SAVE)),
-        PathPurpose::SaveSceneAs => (words.say(texts::SAVE_THE_SCENE_AS), words.say(texts::SAVE)),
-        PathPurpose::OpenScene => (words.say(texts::OPEN_A_SCENE_FILE), words.say(texts::OPEN)),
-    };
-    ui.heading(heading);
-    ui.add_space(8.0);
-    ui.label(RichText::new(words.say(texts::PATH_OF_THE_FILE)).small().color(Tokens::of(ui).dim));
-    let hint = if matches!(purpose, PathPurpose::SaveSceneAs | PathPurpose::OpenScene) {
-        "scene.json"
-    } else {
-        "animation.json"
-    };
-    let field = ui.add(TextEdit::singleline(typed).desired_width(f32::INFINITY).hint_text(hint));
-    if std::mem::take(is_new) {
-        field.request_focus();
-    }
-    let is_typed = !typed.trim().is_empty();
-    ui.add_space(16.0);
-    let mut is_confirmed = false;
-    let mut is_cancelled = false;
-    ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-        is_confirmed = default_button(ui, verb, is_typed);
-        is_cancelled = ui.button(words.say(texts::CANCEL)).clicked();
-    });
-    if is_confirmed {
-        let path = PathBuf::from(typed.trim());
-        output.commands.push(purpose.command(path));
-    }
-    is_confirmed || is_cancelled
 }
 
 fn unsaved(ui: &mut Ui, is_quitting: bool, shown: PanelInput<'_>, output: &mut UiOutput) -> bool {

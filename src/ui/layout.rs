@@ -122,6 +122,7 @@ impl Panels {
             self.timeline.show(ui, editor, self.keymap.bindings(), &mut self.thumbnails, commands);
         });
         Panel::bottom("transport")
+            .show_separator_line(false)
             .exact_size(theme::TRANSPORT)
             .resizable(false)
             .frame(plain(tokens.panel, 8, 4))

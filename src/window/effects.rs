@@ -15,7 +15,7 @@ use crate::files;
 use crate::film::ExportOptions;
 use crate::storage;
 use crate::ui::words::Words;
-use crate::ui::{PathPurpose, QuitAnswer, RecoveryAnswer};
+use crate::ui::{FolderEntry, Listing, PathPurpose, QuitAnswer, RecoveryAnswer};
 use crate::words::{Message, texts};
 
 impl Host for Shell {
@@ -223,6 +223,16 @@ impl Shell {
 
     fn choose_keyframes(&mut self, purpose: PathPurpose) {
         self.choose_path(Question::Keyframes(purpose), &self.proposed(purpose));
+    }
+
+    /// Reads the folder that our own dialog for a path shows.
+    pub(super) fn read_wanted_folder(&mut self) {
+        let Some(folder) = self.ui.wanted_folder() else { return };
+        let entries = storage::folder_contents(&folder).map_err(|error| error.message());
+        let named = |(name, is_folder)| FolderEntry { name, is_folder };
+        let entries = entries.map(|entries| entries.into_iter().map(named).collect());
+        self.ui.put_folder(Listing { folder, entries, home: storage::home_folder() });
+        self.request_redraw();
     }
 
     /// The path that a dialog begins with.

@@ -236,6 +236,7 @@ impl Shell {
             *shown = statistics;
         }
         self.plan_thumbnail();
+        self.read_wanted_folder();
     }
 
     fn accessibility(&mut self, event: accesskit_winit::WindowEvent) {

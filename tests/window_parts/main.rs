@@ -8,6 +8,7 @@ mod files;
 mod help;
 mod layout;
 mod palette;
+mod paths;
 mod tour;
 
 use std::path::PathBuf;

@@ -67,7 +67,7 @@ fn scene() -> Vec<Row> {
     let open = binding("scene-open", Command::Window(WindowCommand::ChooseOpenScene));
     let reload = binding("scene-reload", Command::File(FileCommand::ReloadScene));
     vec![
-        Row::listed(Changes::Window, open.section(1)),
+        Row::listed(Changes::Window, open.section(0)),
         Row::listed(Changes::Document, reload)
             .refused(texts::ACT_RELOAD_THE_SCENE)
             .can(|editor, _| editor.scene_path.is_some()),
