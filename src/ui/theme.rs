@@ -266,7 +266,9 @@ mod tests {
                 }
             }
             check_contrast(tokens.text, tokens.hovered, 4.5);
-            [x, y, z].map(|axis| check_contrast(axis, tokens.raised, 4.5));
+            for axis in [x, y, z] {
+                check_contrast(axis, tokens.raised, 4.5);
+            }
             check_contrast(tokens.text, tokens.accent_fill, 4.5);
             check_contrast(tokens.accent, tokens.panel, 3.0);
         }

@@ -52,7 +52,9 @@ pub fn ask(question: Question, current: &Path, words: Words, proxy: EventLoopPro
             dialog = dialog.set_directory(folder);
         }
         let path = match question {
-            Question::Keyframes(PathPurpose::Open | PathPurpose::Compare | PathPurpose::OpenScene) => dialog.pick_file(),
+            Question::Keyframes(PathPurpose::Open | PathPurpose::Compare | PathPurpose::OpenScene) => {
+                dialog.pick_file()
+            }
             Question::Keyframes(PathPurpose::SaveAs | PathPurpose::SaveSceneAs) | Question::Film => {
                 dialog.set_file_name(name).save_file()
             }

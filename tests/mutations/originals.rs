@@ -134,7 +134,7 @@ pub fn settings() -> Vec<Vec<u8>> {
     let mut settings = Settings::default();
     settings.keys.insert("keyframe-new".to_owned(), vec!["Ctrl+K".to_owned(), "F5".to_owned()]);
     settings.used(Path::new("folder/걷기.json"));
-    settings.resized("side", 300.0);
+    settings.resized("side", Some(300.0));
     vec![settings.to_json().into_bytes()]
 }
 
