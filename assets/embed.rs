@@ -68,7 +68,7 @@ fn texts(english: &str) -> String {
     let singulars =
         |id: &str| file::singular_of(id).is_some_and(|plural| file.texts.iter().any(|(id, _)| *id == plural));
     let texts: BTreeMap<&str, &str> = file.texts.iter().copied().filter(|(id, _)| !singulars(id)).collect();
-    let mut source = format!("/// Every id, sorted.\npub(super) const IDS: [&str; {}] = [\n", texts.len());
+    let mut source = format!("/// Every id, sorted.\npub(super) static IDS: [&str; {}] = [\n", texts.len());
     for id in texts.keys() {
         let _ = writeln!(source, "    {id:?},");
     }

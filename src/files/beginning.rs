@@ -15,7 +15,7 @@ use crate::words::{Message, texts};
 /// Why the file cannot be read, or that nothing built in has the name.
 pub fn begun(beginning: &Beginning, folder: &Path) -> Result<Editor, Message> {
     let new = |name: &str| storage::free_path(&folder.join(name));
-    let of_scene = |name: &str| built_in_scene(name).ok_or_else(|| Message::from(texts::refused_no_example(name)));
+    let of_scene = |name: &str| built_in_scene(name).ok_or_else(|| texts::refused_no_example(name));
     match beginning {
         Beginning::SceneFile(path) => {
             let scene = load_file(path).map_err(|reason| texts::refused_file(path.display(), reason))?;
@@ -24,7 +24,7 @@ pub fn begun(beginning: &Beginning, folder: &Path) -> Result<Editor, Message> {
         Beginning::Scene(name) => Ok(Editor::new(Arc::new(of_scene(name)?), new(NEW_FILE))),
         Beginning::Animation(name) => {
             let example = BUILT_IN_ANIMATIONS.iter().find(|example| example.name == *name);
-            let example = example.ok_or_else(|| Message::from(texts::refused_no_example(*name)))?;
+            let example = example.ok_or_else(|| texts::refused_no_example(*name))?;
             let path = new(&format!("{name}.json"));
             let mut editor = Editor::new(Arc::new(of_scene(example.scene)?), path.clone());
             editor.keyframes_read(&path, Ok(example.text.into())).map_err(|error| error.message())?;
