@@ -27,19 +27,24 @@ fn two_robots() -> SceneGraph {
 fn the_built_in_scenes_come_back() {
     for name in built_in_scene_names() {
         let text = check_round_trip(&built_in_scene(name).unwrap());
-        assert!(text.contains("\"version\": 1,"), "{name}: a scene of version 1 stays one");
+        let version = if name == "two-robots" { 3 } else { 1 };
+        assert!(
+            text.contains(&format!("\"version\": {version},")),
+            "{name}: its version is the least that says it all"
+        );
     }
 }
 
 #[test]
 fn everything_that_a_file_can_say_comes_back() {
-    let text = r##"{"format": "inbetween.scene", "version": 2, "name": "a \"b\"", "eyes": ["sky", "x/y"],
+    let text = r##"{"format": "inbetween.scene", "version": 3, "name": "a \"b\"", "eyes": ["sky", "x/y"],
         "vertical_fov_degrees": 37.3, "nodes": [
         {"name": "sky", "rotation": {"euler_degrees": [10, 20, 30]}},
-        {"name": "x", "translation": [-0, 0.1, 1e-7], "rotation": [0.1, 0.7, 0.1, 0.7], "children": [
+        {"name": "x", "translation": [-0, 0.1, 1e-7], "rotation": [0.1, 0.7, 0.1, 0.7], "reach": [0, -0.1, 1e-7], "stands": true,
+         "limits": {"hinge": {"axis": [0, -2, 0.1], "degrees": [-7.5, 150]}}, "children": [
             {"name": "empty", "control": {}},
             {"name": "free", "control": {"scale": [[-2.5, 1], [0.1, [1, 2, 3]]], "rotation": [[0.3, [0.6, 0, 0, 0.8]]]},
-             "in_paths": false, "children": [{"name": "y", "children": [
+             "in_paths": false, "children": [{"name": "y", "limits": {"hinge": {"axis": [1, 0, 0], "degrees": [0, 0]}}, "children": [
                 {"name": "a", "shape": {"box": {"size": [1, 2, 3], "bevel": 0.25}}, "scale": 2},
                 {"name": "b", "shape": {"plane": {"size": [4, 5]}}, "scale": [1, 1, 2], "colour": "#010203"},
                 {"name": "c", "shape": {"capsule": {"radius": 1, "height": 2}}, "rotation": {"euler_degrees": [0, 45, 0]},
@@ -48,7 +53,7 @@ fn everything_that_a_file_can_say_comes_back() {
             {"name": "e", "shape": {"sphere": {"radius": 0.5}}}]}]}"##;
     let scene = scene_from_json(text).unwrap();
     let written = check_round_trip(&scene);
-    assert!(written.contains("\"version\": 2,") && written.contains("\"in_paths\": false"));
+    assert!(written.contains("\"version\": 3,") && written.contains("\"in_paths\": false"));
     assert_eq!(scene.rbt_paths().collect::<Vec<_>>(), ["sky", "x", "x/y"], "a path does not name what is not in paths");
     assert!(scene.find("x/free").is_some() && scene.find("x/free/y").is_none());
 }
@@ -153,8 +158,51 @@ fn in_paths_is_for_control_nodes_of_version_2() {
     let control = r#""control": {}, "in_paths": false"#;
     assert!(refused(text(1, control)).contains("in_paths needs version 2, and the file says version 1"));
     assert!(refused(text(2, r#""in_paths": false"#)).contains("in_paths is false, which is for control nodes only"));
-    assert!(refused(text(3, control)).contains("version is 3, and this program reads versions 1 and 2"));
-    assert!(scene_from_json(&text(2, control)).is_ok());
+    assert!(refused(text(4, control)).contains("version is 4, and this program reads versions 1 to 3"));
+    let scene = scene_from_json(&text(3, control)).unwrap();
+    assert!(scene_to_json(&scene).contains("\"version\": 2,"), "version 2 says it all");
+}
+
+#[test]
+fn joints_are_for_rbt_nodes_of_version_3() {
+    let scene = |version: u32, node: &str| {
+        scene_from_json(&format!(
+            r#"{{"format": "inbetween.scene", "version": {version}, "name": "n", "eyes": ["sky"],
+                "nodes": [{{"name": "sky"}}, {{"name": "x", {node}}}]}}"#
+        ))
+    };
+    let hinge = |hinge: &str| format!(r#""limits": {{"hinge": {{{hinge}}}}}"#);
+    let all =
+        format!(r#""reach": [1, 2, 3], "stands": true, {}"#, hinge(r#""axis": [0, -2, 0], "degrees": [-10, 150]"#));
+    let read = scene(3, &all).unwrap();
+    let joint = read.node(read.find("x").unwrap()).joint;
+    assert_eq!(joint.reach, Some(Vec3::new(1.0, 2.0, 3.0)));
+    let kept = joint.hinge.unwrap();
+    assert!(joint.stands && kept.unit_axis().y == -1.0 && kept.range()[0] == f64::to_radians(-10.0));
+    let (above, _) = read.with_control_above(read.find("x").unwrap()).unwrap();
+    assert_eq!(above.node(above.find("x").unwrap()).joint, joint, "it stays with its node");
+    for (version, node, words) in [
+        (2, all.as_str(), "node \"x\": reach needs version 3, and the file says an older one"),
+        (1, &hinge(r#""axis": [0, 1, 0], "degrees": [0, 1]"#), "node \"x\": limits needs version 3"),
+        (3, r#""control": {}, "reach": [0, 0, 0]"#, "node \"x\": reach belongs to an RBT node"),
+        (3, r#""shape": {"sphere": {"radius": 1}}, "stands": true"#, "node \"x\": stands belongs to an RBT node"),
+        (3, r#""stands": false"#, "node \"x\": stands says how the end of a limb stands: give its end with reach"),
+        (3, r#""reach": [0, 2e6, 0]"#, "node \"x\": reach is [0, 2000000, 0], expected coordinates between"),
+        (3, &hinge(r#""axis": [0, 0, 0], "degrees": [0, 1]"#), "limits.hinge.axis is [0, 0, 0], expected a direction"),
+        (3, &hinge(r#""axis": [1, 0, 0], "degrees": [1, 0]"#), "limits.hinge.degrees is [1, 0], expected two angles"),
+        (
+            3,
+            &hinge(r#""axis": [1, 0, 0], "degrees": [0, 181]"#),
+            "limits.hinge.degrees is [0, 181], expected two angles",
+        ),
+        (3, &hinge(r#""axis": [1, 0, 0]"#), "degrees is missing"),
+        (3, r#""limits": {}"#, "hinge is missing"),
+        (3, r#""limits": {"cone": 1}"#, "unknown field \"cone\""),
+        (3, r#""reach": [0, 1]"#, "line 2"),
+    ] {
+        let refused = scene(version, node).unwrap_err().to_string();
+        assert!(refused.contains(words), "{node}: {refused}");
+    }
 }
 
 proptest! {

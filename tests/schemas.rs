@@ -186,6 +186,14 @@ fn scene_files() {
     hidden["version"] = json!(2);
     hidden["nodes"][2]["in_paths"] = json!(false);
     assert!(validator("scene").is_valid(&hidden));
+    let mut joint = value(&asset("scenes/cylinder.json"));
+    joint["version"] = json!(3);
+    joint["nodes"][0]["stands"] = json!(true);
+    assert!(!validator("scene").is_valid(&joint), "what stands has no end");
+    joint["nodes"][0]["reach"] = json!([0, 1, 0]);
+    assert!(validator("scene").is_valid(&joint));
+    joint["nodes"][2]["reach"] = json!([0, 1, 0]);
+    assert!(!validator("scene").is_valid(&joint), "a control node reaches");
 }
 
 #[test]

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use super::file::SceneError;
 use super::graph::{Common, Node, NodeId, NodeKind, SceneGraph};
+use super::joint::Joint;
 use super::shape::PlacedShape;
 use super::tracks::Tracks;
 use super::walk::Walk;
@@ -42,6 +43,13 @@ impl SceneBuilder {
         self.rest.push(rest_parent_from_node);
         self.open.push(id);
         Ok(id)
+    }
+
+    /// Says how the innermost open node, an RBT node, reaches.
+    pub fn joint(&mut self, joint: Joint) {
+        if let Some(&id) = self.open.last() {
+            self.nodes[id.get()].joint = joint;
+        }
     }
 
     /// Adds a control node under the innermost open node and opens it, so that the nodes added next are below it until [`Self::close`].
@@ -97,6 +105,7 @@ impl SceneBuilder {
             is_in_paths: true,
             parent,
             kind,
+            joint: Joint::default(),
             depth: self.open.len(),
             subtree_end: NodeId::from_index(id.get() + 1),
         });

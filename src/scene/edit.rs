@@ -88,13 +88,18 @@ impl SceneGraph {
     /// Adds a node and returns whether it was opened.
     fn add_to(&self, builder: &mut SceneBuilder, name: &str, node: &Node) -> Result<bool, SceneError> {
         match &node.kind {
-            NodeKind::Rbt(rbt) => builder.open_rbt(name, self.rest_pose().get(*rbt))?,
-            NodeKind::Control(tracks) => builder.open_control(name, tracks.clone(), node.is_in_paths)?,
+            NodeKind::Rbt(rbt) => {
+                builder.open_rbt(name, self.rest_pose().get(*rbt))?;
+                builder.joint(node.joint);
+            }
+            NodeKind::Control(tracks) => {
+                builder.open_control(name, tracks.clone(), node.is_in_paths)?;
+            }
             NodeKind::Shape(placed) => {
                 builder.shape(name, placed.clone())?;
                 return Ok(false);
             }
-        };
+        }
         Ok(true)
     }
 }

@@ -12,6 +12,7 @@ use super::builder::{MOST_LEVELS, SceneBuilder};
 use super::channel::Channel;
 use super::checks::NodeChecks;
 use super::graph::SceneGraph;
+use super::joint::{JointText, LimitsText, VERSION_OF_JOINTS};
 use super::keys::keys_error;
 use super::shape::{PlacedShape, Placement, Shape};
 use super::tracks::Tracks;
@@ -24,8 +25,8 @@ use crate::timed::KeyError;
 use crate::words::{Argument, Message, Phrase, display_by_message, quoted, texts};
 
 pub(super) const FORMAT: &str = "inbetween.scene";
-/// The versions that are read. Version 2 has control nodes whose names are not part of paths.
-const VERSIONS: std::ops::RangeInclusive<u32> = 1..=2;
+/// The versions that are read. Version 2 has control nodes whose names are not part of paths, version 3 has limbs that reach.
+const VERSIONS: std::ops::RangeInclusive<u32> = 1..=VERSION_OF_JOINTS;
 
 /// Why a text is not a valid scene.
 #[derive(Clone, Debug, Error, PartialEq)]
@@ -184,6 +185,9 @@ struct NodeText {
     colour_keys: Option<Vec<(f64, ColourText)>>,
     control: Option<ControlText>,
     in_paths: Option<bool>,
+    reach: Option<[f32; 3]>,
+    stands: Option<bool>,
+    limits: Option<LimitsText>,
     #[serde(default)]
     children: Vec<NodeText>,
 }
@@ -288,6 +292,8 @@ fn add(builder: &mut SceneBuilder, node: &NodeText, parent_path: &str, version: 
     if node.in_paths == Some(false) && node.control.is_none() {
         return misplaced("in_paths", texts::SCENE_IN_PATHS_OF_CONTROL);
     }
+    let joint = JointText { reach: node.reach, stands: node.stands, limits: node.limits };
+    let joint = joint.joint(checks, node.shape.is_none() && node.control.is_none(), version)?;
     if let Some(shape) = &node.shape {
         if !node.children.is_empty() {
             return misplaced("children", texts::SCENE_CHILDREN_OF_SHAPE);
@@ -319,6 +325,7 @@ fn add(builder: &mut SceneBuilder, node: &NodeText, parent_path: &str, version: 
         builder.open_control(&node.name, self::control(checks, control)?, node.in_paths.unwrap_or(true))?;
     } else {
         builder.open_rbt(&node.name, Rbt::new(translation, rotation))?;
+        builder.joint(joint);
     }
     let path_above = if node.in_paths == Some(false) { parent_path } else { &path };
     for child in &node.children {

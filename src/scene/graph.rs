@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use glam::Affine3A;
 
+use super::joint::Joint;
 use super::shape::PlacedShape;
 use super::tracks::Tracks;
 use super::walk::Walk;
@@ -53,6 +54,8 @@ pub struct Node {
     pub parent: Option<NodeId>,
     /// Its kind, with its data.
     pub kind: NodeKind,
+    /// What reaching knows of it; nothing but for RBT nodes.
+    pub joint: Joint,
     /// The number of ancestors: 0 for a node right under the root.
     pub depth: usize,
     pub(super) subtree_end: NodeId,

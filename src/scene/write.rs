@@ -5,16 +5,17 @@ use glam::{Quat, Vec3, Vec4};
 use super::channel::{Channel, Holder, scale_json};
 use super::file::FORMAT;
 use super::graph::{Node, NodeId, NodeKind, SceneGraph};
+use super::joint::{Joint, VERSION_OF_JOINTS, push_joint};
 use super::shape::{PlacedShape, Shape};
 use super::tracks::Tracks;
 use crate::colour::Colour;
 use crate::json::{push_f32, push_f32s, push_f64};
 use crate::timed::Track;
 
-/// The text of a scene's file. The same scene gives the same bytes. Version 1 is written if it can express the scene.
+/// The text of a scene's file. The same scene gives the same bytes. The version is the least that can express the scene.
 #[must_use]
 pub fn scene_to_json(scene: &SceneGraph) -> String {
-    let version = if scene.nodes().iter().all(|node| node.is_in_paths) { 1 } else { 2 };
+    let version = scene.nodes().iter().map(|node| version_of(node)).max().unwrap_or(1);
     let eyes: Vec<String> = scene.eyes().iter().map(|&eye| quoted(scene.rbt_path(eye))).collect();
     let mut text = format!(
         "{{\n  \"format\": \"{FORMAT}\",\n  \"version\": {version},\n  \"name\": {},\n  \"eyes\": [{}],\n",
@@ -27,6 +28,15 @@ pub fn scene_to_json(scene: &SceneGraph) -> String {
     push_nodes(&mut text, scene);
     text.push_str("\n}\n");
     text
+}
+
+/// The least version that can express a node.
+fn version_of(node: &Node) -> u32 {
+    match node {
+        _ if node.joint != Joint::default() => VERSION_OF_JOINTS,
+        _ if !node.is_in_paths => 2,
+        _ => 1,
+    }
 }
 
 fn quoted(text: &str) -> String {
@@ -89,6 +99,7 @@ fn fields(scene: &SceneGraph, node: &Node, depth: usize) -> Vec<String> {
         NodeKind::Rbt(rbt) => {
             let rest = scene.rest_pose().get(*rbt);
             push_transform(&mut fields, rest.translation, rest.rotation);
+            push_joint(&mut fields, &node.joint);
         }
         NodeKind::Shape(placed) => push_shape(&mut fields, placed, depth + 1),
         NodeKind::Control(tracks) => {
