@@ -9,7 +9,7 @@
 //!
 //! | level | modules | may name |
 //! |---|---|---|
-//! | 0 | [`words`], [`text`], [`rbt`], [`interpolation`], [`rotation_rules`], [`json`], [`colour`], [`picture`], [`decode`], [`parallel`], [`unfinished`], [`markup`], [`junit`] | glam; `words` may name serde: settings store language codes; `decode` reads by serde; `markup` hashes by sha2 |
+//! | 0 | [`words`], [`text`], [`rbt`], [`interpolation`], [`rotation_rules`], [`json`], [`colour`], [`picture`], [`decode`], [`parallel`], [`limb`], [`unfinished`], [`markup`], [`junit`] | glam; `words` may name serde: settings store language codes; `decode` reads by serde; `markup` hashes by sha2 |
 //! | 0 | [`manual`] | pulldown-cmark |
 //! | 1 | [`timed`], [`pose`], [`blend`], [`scene`], [`camera`] | serde, in file formats |
 //! | 2 | [`keyframe`], [`clock`], [`settings`], [`text_layouts`], [`frame`], [`film`] | serde, in file formats; `Duration`, never `Instant` |
@@ -47,6 +47,7 @@ pub mod journal;
 pub mod json;
 pub mod junit;
 pub mod keyframe;
+pub mod limb;
 pub mod manual;
 pub mod markup;
 pub mod parallel;
