@@ -17,11 +17,13 @@ mod gesture;
 mod history;
 mod host;
 pub mod keymap;
+mod limb_balls;
 mod manipulate;
 mod motion_path;
 mod placing;
 mod playback;
 mod playing;
+mod reaching;
 mod said;
 mod scene_edits;
 mod snapshot;
@@ -44,6 +46,7 @@ pub use eye::{Eye, WorkEye};
 pub use files::NEW_FILE;
 pub use history::{MOST_STEPS, Reach};
 pub use host::{FileAccess, FileOutcome, Host, PathQuestion, WindowHost, Writing, Written};
+pub use limb_balls::{LimbBall, dragged_point};
 pub use manipulate::{DragKind, Manipulation};
 pub use motion_path::PathDot;
 pub use playback::PlayMode;
@@ -110,6 +113,8 @@ pub struct Session {
     pub speed_percent: u32,
     /// Whether the end of each drag updates the current keyframe.
     pub auto_keys: bool,
+    /// Whether feet stay in place while the body above them moves.
+    pub keeps_feet: bool,
     /// How many neighbouring keyframes on each side are shown as ghosts: 0 to [`crate::frame::MOST_GHOSTS`].
     pub ghosts: u8,
     /// Whether there are ghosts only of the chosen node and what is below it.
@@ -196,6 +201,7 @@ impl Editor {
                 play_range: None,
                 speed_percent: 100,
                 auto_keys: false,
+                keeps_feet: false,
                 ghosts: 0,
                 ghosts_of_chosen: false,
                 shows_help: false,

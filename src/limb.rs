@@ -116,7 +116,7 @@ impl Limb {
         let distance = distance.clamp(smallest, largest);
         let bend = ((distance * distance - constant) / swing).clamp(-1.0, 1.0).acos();
         let straight = self.straight_angle();
-        let middle = (low + high) / 2.0;
+        let middle = f64::midpoint(low, high);
         let side = |angle: f64| (angle - straight).sin();
         let positive = if side(now).abs() > STRAIGHT { side(now) > 0.0 } else { side(middle) >= 0.0 };
         // As far outside of the range, where rounding leaves an angle at its end.
@@ -193,6 +193,23 @@ fn angle_about(axis: DVec3, from: DVec3, to: DVec3) -> f64 {
     let sine = axis.dot(from.cross(to));
     let cosine = from.dot(to) - axis.dot(from) * axis.dot(to);
     if sine == 0.0 && cosine == 0.0 { 0.0 } else { sine.atan2(cosine) }
+}
+
+/// The angle of a single hinge that brings the end of its bone as near to a target as the range allows.
+///
+/// `bone`: from the hinge to the end at an angle of 0. `now`: the angle that it keeps where all are equally near. `range`: the smallest
+/// and the largest angle in radians, at most a turn apart.
+#[must_use]
+pub fn angle_towards(axis: DVec3, bone: DVec3, range: [f64; 2], now: f64, target: DVec3) -> f64 {
+    let across = |vector: DVec3| vector - axis * vector.dot(axis);
+    let [low, high] = range;
+    if across(bone).length() <= NOTHING * bone.length() || across(target).length() <= NOTHING * bone.length() {
+        return now.clamp(low, high);
+    }
+    let middle = f64::midpoint(low, high);
+    // Beyond the range the nearer end of it is the nearest.
+    let wanted = middle + (angle_about(axis, bone, target) - middle + PI).rem_euclid(TAU) - PI;
+    wanted.clamp(low, high)
 }
 
 /// The shortest turn from one unit vector to another. Where they are nearly opposite, half a turn about `normal` comes first.

@@ -1,7 +1,7 @@
 //! The window: events in, commands to the editor, pictures out, and the effects that the editor asks for.
 //!
 //! Only here are winit's names known and, for the window, the clock on the wall read. What can be decided without a window is
-//! plain data with tables of tests: [`hotkeys`], [`motion_path`] and [`mod@pointer`].
+//! plain data with tables of tests: [`hotkeys`], [`motion_path`], [`limb_drag`] and [`mod@pointer`].
 
 mod beginning;
 mod damage;
@@ -15,6 +15,7 @@ mod handling;
 pub mod hotkeys;
 mod idle;
 mod keeper;
+pub mod limb_drag;
 mod meter;
 pub mod motion_path;
 mod outside;

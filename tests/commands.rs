@@ -151,6 +151,9 @@ fn any_edit() -> impl Strategy<Value = Command> {
         (any_vector(), any_f64()).prop_map(|(axis_in_node, radians)| Edit::RotateChosen { axis_in_node, radians }),
         any_vector().prop_map(Edit::TranslateChosen),
         any_rbt().prop_map(Edit::Wheel),
+        (any_node(), any_vector()).prop_map(|(rbt, to)| Edit::Reach(rbt, to)),
+        (any_node(), any_vector()).prop_map(|(rbt, by)| Edit::ReachBy(rbt, by)),
+        (any_node(), any_f64()).prop_map(|(rbt, degrees)| Edit::TurnPole(rbt, degrees)),
     ]
     .prop_map(Command::Edit)
 }
@@ -221,6 +224,7 @@ fn any_view() -> impl Strategy<Value = Command> {
         any_node().prop_map(ViewCommand::ChooseAlso),
         prop::sample::select(&[Pivot::Own, Pivot::Common]).prop_map(ViewCommand::SetPivot),
         any::<bool>().prop_map(ViewCommand::SetAutoKeys),
+        any::<bool>().prop_map(ViewCommand::SetKeepFeet),
         any::<u8>().prop_map(ViewCommand::SetGhosts),
         any::<bool>().prop_map(ViewCommand::SetGhostsOfChosen),
         prop::sample::subsequence(Blend::ALL.to_vec(), 0..=Blend::ALL.len()).prop_map(ViewCommand::CompareBlends),

@@ -106,6 +106,8 @@ fn any_step() -> impl Strategy<Value = Step> {
         2 => any_rbt().prop_map(|by| Edit::TranslateChosen(by.translation)),
         2 => (-9.0f64..9.0).prop_map(|radians| Edit::RotateChosen { axis_in_node: Vec3::Y, radians }),
         2 => any_rbt().prop_map(Edit::Wheel),
+        2 => (0usize..24, any_rbt()).prop_map(|(rbt, to)| Edit::Reach(RbtIndex::new(rbt), to.translation)),
+        1 => (0usize..24, -400.0f64..400.0).prop_map(|(rbt, by)| Edit::TurnPole(RbtIndex::new(rbt), by)),
         2 => (0usize..24, any_rbt()).prop_map(|(rbt, to)| Edit::SetRotation(RbtIndex::new(rbt), to.rotation)),
         1 => prop::sample::select(&[f32::NAN, 1e6, -1e6, 1.1e6, 3e38])
             .prop_map(|x| Edit::SetTranslation(RbtIndex::new(2), Vec3::X * x)),
@@ -142,6 +144,7 @@ fn any_step() -> impl Strategy<Value = Step> {
             Command::View(ViewCommand::SetWorkEye(WorkEye { yaw_degrees, ..WorkEye::default() }))
         }),
         1 => Just(Command::View(ViewCommand::ToggleAutoKeys)),
+        1 => Just(Command::View(ViewCommand::ToggleKeepFeet)),
         1 => Just(Command::View(ViewCommand::ToggleSkyMode)),
         2 => prop::collection::btree_set(0usize..8, 0..4).prop_map(|indices| {
             Command::Selection(SelectionCommand::Keyframes(indices.into_iter().map(KeyframeIndex::new).collect()))

@@ -148,6 +148,9 @@ impl Editor {
             }
             Edit::RotateChosen { axis_in_node, radians } => self.rotate_chosen(axis_in_node, radians),
             Edit::TranslateChosen(by) => self.translate_chosen(by),
+            Edit::Reach(last, target_in_world) => self.reach(last, target_in_world),
+            Edit::ReachBy(last, by_in_world) => self.reach_by(last, by_in_world),
+            Edit::TurnPole(last, degrees) => self.turn_pole(last, degrees),
             Edit::Wheel(motion) => {
                 if self.dragged_node().is_none() {
                     return self.set_work_eye(self.session.work_eye.moved(motion));

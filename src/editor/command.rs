@@ -158,6 +158,13 @@ pub enum Edit {
     },
     /// Moves the chosen nodes, each in its parent's space. What hangs below a chosen node is only carried along.
     TranslateChosen(Vec3),
+    /// Reaches with the limb that a node ends: its end goes as near to a point in world space as bones and limits allow.
+    Reach(RbtIndex, Vec3),
+    /// The same, by so much from where the end is, in world space.
+    ReachBy(RbtIndex, Vec3),
+    /// Turns the limb that a node ends about the line from its root joint to its end, by degrees, right-handed along that line: the elbow
+    /// or knee goes around it, and the end stays.
+    TurnPole(RbtIndex, f64),
     /// Edits the list as a timeline.
     Timeline(TimelineEdit),
     /// Edits control nodes and timed keys, which are part of the scene.
@@ -269,6 +276,10 @@ pub enum ViewCommand {
     ToggleAutoKeys,
     /// Whether the end of each drag updates the current keyframe.
     SetAutoKeys(bool),
+    /// Switches whether feet stay in place while the body above them moves.
+    ToggleKeepFeet,
+    /// Whether feet stay in place while the body above them moves.
+    SetKeepFeet(bool),
     /// The number of neighbouring keyframes shown as ghosts on each side, at most [`crate::frame::MOST_GHOSTS`].
     SetGhosts(u8),
     /// Shows one more on each side, and after the most of them none.

@@ -9,6 +9,7 @@ mod keyframes;
 mod line;
 mod nodes;
 mod playing;
+mod reaching;
 mod row;
 mod timed_keys;
 mod timeline;
@@ -31,6 +32,7 @@ static ROWS: LazyLock<Vec<Row>> = LazyLock::new(|| {
         keyframes::rows(),
         timeline::rows(),
         nodes::rows(),
+        reaching::rows(),
         timed_keys::rows(),
         playing::rows(),
         view::rows(),

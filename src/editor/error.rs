@@ -71,6 +71,21 @@ pub enum CommandError {
         /// The key after which a click chooses.
         pick: Argument,
     },
+    /// A node has neither an end that reaches nor a shape.
+    NoLimb {
+        /// The node's path.
+        path: String,
+    },
+    /// A control node scales a limb differently along its axes.
+    SqueezedLimb {
+        /// The path of the limb's last node.
+        path: String,
+    },
+    /// There is no line about which a limb could turn.
+    NoPole {
+        /// The path of the limb's last node.
+        path: String,
+    },
     /// The scene has no such node or eye.
     NotInScene {
         /// `node` or `eye`.
@@ -205,6 +220,9 @@ impl CommandError {
             Self::OtherNodes { path, chosen } => texts::refused_other_nodes(quoted(path), quoted(chosen)),
             Self::NothingPlaying { play } => texts::refused_nothing_playing(play.clone()),
             Self::NothingChosen { pick } => texts::refused_nothing_chosen(pick.clone()),
+            Self::NoLimb { path } => texts::refused_no_limb(quoted(path)),
+            Self::SqueezedLimb { path } => texts::refused_squeezed_limb(quoted(path)),
+            Self::NoPole { path } => texts::refused_no_pole(quoted(path)),
             Self::NotInScene { what } => texts::refused_not_in_scene(*what),
             Self::NoSuchNode { path } => texts::refused_no_such_node(quoted(path)),
             Self::NoSuchKey { path, channel, seconds } => texts::refused_no_such_key(path, channel.title(), *seconds),

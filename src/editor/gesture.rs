@@ -4,7 +4,7 @@ use super::apply::CommandResult;
 use super::placing::{move_label, turn_label};
 use super::{CommandError, Document, Editor, GestureCommand, Snapshot, WorkEye};
 use crate::keyframe::{Keyframe, KeyframeList};
-use crate::pose::RbtIndex;
+use crate::pose::{Pose, RbtIndex};
 use crate::rbt::Rbt;
 use crate::words::{Message, Phrase, texts};
 
@@ -15,6 +15,8 @@ pub(super) struct Gesture {
     pub(super) before: Document,
     /// The work eye before it.
     work_eye: WorkEye,
+    /// The pose on screen before it: a sample where the playhead was dragged.
+    pub(super) start: Pose,
     /// What undo calls it.
     pub(super) label: Phrase,
 }
@@ -31,6 +33,7 @@ impl Editor {
                 self.gesture = Some(Gesture {
                     before: self.document.clone(),
                     work_eye: self.session.work_eye,
+                    start: self.edited_pose(),
                     label: texts::ACT_DRAG,
                 });
             }
@@ -84,6 +87,11 @@ impl Editor {
             count => move_label(count),
         };
         self.change_nodes(placed, label, None)
+    }
+
+    /// The pose in which the drag that goes on began.
+    pub(super) fn pose_before_drag(&self) -> Option<Pose> {
+        self.gesture.as_ref().map(|gesture| gesture.start.clone())
     }
 
     /// One motion that leads where the drag has led so far; `None` without a drag, or if it has changed nothing yet.

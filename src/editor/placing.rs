@@ -138,26 +138,21 @@ impl Editor {
         self.change_nodes(vec![(rbt, placed)], label, None)
     }
 
-    /// Gives nodes new places, in their parents' spaces, as one step of undo.
+    /// Gives nodes new places, in their parents' spaces, as one step of undo. Feet that are kept stay where they are.
     pub(super) fn change_nodes(
         &mut self,
         placed: Vec<(RbtIndex, Rbt)>,
         label: Phrase,
         run: Option<Run>,
     ) -> CommandResult {
-        let placed: Vec<(RbtIndex, Rbt)> = placed
-            .into_iter()
-            .map(|(rbt, placed)| Ok((rbt, placeable(placed)?)))
-            .collect::<Result<_, CommandError>>()?;
-        let scrubbed = self.end_scrub();
-        self.record(label, run, |document| {
-            if let Some(pose) = scrubbed {
-                document.live_pose = pose;
-            }
-            for (rbt, placed) in placed {
-                document.live_pose.set(rbt, placed);
-            }
-        })?;
+        let mut pose = self.edited_pose();
+        for &(rbt, placed) in &placed {
+            pose.set(rbt, placeable(placed)?);
+        }
+        let nodes: Vec<RbtIndex> = placed.iter().map(|(rbt, _)| *rbt).collect();
+        self.keep_feet(&mut pose, &nodes);
+        self.end_scrub();
+        self.record(label, run, |document| document.live_pose = pose)?;
         Ok(None)
     }
 }

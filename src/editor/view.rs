@@ -44,6 +44,12 @@ impl Editor {
                 let said = if is_on { texts::VIEW_AUTO_KEY_ON } else { texts::VIEW_AUTO_KEY_OFF };
                 Ok(Some(said.into()))
             }
+            ViewCommand::ToggleKeepFeet => self.view(ViewCommand::SetKeepFeet(!self.session.keeps_feet)),
+            ViewCommand::SetKeepFeet(is_on) => {
+                self.session.keeps_feet = is_on;
+                let said = if is_on { texts::VIEW_KEEP_FEET_ON } else { texts::VIEW_KEEP_FEET_OFF };
+                Ok(Some(said.into()))
+            }
             ViewCommand::NextGhosts => {
                 let ghosts = if self.session.ghosts < GHOST_STEPS { self.session.ghosts + 1 } else { 0 };
                 self.view(ViewCommand::SetGhosts(ghosts))

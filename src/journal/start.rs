@@ -51,6 +51,7 @@ fn session(editor: &Editor) -> Vec<Command> {
     commands.extend(toggled(session.shows_help, ViewCommand::ToggleHelp));
     commands.extend(toggled(!session.shows_panels, ViewCommand::TogglePanels));
     commands.push(view(ViewCommand::SetAutoKeys(session.auto_keys)));
+    commands.push(view(ViewCommand::SetKeepFeet(session.keeps_feet)));
     commands.push(view(ViewCommand::SetGhosts(session.ghosts)));
     let mode = (session.play_mode != PlayMode::default()).then_some(PlaybackCommand::SetMode(session.play_mode));
     let range = session.play_range.map(|range| PlaybackCommand::SetRange(Some(range)));

@@ -1,3 +1,5 @@
+//! Limbs of any measures to random targets and along paths, against searches that know nothing of the closed form.
+
 use super::*;
 
 /// Random numbers from a seed (SplitMix64).

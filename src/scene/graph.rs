@@ -63,7 +63,7 @@ pub struct Node {
 
 impl Node {
     /// `parent_from_node`: from a shape's placement, a control node's keys, or, for an RBT node, from `parent_from_rbt`.
-    fn parent_from_node(&self, seconds: f64, parent_from_rbt: impl Fn(RbtIndex) -> Affine3A) -> Affine3A {
+    pub(super) fn parent_from_node(&self, seconds: f64, parent_from_rbt: impl Fn(RbtIndex) -> Affine3A) -> Affine3A {
         match &self.kind {
             NodeKind::Rbt(rbt) => parent_from_rbt(*rbt),
             NodeKind::Shape(placed) => placed.parent_from_shape(),
