@@ -26,6 +26,7 @@ mod overlay;
 mod overwrite;
 mod palette;
 mod path_dialog;
+mod pointed;
 mod program;
 mod recovery;
 mod statistics;
@@ -186,6 +187,8 @@ pub struct Panels {
     pub changed: Option<ChangeOffer>,
     /// How fast the window is, where that is shown.
     pub statistics: Option<Statistics>,
+    /// The name of what the pointer is over in the scene, where it can be dragged.
+    pub pointed: Option<Message>,
 }
 
 impl Panels {
@@ -307,6 +310,9 @@ impl Panels {
         legend::show(ui, output.viewport, editor, &mut output.commands);
         self.tour.take_in(editor, self.settings.tour);
         self.tour.show(ui, output.viewport, &self.keymap, &mut output.commands);
+        if let Some(name) = &self.pointed {
+            pointed::show(ui, output.viewport, name);
+        }
         if editor.session().shows_help {
             self.help.show(ui, self.keymap.bindings(), &mut output.commands);
         }

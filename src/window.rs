@@ -16,6 +16,7 @@ pub mod hotkeys;
 mod idle;
 mod keeper;
 pub mod limb_drag;
+mod limb_handling;
 mod meter;
 pub mod motion_path;
 mod outside;

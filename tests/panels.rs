@@ -124,6 +124,26 @@ fn a_menu_item_is_its_command() {
 }
 
 #[test]
+fn feet_kept_by_the_menu_stay_while_the_inspector_moves_the_body() {
+    let mut harness = harness(editor(0));
+    click(&mut harness, "Edit");
+    click(&mut harness, "Keep feet in place ");
+    let editor = &mut harness.state_mut().editor;
+    assert!(editor.session().keeps_feet);
+    let scene = editor.scene().clone();
+    let find = |path| scene.find_rbt(path).unwrap();
+    editor.apply(Command::View(ViewCommand::Choose(Some(find("robot1"))))).unwrap();
+    let sole = |harness: &Harness<'_, App>| {
+        harness.state().editor.limb_ball(find("robot1/left_hip/left_knee")).unwrap().end_in_world
+    };
+    let before = sole(&harness);
+    harness.run();
+    type_into(&mut harness, "Translation y", "0.7");
+    assert_eq!(harness.state().editor.document().live_pose.get(find("robot1")).translation.y, 0.7);
+    assert!(sole(&harness).distance(before) < 1e-4, "{} is not {before}", sole(&harness));
+}
+
+#[test]
 fn a_clicked_keyframe_becomes_current() {
     let mut harness = harness(editor(5));
     click(&mut harness, "Keyframe 2");

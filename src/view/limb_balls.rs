@@ -9,8 +9,8 @@ use crate::editor::{Editor, LimbBall};
 use crate::frame::{Dot, Frame};
 use crate::pose::RbtIndex;
 
-const RIM_PX: f32 = 11.0;
-const BALL_PX: f32 = 8.0;
+const RIM_PX: f32 = 13.0;
+const BALL_PX: f32 = 9.0;
 const MARK_PX: f32 = 23.0;
 const MARKED_BALL_PX: f32 = 13.0;
 
@@ -25,7 +25,7 @@ fn dot(ball: LimbBall, colour: Vec3, opacity: f32, diameter_px: f32) -> Dot {
 /// Adds the balls of the robots of the chosen node and of the node under the pointer.
 pub fn add_limb_balls(frame: &mut Frame, editor: &Editor, hovered: Option<RbtIndex>) {
     for ball in editor.limb_balls(hovered) {
-        frame.dots.extend([dot(ball, Vec3::ZERO, 0.35, RIM_PX), dot(ball, *BALL, 0.8, BALL_PX)]);
+        frame.dots.extend([dot(ball, Vec3::ZERO, 0.4, RIM_PX), dot(ball, *BALL, 0.9, BALL_PX)]);
     }
 }
 

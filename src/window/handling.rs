@@ -26,6 +26,9 @@ impl Shell {
         if self.hovered_dot.is_some() {
             return Some(CursorIcon::Grab);
         }
+        if let Some(cursor) = self.limb_cursor() {
+            return Some(cursor);
+        }
         match self.pointer.dragging(self.space.is_held()) {
             Some(_) if !self.editor.is_dragging() => Some(CursorIcon::NotAllowed),
             Some(DragKind::Rotate) => Some(CursorIcon::Grabbing),
@@ -111,13 +114,18 @@ impl Shell {
             }
             return true;
         }
+        if self.move_limb(at_px) {
+            return true;
+        }
         let dot = self.dot_at(at_px);
         let dot_before = std::mem::replace(&mut self.hovered_dot, dot);
+        let is_over_other_limb = self.look_for_limbs(at_px);
         let is_held = self.pointer.is_held();
         for action in self.pointer.move_to(self.in_view(at_px), self.space.is_held()) {
             self.act(action);
         }
-        dot_before != self.hovered_dot || is_held || self.picks() || !was_over_scene || !self.is_over_scene(at_px)
+        let is_over_other = is_over_other_limb || dot_before != self.hovered_dot;
+        is_over_other || is_held || self.picks() || !was_over_scene || !self.is_over_scene(at_px)
     }
 
     /// What a press at a pixel of the window would do with the dots of the motion path.
@@ -158,7 +166,7 @@ impl Shell {
             self.path_drag = self.path_drag_at(self.pointer_px);
             self.hovered_dot = self.path_drag.map(|drag| drag.dot().keyframe);
         }
-        if self.path_drag.is_some() {
+        if self.path_drag.is_some() || self.limb_button(state, button) {
             return;
         }
         let action = match state {
@@ -198,7 +206,6 @@ impl Shell {
     }
 
     pub(super) fn wheel(&mut self, delta: MouseScrollDelta) {
-        let Some(stage) = &self.stage else { return };
         if !self.is_over_scene(self.pointer_px) {
             return;
         }
@@ -207,7 +214,8 @@ impl Shell {
             MouseScrollDelta::LineDelta(_, lines) => lines,
             MouseScrollDelta::PixelDelta(pixels) => (pixels.y / PIXELS_PER_NOTCH) as f32,
         };
-        if notches != 0.0 {
+        if notches != 0.0 && !self.wheel_limb(notches) {
+            let Some(stage) = &self.stage else { return };
             let camera = self.editor.camera(stage.view.size_px);
             let motion = self.editor.manipulation(&camera).wheel(notches);
             self.apply(Command::Edit(Edit::Wheel(motion)));

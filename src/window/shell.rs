@@ -15,12 +15,13 @@ use winit::window::WindowId;
 use super::export::Export;
 use super::hotkeys::{KeyInput, SpaceBar};
 use super::keeper::Keeper;
+use super::limb_handling::Limbs;
 use super::meter::{Meter, Work};
 use super::motion_path::PathDrag;
 use super::outside::Outside;
 use super::pointer::Pointer;
 use super::settings_file::SettingsFile;
-use super::stage::WindowSurface;
+use super::stage::{Lit, WindowSurface};
 use super::{ForTests, UserEvent, WindowError, desktop, display, ending, now, place};
 use crate::clock::AnimationClock;
 use crate::editor::{Command, Editor, FileCommand, Severity};
@@ -55,6 +56,8 @@ pub struct Shell {
     pub(super) path_drag: Option<PathDrag>,
     /// The keyframe whose dot the pointer is over.
     pub(super) hovered_dot: Option<KeyframeIndex>,
+    /// The balls at limbs' ends that the pointer is over or holds.
+    pub(super) limbs: Limbs,
     /// Where the pointer is, in the window's pixels.
     pub(super) pointer_px: Vec2,
     clock: AnimationClock,
@@ -103,6 +106,7 @@ impl Shell {
             pointer: Pointer::default(),
             path_drag: None,
             hovered_dot: None,
+            limbs: Limbs::default(),
             pointer_px: Vec2::ZERO,
             clock: AnimationClock::new(),
             last_tick: None,
@@ -187,6 +191,7 @@ impl Shell {
     fn redraw(&mut self) {
         let cursor = self.cursor();
         let hovered = self.hovered();
+        self.ui.pointed = self.name_of_lit_ball();
         let Some(stage) = &mut self.stage else { return };
         let start = now();
         let Some(mut laid_out) = stage.lay_out(&mut self.ui, &self.editor, cursor) else { return };
@@ -216,6 +221,7 @@ impl Shell {
         }
         assert!(!self.keeper.panics_in_drawing(), "a test asked for this panic in drawing");
         let dot = self.hovered_dot.and_then(|keyframe| self.editor.path_dot(keyframe));
+        let lit = Lit { node: hovered, dot, ball: self.lit_ball(), robot: self.robot_with_balls() };
         for (panel, size) in panels {
             if self.settings_file.settings.resized(panel, size) {
                 self.keep_settings();
@@ -225,7 +231,7 @@ impl Shell {
             self.quit_answered(answer);
         }
         if let Some(stage) = &mut self.stage {
-            stage.paint(&self.editor, hovered, dot, laid_out, &mut self.meter);
+            stage.paint(&self.editor, lit, laid_out, &mut self.meter);
             self.keeper.drawn();
             if again {
                 stage.window.request_redraw();
@@ -312,6 +318,7 @@ impl Shell {
             WindowEvent::Focused(false) => {
                 self.space.release();
                 self.let_go_of_dot();
+                self.let_go_of_limb();
                 if let Some(action) = self.pointer.let_go() {
                     self.act(action);
                 }

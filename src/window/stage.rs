@@ -11,12 +11,12 @@ use super::meter::{Meter, Work};
 use super::panels::{PanelPainter, WindowLayout};
 use super::screen::Screen;
 use super::{UserEvent, WindowError, now};
-use crate::editor::{Editor, PathDot};
+use crate::editor::{Editor, LimbBall, PathDot};
 use crate::frame::Frame;
 use crate::pose::RbtIndex;
 use crate::render::{Gpu, GpuError, Image, Offscreen, Renderer, Target, Viewport, default_samples};
 use crate::ui::{Panels, THUMBNAIL_PX, UiOutput, theme};
-use crate::view::{frame_of_displayed, mark_dot, outline, picture_of_editor};
+use crate::view::{add_limb_balls, frame_of_displayed, mark_dot, mark_limb_ball, outline, picture_of_editor};
 
 /// The 3D view, in physical pixels of the window.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -46,6 +46,19 @@ impl SceneArea {
         let inside = at_px - self.min_px;
         inside.cmpge(Vec2::ZERO).all() && inside.cmplt(self.size_px).all()
     }
+}
+
+/// What the pointer lights up over the scene.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Lit {
+    /// The node that a click would choose.
+    pub node: Option<RbtIndex>,
+    /// The dot of the motion path that a press would take.
+    pub dot: Option<PathDot>,
+    /// The ball at a limb's end that a press would take, or that is held.
+    pub ball: Option<LimbBall>,
+    /// A node of the robot whose balls show besides those of the chosen nodes.
+    pub robot: Option<RbtIndex>,
 }
 
 /// Everything that a device belongs to.
@@ -174,25 +187,21 @@ impl WindowSurface {
         })
     }
 
-    /// Paints the scene as it is now, with the node outlined that a click would choose and the dot marked that a press would take, and
-    /// panels over it.
-    pub fn paint(
-        &mut self,
-        editor: &Editor,
-        hovered: Option<RbtIndex>,
-        dot: Option<PathDot>,
-        mut laid_out: LaidOut,
-        meter: &mut Meter,
-    ) {
+    /// Paints the scene as it is now, with what the pointer lights up, and panels over it.
+    pub fn paint(&mut self, editor: &Editor, lit: Lit, mut laid_out: LaidOut, meter: &mut Meter) {
         let start = now();
         let pose = editor.displayed_pose();
         let evaluated = now();
         meter.add(Work::Evaluation, start, evaluated);
         let mut frame = frame_of_displayed(editor, &pose, self.view.size_px);
-        if let Some(hovered) = hovered {
+        if let Some(hovered) = lit.node {
             outline(&mut frame, editor.scene(), &[hovered]);
         }
-        if let Some(dot) = dot {
+        add_limb_balls(&mut frame, editor, lit.robot);
+        if let Some(ball) = lit.ball {
+            mark_limb_ball(&mut frame, ball);
+        }
+        if let Some(dot) = lit.dot {
             mark_dot(&mut frame, dot);
         }
         frame.scale_strokes(laid_out.pixels_per_point);

@@ -144,6 +144,7 @@ pub fn window_and_failures() -> String {
         .map(|count| [texts::journal_minutes(count), texts::journal_hours(count), texts::journal_days(count)]);
     let messages = [
         texts::FILE_EXPORT_BEGUN_ALREADY.into(),
+        texts::reach_ball("robot1/left_hip/left_knee"),
         texts::FILE_NO_DIALOG.into(),
         texts::HOTKEYS_RESET.into(),
         texts::hotkeys_removed("Play or stop"),
