@@ -167,6 +167,22 @@ fn feet_that_leave_the_ground_in_a_drag_come_back_to_it() {
     assert!((soles(&editor)[0].0.y - before.0[0].0.y - 0.5).abs() < 1e-5);
 }
 
+/// A journal keeps where a drag has led the chosen nodes, and leaves the rest to the editor.
+#[test]
+fn where_a_drag_led_the_chosen_nodes_says_where_the_feet_are() {
+    for chosen in
+        ["select robot1", "select robot1/right_hip\nselect-also robot1", "select robot1\nselect-also robot1/head"]
+    {
+        let mut moved = editor();
+        run(&mut moved, &format!("keep-feet on\n{chosen}\ndrag begin"));
+        let mut placed = moved.clone();
+        run(&mut moved, "drag move 0.1 -0.3 0\ndrag turn y 20\ndrag move 0 0.1 0.1");
+        let led = moved.drag_so_far().expect("it has moved");
+        apply(&mut placed, Command::Gesture(led));
+        assert_eq!(pose(&placed), pose(&moved), "{chosen}");
+    }
+}
+
 #[test]
 fn a_leg_that_is_posed_itself_is_not_kept() {
     let mut editor = editor();
