@@ -52,6 +52,8 @@ pub const GESTURES: &[Gesture] = &[
     row(Place::Scene, texts::WHEEL, texts::MOVE_ALONG_THE_VIEW),
     row(Place::Scene, texts::CTRL_CLICK, texts::CHOOSE_THE_NODE_TO_MOVE_THE_GROUND),
     row(Place::Scene, texts::DRAG_A_DOT, texts::MOVE_THE_NODE_IN_THAT_KEYFRAME),
+    row(Place::Scene, texts::DRAG_A_BALL, texts::REACH_WITH_THAT_HAND_OR_FOOT),
+    row(Place::Scene, texts::WHEEL_IN_THAT_DRAG, texts::TURN_THE_ELBOW_OR_KNEE_AROUND),
     row(Place::Timeline, texts::DRAG_ON_THE_RULER, texts::SHOW_THE_POSE_AT_THAT_TIME),
     row(Place::Timeline, texts::CLICK_A_DIAMOND, texts::SELECT_THE_KEYFRAME_SHIFT_AND_CTRL),
     row(Place::Timeline, texts::DRAG_ON_NOTHING, texts::SELECT_WHAT_IS_IN_THE_BOX),
