@@ -8,7 +8,7 @@ use std::sync::Arc;
 use common::{apply, editor, editor_with, press};
 use glam::{Quat, Vec2, Vec3};
 use inbetween::camera::Camera;
-use inbetween::editor::{Command, Editor, GestureCommand, ViewCommand};
+use inbetween::editor::{Command, Editor, Eye, GestureCommand, ViewCommand};
 use inbetween::keyframe::keyframes_to_json;
 use inbetween::pose::{Pose, RbtIndex};
 use inbetween::scene::scene_from_json;
@@ -255,10 +255,10 @@ fn seen(editor: &Editor, camera: &Camera, path: &str) -> Vec2 {
 
 #[test]
 fn a_dragged_ball_stays_under_the_pointer_in_one_step_of_undo() {
-    for eye in 0..3 {
+    for eye in [Eye::Work, Eye::Recorded(0), Eye::Recorded(1), Eye::Recorded(2)] {
         let mut editor = editor_with(1);
         // The robot that is looked at stands before the other ones.
-        let robot = if eye == 2 { "robot1" } else { "robot2" };
+        let robot = if eye == Eye::Recorded(2) { "robot1" } else { "robot2" };
         run(&mut editor, &format!("set-translation 0 0 -5 {robot}"));
         apply(&mut editor, Command::View(ViewCommand::SetEye(eye)));
         let (elbow, before) = (format!("{robot}/left_shoulder/left_elbow"), pose(&editor));
@@ -275,7 +275,7 @@ fn a_dragged_ball_stays_under_the_pointer_in_one_step_of_undo() {
             }
         }
         let off = seen(&editor, &camera, elbow).distance(from_px + Vec2::new(30.0, -20.0));
-        assert!(off < 0.1, "eye {eye}: {off} pixels off");
+        assert!(off < 0.1, "{eye:?}: {off} pixels off");
         let depth = |point: Vec3| camera.project(point).unwrap().1;
         let (hand, was) = (
             end(&editor, elbow),
@@ -296,7 +296,7 @@ fn a_dragged_ball_stays_under_the_pointer_in_one_step_of_undo() {
         let end_of_drag = drag.release(&editor).expect("it has moved");
         apply(&mut editor, end_of_drag);
         run(&mut editor, "undo");
-        assert_eq!(pose(&editor), before, "eye {eye}: one step");
+        assert_eq!(pose(&editor), before, "{eye:?}: one step");
     }
 }
 
