@@ -29,11 +29,8 @@ fn nothing_is_painted_over_anything() {
                 harness.get_all_by_role(egui::accesskit::Role::SpinButton).map(|node| node.rect()).collect();
             let rows: Vec<Rect> =
                 harness.get_all_by_role(egui::accesskit::Role::ListBoxOption).map(|node| node.rect()).collect();
-            let inspector = numbers
-                .iter()
-                .filter(|rect| side.contains(rect.center()))
-                .map(|rect| rect.top())
-                .fold(f32::MAX, f32::min);
+            let inspector =
+                numbers.iter().filter(|rect| side.contains(rect.center())).map(Rect::top).fold(f32::MAX, f32::min);
             assert!(inspector > side.top() + 60.0, "{size} at {percent} %: the inspector begins at {inspector}");
             let visible = rows.iter().filter(|row| side.contains(row.center()) && row.bottom() <= inspector).count();
             let least = if side.height() < 240.0 { 1 } else { 3 };

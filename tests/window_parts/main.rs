@@ -1,7 +1,6 @@
 //! What stands around scene and timeline, driven by pointer and keyboard with no window: the division of the window, menus, lists,
 //! dialogs, the help, the first steps.
 
-#![expect(missing_docs, reason = "these are tests")]
 mod access;
 mod dialogs;
 mod files;
@@ -23,19 +22,19 @@ use inbetween::settings::Settings;
 use inbetween::ui::{Panels, UiOutput, theme};
 
 /// The panels of an editor. Commands reach the editor, and those of the window the panels.
-pub struct App {
-    pub editor: Editor,
-    pub ui: Panels,
-    pub settings: Settings,
-    pub commands: Vec<Command>,
-    pub effects: Vec<Effect>,
-    pub output: UiOutput,
-    pub viewport: egui::Rect,
+pub(crate) struct App {
+    pub(crate) editor: Editor,
+    pub(crate) ui: Panels,
+    pub(crate) settings: Settings,
+    pub(crate) commands: Vec<Command>,
+    pub(crate) effects: Vec<Effect>,
+    pub(crate) output: UiOutput,
+    pub(crate) viewport: egui::Rect,
     is_dressed: bool,
 }
 
 impl App {
-    pub fn new(editor: Editor) -> Self {
+    pub(crate) fn new(editor: Editor) -> Self {
         Self {
             editor,
             ui: Panels::new(),
@@ -48,7 +47,7 @@ impl App {
         }
     }
 
-    pub fn apply(&mut self, command: Command) {
+    pub(crate) fn apply(&mut self, command: Command) {
         match self.editor.apply(command) {
             Ok(Some(Effect::Window(command))) => drop(self.ui.perform(&command, &mut self.settings).unwrap()),
             Ok(effect) => self.effects.extend(effect),
@@ -58,7 +57,7 @@ impl App {
 }
 
 /// An editor of a built-in scene with some keyframes.
-pub fn editor_of(scene: &str, keyframes: usize) -> Editor {
+pub(crate) fn editor_of(scene: &str, keyframes: usize) -> Editor {
     let scene = built_in_scene(scene).expect("it is built in");
     let mut editor = Editor::new(Arc::new(scene), PathBuf::from("folder/wave.json"));
     for _ in 0..keyframes {
@@ -67,11 +66,11 @@ pub fn editor_of(scene: &str, keyframes: usize) -> Editor {
     editor
 }
 
-pub fn editor(keyframes: usize) -> Editor {
+pub(crate) fn editor(keyframes: usize) -> Editor {
     editor_of(DEFAULT_SCENE, keyframes)
 }
 
-pub fn harness_of(app: App, size: Vec2) -> Harness<'static, App> {
+pub(crate) fn harness_of(app: App, size: Vec2) -> Harness<'static, App> {
     let mut harness = Harness::builder().with_size(size).with_max_steps(60).with_step_dt(1.0 / 60.0).build_ui_state(
         |ui, app: &mut App| {
             if !std::mem::replace(&mut app.is_dressed, true) {
@@ -91,33 +90,33 @@ pub fn harness_of(app: App, size: Vec2) -> Harness<'static, App> {
     harness
 }
 
-pub fn harness(editor: Editor) -> Harness<'static, App> {
+pub(crate) fn harness(editor: Editor) -> Harness<'static, App> {
     harness_of(App::new(editor), vec2(1280.0, 800.0))
 }
 
-pub fn click(harness: &mut Harness<'_, App>, label: &str) {
+pub(crate) fn click(harness: &mut Harness<'_, App>, label: &str) {
     harness.get_by_label(label).click();
     harness.run();
 }
 
-pub fn press(harness: &mut Harness<'_, App>, key: Key) {
+pub(crate) fn press(harness: &mut Harness<'_, App>, key: Key) {
     harness.key_press(key);
     harness.run();
 }
 
-pub fn type_text(harness: &mut Harness<'_, App>, text: &str) {
+pub(crate) fn type_text(harness: &mut Harness<'_, App>, text: &str) {
     harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
     harness.event(egui::Event::Text(text.to_owned()));
     harness.run();
 }
 
-pub fn does(harness: &mut Harness<'_, App>, command: Command) {
+pub(crate) fn does(harness: &mut Harness<'_, App>, command: Command) {
     harness.state_mut().apply(command);
     harness.run();
 }
 
 /// Drags by the pointer, in points.
-pub fn drag(harness: &mut Harness<'_, App>, from: egui::Pos2, to: egui::Pos2) {
+pub(crate) fn drag(harness: &mut Harness<'_, App>, from: egui::Pos2, to: egui::Pos2) {
     harness.hover_at(from);
     harness.run();
     harness.drag_at(from);

@@ -16,7 +16,7 @@ const SHOW: Command = Command::Window(WindowCommand::ShowCommands);
 fn rows(harness: &Harness<'_, App>) -> Vec<String> {
     let rows = harness.get_all_by_role(egui::accesskit::Role::ListBoxOption);
     let rows = rows.filter(|row| row.rect().width() > 400.0);
-    rows.filter_map(|row| row.accesskit_node().label().map(|label| label.to_string())).collect()
+    rows.filter_map(|row| row.accesskit_node().label()).collect()
 }
 
 #[test]

@@ -34,8 +34,8 @@ fn asked(purpose: PathPurpose, proposed: &str) -> Harness<'static, App> {
     harness
 }
 
-fn opened(path: &str) -> Option<Command> {
-    Some(Command::File(FileCommand::Open(PathBuf::from(path))))
+fn opened(path: &str) -> Command {
+    Command::File(FileCommand::Open(PathBuf::from(path)))
 }
 
 #[test]
@@ -48,7 +48,7 @@ fn arrows_and_enter_go_into_folders_and_open_files() {
     assert!(harness.query_by_label("picture.png").is_none());
     press(&mut harness, Key::ArrowDown);
     press(&mut harness, Key::Enter);
-    assert_eq!(harness.state().commands.last().cloned(), opened("lessons/hello.json"));
+    assert_eq!(harness.state().commands.last(), Some(&opened("lessons/hello.json")));
     assert!(!harness.state().ui.has_dialog());
 }
 
@@ -62,7 +62,7 @@ fn tab_completes_a_name() {
     harness.run();
     press(&mut harness, Key::Tab);
     press(&mut harness, Key::Enter);
-    assert_eq!(harness.state().commands.last().cloned(), opened("lessons/hello.json"));
+    assert_eq!(harness.state().commands.last(), Some(&opened("lessons/hello.json")));
 }
 
 #[test]
@@ -72,7 +72,7 @@ fn a_click_fills_the_field_and_the_button_opens() {
     read(&mut harness);
     click(&mut harness, "hello.json");
     click(&mut harness, "Open");
-    assert_eq!(harness.state().commands.last().cloned(), opened("lessons/hello.json"));
+    assert_eq!(harness.state().commands.last(), Some(&opened("lessons/hello.json")));
 }
 
 #[test]
