@@ -380,8 +380,8 @@ fn tab_reaches_every_control() {
     }
     // Within the timeline arrows move; a row's triangle is Right and Left on its name.
     let focused = |harness: &Harness<'_, App>| {
-        let nodes = harness.query_all_by(|node| node.is_focused() && !node.is_hidden());
-        nodes.filter_map(|node| node.accesskit_node().label()).next().unwrap_or_default()
+        let mut nodes = harness.query_all_by(|node| node.is_focused() && !node.is_hidden());
+        nodes.find_map(|node| node.accesskit_node().label()).unwrap_or_default()
     };
     while !focused(&harness).starts_with("Keyframe ") {
         harness.key_press(Key::Tab);

@@ -366,8 +366,8 @@ fn copies_and_deletions_change_no_scale() {
 fn tab_stops_once_and_arrows_move_within() {
     let mut harness = timeline(editor_with(12));
     let focused = |harness: &Timeline| {
-        let nodes = harness.query_all_by(|node| node.is_focused() && !node.is_hidden());
-        nodes.filter_map(|node| node.accesskit_node().label()).next().unwrap_or_default()
+        let mut nodes = harness.query_all_by(|node| node.is_focused() && !node.is_hidden());
+        nodes.find_map(|node| node.accesskit_node().label()).unwrap_or_default()
     };
     let mut stops = Vec::new();
     for _ in 0..80 {

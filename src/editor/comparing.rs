@@ -6,7 +6,6 @@ use std::sync::Arc;
 use num_rational::BigRational;
 use num_traits::Zero as _;
 
-use super::apply::CommandResult;
 use super::{CommandError, Editor, Message};
 use crate::keyframe::{Animation, Blend, PlayRange, whole};
 use crate::text_layouts::{ImportError, Imported, Options, import};
@@ -77,27 +76,26 @@ impl Editor {
         Ok((ComparedAnimation { path, animation }, said))
     }
 
-    pub(super) fn end_compare_with(&mut self) -> CommandResult {
+    pub(super) fn end_compare_with(&mut self) -> Message {
         self.compared = None;
-        Ok(Some(texts::VIEW_COMPARED_FILE_OFF.into()))
+        texts::VIEW_COMPARED_FILE_OFF.into()
     }
 
-    pub(super) fn toggle_comparison(&mut self) -> CommandResult {
+    pub(super) fn toggle_comparison(&mut self) -> Message {
         self.compare_blends(if self.session.compared_blends.is_empty() { &Blend::ALL } else { &[] })
     }
 
-    pub(super) fn compare_blends(&mut self, blends: &[Blend]) -> CommandResult {
+    pub(super) fn compare_blends(&mut self, blends: &[Blend]) -> Message {
         self.session.compared_blends = Blend::ALL.into_iter().filter(|blend| blends.contains(blend)).collect();
         if blends.is_empty() {
-            return Ok(Some(texts::VIEW_COMPARISON_OFF.into()));
+            return texts::VIEW_COMPARISON_OFF.into();
         }
         let [other, nlerp, matrices] = Blend::others(self.document.interpolation).map(Blend::title);
-        Ok(Some(texts::view_comparing(other, nlerp, matrices)))
+        texts::view_comparing(other, nlerp, matrices)
     }
 
-    pub(super) fn set_ghosts_of_chosen(&mut self, is_on: bool) -> CommandResult {
+    pub(super) fn set_ghosts_of_chosen(&mut self, is_on: bool) -> Message {
         self.session.ghosts_of_chosen = is_on;
-        let said = if is_on { texts::VIEW_GHOSTS_OF_CHOSEN } else { texts::VIEW_GHOSTS_OF_ALL };
-        Ok(Some(said.into()))
+        if is_on { texts::VIEW_GHOSTS_OF_CHOSEN.into() } else { texts::VIEW_GHOSTS_OF_ALL.into() }
     }
 }

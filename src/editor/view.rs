@@ -79,11 +79,11 @@ impl Editor {
                     Pivot::Common => texts::VIEW_PIVOT_COMMON.into(),
                 }))
             }
-            ViewCommand::ToggleComparison => self.toggle_comparison(),
-            ViewCommand::CompareBlends(blends) => self.compare_blends(&blends),
-            ViewCommand::EndCompareWith => self.end_compare_with(),
-            ViewCommand::ToggleGhostsOfChosen => self.set_ghosts_of_chosen(!self.session.ghosts_of_chosen),
-            ViewCommand::SetGhostsOfChosen(is_on) => self.set_ghosts_of_chosen(is_on),
+            ViewCommand::ToggleComparison => Ok(Some(self.toggle_comparison())),
+            ViewCommand::CompareBlends(blends) => Ok(Some(self.compare_blends(&blends))),
+            ViewCommand::EndCompareWith => Ok(Some(self.end_compare_with())),
+            ViewCommand::ToggleGhostsOfChosen => Ok(Some(self.set_ghosts_of_chosen(!self.session.ghosts_of_chosen))),
+            ViewCommand::SetGhostsOfChosen(is_on) => Ok(Some(self.set_ghosts_of_chosen(is_on))),
             ViewCommand::ToggleArcball => {
                 self.session.shows_arcball = !self.session.shows_arcball;
                 Ok(None)

@@ -5,6 +5,7 @@ use egui::{Align2, Painter, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetIn
 use super::hit::Layout;
 use super::paint::Look;
 use super::rows::{Row, Subject};
+use super::timed_key_rows::RowPlace;
 use super::{Ask, Tab, Timeline, timed_key_menu};
 use crate::editor::keymap::Binding;
 use crate::editor::{Command, WindowCommand};
@@ -72,21 +73,13 @@ pub fn rows(timeline: &mut Timeline, ui: &Ui, look: &Look<'_>, rows: &[Row], com
         let row = &rows[index];
         let rect = Rect::from_x_y_ranges(column.x_range(), look.target.row_rect(index).y_range());
         let seen = rect.intersect(area);
-        match row.subject {
-            Subject::Rbt { rbt, .. } => {
-                let id = ui.scope_id().with(("row", rbt));
-                let sense = timeline.keyboard.item(ui, id, index + 1, rect.left(), Sense::click());
-                name(ui, &painter, look, (row, rbt), (seen, id, sense), rect, commands);
-            }
-            _ => timeline.keys.label(
-                ui,
-                &painter,
-                look,
-                (row, index + 1),
-                (rect, seen),
-                &mut timeline.keyboard,
-                commands,
-            ),
+        if let Subject::Rbt { rbt, .. } = row.subject {
+            let id = ui.scope_id().with(("row", rbt));
+            let sense = timeline.keyboard.item(ui, id, index + 1, rect.left(), Sense::click());
+            name(ui, &painter, look, (row, rbt), (seen, id, sense), rect, commands);
+        } else {
+            let place = RowPlace { row, index: index + 1, rect, seen };
+            timeline.keys.label(ui, &painter, look, place, &mut timeline.keyboard, commands);
         }
         let left = column.left() + 12.0 + 12.0 * depth(row);
         if row.has_children {

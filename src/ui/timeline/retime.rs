@@ -90,13 +90,13 @@ impl Moving {
         Some(match self.end {
             Some(StretchEnd::Start) => (last, first),
             Some(StretchEnd::End) => (first, last),
-            None => match (0..self.grabbed).rev().find(|index| !is_dragged(index)) {
-                Some(before) => (before, before + 1),
-                None => {
-                    let after = (self.grabbed..self.before.len()).find(|index| !is_dragged(index))?;
-                    (after, after - 1)
+            None => {
+                if let Some(before) = (0..self.grabbed).rev().find(|index| !is_dragged(index)) {
+                    return Some((before, before + 1));
                 }
-            },
+                let after = (self.grabbed..self.before.len()).find(|index| !is_dragged(index))?;
+                (after, after - 1)
+            }
         })
     }
 

@@ -60,6 +60,19 @@ fn seen(times: &[f64], view: &KeyView<'_>) -> Vec<f64> {
     }
 }
 
+/// A row's name in the left column.
+#[derive(Clone, Copy)]
+pub struct RowPlace<'a> {
+    /// The row.
+    pub row: &'a Row,
+    /// Its index, counted from the row of all, which is 0.
+    pub index: usize,
+    /// Where it is.
+    pub rect: Rect,
+    /// What of that is in sight.
+    pub seen: Rect,
+}
+
 impl Keys {
     /// Draws the diamonds, the playhead, and what a drag would do.
     pub fn paint(&self, painter: &Painter, look: &Look<'_>, rows: &[Row]) {
@@ -206,11 +219,11 @@ impl Keys {
         ui: &Ui,
         painter: &Painter,
         look: &Look<'_>,
-        (row, place): (&Row, usize),
-        (rect, seen): (Rect, Rect),
+        place: RowPlace<'_>,
         keyboard: &mut Keyboard,
         commands: &mut Vec<Command>,
     ) {
+        let RowPlace { row, index, rect, seen } = place;
         let words = Words::of(ui);
         let scene = look.editor.scene();
         let node = scene.node(row.node);
@@ -228,7 +241,7 @@ impl Keys {
             _ => (node.name.clone(), words.message(texts::control_node(&node.path))),
         };
         let id = ui.scope_id().with(("keys", &says));
-        let sense = keyboard.item(ui, id, place, rect.left(), Sense::click());
+        let sense = keyboard.item(ui, id, index, rect.left(), Sense::click());
         let response = ui.interact(seen.shrink2(vec2(1.0, 0.0)), id, sense);
         let is_channel = matches!(row.subject, Subject::Channel(_));
         response.widget_info(|| WidgetInfo::labeled(Role::ListBoxOption, true, &says));
@@ -239,7 +252,7 @@ impl Keys {
         let is_inside = seen.contains(add_area.center());
         let can_add = is_inside && !look.editor.is_playing();
         let sense = if can_add {
-            keyboard.item(ui, button_id(ui, &add_name), place, add_area.center().x, Sense::click())
+            keyboard.item(ui, button_id(ui, &add_name), index, add_area.center().x, Sense::click())
         } else {
             Sense::hover()
         };
