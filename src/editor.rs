@@ -20,6 +20,8 @@ pub mod keymap;
 mod limb_balls;
 mod manipulate;
 mod motion_path;
+mod named_poses;
+mod node_edits;
 mod placing;
 mod playback;
 mod playing;
@@ -36,8 +38,8 @@ use std::sync::Arc;
 
 pub use choice::{Choice, Pivot};
 pub use command::{
-    Beginning, ClipboardCommand, Command, Edit, Effect, FileCommand, GestureCommand, PlaybackCommand, SelectionCommand,
-    TimelineEdit, ViewCommand, WindowCommand,
+    Beginning, ClipboardCommand, Command, Edit, Effect, FileCommand, GestureCommand, NodeEdit, NodePart,
+    PlaybackCommand, SelectionCommand, TimelineEdit, ViewCommand, WindowCommand,
 };
 pub use comparing::ComparedAnimation;
 pub use document::Document;

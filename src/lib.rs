@@ -12,7 +12,7 @@
 //! | 0 | [`words`], [`text`], [`rbt`], [`interpolation`], [`rotation_rules`], [`json`], [`colour`], [`picture`], [`decode`], [`parallel`], [`limb`], [`unfinished`], [`markup`], [`junit`] | glam; `words` may name serde: settings store language codes; `decode` reads by serde; `markup` hashes by sha2 |
 //! | 0 | [`manual`] | pulldown-cmark |
 //! | 1 | [`timed`], [`pose`], [`blend`], [`scene`], [`camera`] | serde, in file formats |
-//! | 2 | [`keyframe`], [`clock`], [`settings`], [`text_layouts`], [`frame`], [`film`] | serde, in file formats; `Duration`, never `Instant` |
+//! | 2 | [`keyframe`], [`pose_file`], [`clock`], [`settings`], [`text_layouts`], [`frame`], [`film`] | serde, in file formats; `Duration`, never `Instant` |
 //! | 3 | [`editor`], [`diagnosis`], [`animation_diff`] | no wgpu, egui, winit, file system |
 //! | 4 | [`view`] | |
 //! | 5 | [`render`], [`ui`] | wgpu; egui |
@@ -53,6 +53,7 @@ pub mod markup;
 pub mod parallel;
 pub mod picture;
 pub mod pose;
+pub mod pose_file;
 pub mod rbt;
 pub mod references;
 pub mod render;

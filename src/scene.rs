@@ -12,6 +12,7 @@ mod graph;
 mod joint;
 mod keys;
 mod limbs;
+mod mirror;
 mod pick;
 mod shape;
 pub mod shapes;

@@ -241,6 +241,12 @@ pub fn settings_path() -> Option<PathBuf> {
     Some(etcetera::BaseStrategy::config_dir(&folders).join("inbetween").join("settings.json"))
 }
 
+/// The user's own folder of poses, beside the settings file; `None` if there is no such folder.
+#[must_use]
+pub fn poses_path() -> Option<PathBuf> {
+    settings_path().map(|path| path.with_file_name("poses"))
+}
+
 /// The absolute form of a path.
 #[must_use]
 pub fn absolute(path: &Path) -> PathBuf {

@@ -22,11 +22,13 @@ mod legend;
 mod log;
 mod manual;
 mod menu;
+mod node_menu;
 mod overlay;
 mod overwrite;
 mod palette;
 mod path_dialog;
 mod pointed;
+mod poses;
 mod program;
 mod recovery;
 mod statistics;
@@ -46,7 +48,8 @@ use egui::{CentralPanel, Rect};
 use crate::editor::keymap::{Binding, Keymap};
 use crate::editor::{Beginning, Command, Editor, FileCommand, WindowCommand};
 use crate::film::ExportOptions;
-use crate::pose::Pose;
+use crate::pose::{Pose, RbtIndex};
+use crate::pose_file::PoseFile;
 use crate::settings::Settings;
 use crate::words::{Message, texts};
 pub use changed::{ChangeAnswer, ChangeOffer};
@@ -174,6 +177,9 @@ pub struct Panels {
     angles: angles::ShownAngles,
     timeline: timeline::Timeline,
     thumbnails: thumbnails::Thumbnails,
+    poses: poses::Poses,
+    /// The node that the menu over the scene is for.
+    scene_menu: Option<RbtIndex>,
     dialog: Option<Dialog>,
     /// What was exported last, and of which keyframe file.
     exported: Option<(PathBuf, ExportOptions)>,
@@ -290,6 +296,11 @@ impl Panels {
         self.thumbnails.put(context, pose, rgba);
     }
 
+    /// Takes in the user's own poses.
+    pub fn put_own_poses(&mut self, poses: Vec<PoseFile>) {
+        self.poses.put_own(poses);
+    }
+
     /// Shows the panels in the whole window's `ui`.
     pub fn show(&mut self, ui: &mut egui::Ui, editor: &Editor) -> UiOutput {
         self.apply_settings_to(ui.ctx());
@@ -306,6 +317,8 @@ impl Panels {
         output.change = self.changed.as_ref().and_then(|offer| changed::show(ui, offer));
         output.viewport = CentralPanel::no_frame().show(ui, |ui| ui.max_rect()).inner;
         say_of_frame(ui, editor, output.viewport);
+        let bindings = self.keymap.bindings();
+        node_menu::show_over_scene(ui, output.viewport, editor, bindings, &mut self.scene_menu, &mut output.commands);
         overlay::show(ui, output.viewport, editor, &self.keymap, &self.log, self.statistics.as_ref());
         legend::show(ui, output.viewport, editor, &mut output.commands);
         self.tour.take_in(editor, self.settings.tour);
@@ -316,6 +329,7 @@ impl Panels {
         if editor.session().shows_help {
             self.help.show(ui, self.keymap.bindings(), &mut output.commands);
         }
+        self.poses.show(ui.ctx(), output.viewport, editor, &mut self.thumbnails, &mut output.commands);
         self.log.show_list(ui.ctx(), output.viewport, &mut output.commands);
         self.log.show_toasts(ui, output.viewport);
         if let Some(exporting) = &self.exporting {

@@ -5,16 +5,18 @@ mod common;
 use std::path::PathBuf;
 use std::sync::{Arc, LazyLock};
 
+use common::any_node_edit;
 use glam::{Quat, Vec3};
 use inbetween::colour::Colour;
 use inbetween::editor::commands::{self, Changes};
 use inbetween::editor::{
-    Command, Edit, Eye, FileCommand, GestureCommand, KeyAt, Pivot, PlayMode, PlaybackCommand, SceneEdit,
+    ClipboardCommand, Command, Edit, Eye, FileCommand, GestureCommand, KeyAt, Pivot, PlayMode, PlaybackCommand, SceneEdit,
     SelectionCommand, TimelineEdit, ViewCommand, WorkEye,
 };
 use inbetween::interpolation::Interpolation;
 use inbetween::keyframe::{Blend, Easing, KeyframeIndex, Retiming, StretchEnd};
 use inbetween::pose::RbtIndex;
+use inbetween::pose_file::{PoseFile, PosedNode, shipped_pose, shipped_poses};
 use inbetween::rbt::Rbt;
 use inbetween::scene::{Channel, KeyValue, SceneGraph, scene_from_json};
 use inbetween::script::{self, Action};
@@ -42,7 +44,7 @@ static SCENE: LazyLock<SceneGraph> = LazyLock::new(|| {
     scene
 });
 
-const AWKWARD: [&str; 14] = [
+const AWKWARD: [&str; 16] = [
     "plain",
     "a b#1",
     "a b",
@@ -57,6 +59,8 @@ const AWKWARD: [&str; 14] = [
     "\u{feff}mark\u{2028}",
     "1",
     "all",
+    "mirrored",
+    "rotation of it",
 ];
 
 fn any_f32() -> impl Strategy<Value = f32> {
@@ -150,6 +154,7 @@ fn any_edit() -> impl Strategy<Value = Command> {
         (any_node(), any_rotation()).prop_map(|(rbt, to)| Edit::SetRotation(rbt, to)),
         (any_vector(), any_f64()).prop_map(|(axis_in_node, radians)| Edit::RotateChosen { axis_in_node, radians }),
         any_vector().prop_map(Edit::TranslateChosen),
+        (any_node_edit(), prop::option::of(any_node())).prop_map(|(edit, node)| Edit::Nodes(edit, node)),
         any_rbt().prop_map(Edit::Wheel),
         (any_node(), any_vector()).prop_map(|(rbt, to)| Edit::Reach(rbt, to)),
         (any_node(), any_vector()).prop_map(|(rbt, by)| Edit::ReachBy(rbt, by)),
@@ -210,6 +215,10 @@ fn any_playback() -> impl Strategy<Value = Command> {
     .prop_map(Command::Playback)
 }
 
+fn any_copy() -> impl Strategy<Value = Command> {
+    prop::option::of(any_node()).prop_map(|node| Command::Clipboard(ClipboardCommand::CopyPose(node)))
+}
+
 fn any_view() -> impl Strategy<Value = Command> {
     prop_oneof![
         (0..SCENE.eyes().len()).prop_map(|eye| ViewCommand::SetEye(Eye::Recorded(eye))),
@@ -249,8 +258,24 @@ fn any_file_command() -> impl Strategy<Value = Command> {
         any_file().prop_map(FileCommand::SaveSceneAs),
         (any_file(), any::<bool>())
             .prop_map(|(path, has_overlays)| FileCommand::Screenshot { path: Some(path), has_overlays }),
+        any_text().prop_filter_map("it has no line", |name| named(name).map(FileCommand::ApplyPose)),
+        any_text().prop_filter_map("it has no line", |name| named(name).map(FileCommand::SavePose)),
     ]
     .prop_map(Command::File)
+}
+
+/// A name that is neither blank nor that of a shipped pose.
+fn named(name: String) -> Option<String> {
+    (!name.is_empty() && shipped_pose(&name).is_none()).then_some(name)
+}
+
+fn any_pose() -> impl Strategy<Value = Command> {
+    let own = (any_text(), any_rbt(), prop::option::of(any_text())).prop_filter_map("no name", |(path, rbt, root)| {
+        let node = PosedNode { path, turned: rbt.rotation.normalize(), moved: rbt.translation };
+        let is_read = node.turned.is_finite() && node.moved.abs().max_element() <= 1e6;
+        is_read.then(|| PoseFile { name: "own".to_owned(), root, nodes: vec![node] })
+    });
+    prop_oneof![own, prop::sample::select(shipped_poses())].prop_map(|pose| Command::Edit(Edit::Pose(Arc::new(pose))))
 }
 
 fn screenshot(path: Option<&str>, has_overlays: bool) -> Command {
@@ -282,6 +307,8 @@ fn any_command() -> impl Strategy<Value = Command> {
         3 => any_scene_edit(),
         2 => any_playback(),
         2 => any_view(),
+        1 => any_copy(),
+        1 => any_pose(),
         1 => any_selection(),
         1 => any_file_command(),
         1 => any_gesture(),

@@ -3,9 +3,9 @@
 mod common;
 
 use std::path::{Path, PathBuf};
-use std::sync::LazyLock;
+use std::sync::{Arc, LazyLock};
 
-use common::{editor, editor_with, press};
+use common::{any_node_edit, any_rbt_index, editor, editor_with, press};
 use glam::{Quat, Vec3};
 use inbetween::editor::{
     ClipboardCommand, Command, Edit, Editor, Eye, FileAccess, FileCommand, GestureCommand, KeyAt, Pivot,
@@ -14,6 +14,7 @@ use inbetween::editor::{
 use inbetween::journal::{self, Ending, Writer, play_alone, survey};
 use inbetween::keyframe::{Easing, KeyframeIndex, keyframes_to_json};
 use inbetween::pose::RbtIndex;
+use inbetween::pose_file::shipped_poses;
 use inbetween::rbt::Rbt;
 use inbetween::scene::{Channel, KeyValue};
 use inbetween::script;
@@ -118,7 +119,8 @@ fn any_step() -> impl Strategy<Value = Step> {
         1 => Just(Edit::Timeline(TimelineEdit::CutKeyframes)),
         2 => Just(Edit::Timeline(TimelineEdit::PasteKeyframes)),
         1 => Just(Edit::Timeline(TimelineEdit::DuplicateKeyframes)),
-        1 => Just(Edit::Timeline(TimelineEdit::PastePose)),
+        1 => prop::sample::select(shipped_poses()).prop_map(|pose| Edit::Pose(Arc::new(pose))),
+        2 => (any_node_edit(), prop::option::of(any_rbt_index())).prop_map(|(edit, node)| Edit::Nodes(edit, node)),
         1 => Just(Edit::Timeline(TimelineEdit::ReverseKeyframes)),
         1 => (0usize..9).prop_map(|to| Edit::Timeline(TimelineEdit::MoveKeyframes(to))),
         1 => Just(Edit::Timeline(TimelineEdit::SetEasing(Easing::Hold))),
@@ -150,7 +152,7 @@ fn any_step() -> impl Strategy<Value = Step> {
             Command::Selection(SelectionCommand::Keyframes(indices.into_iter().map(KeyframeIndex::new).collect()))
         }),
         1 => Just(Command::Clipboard(ClipboardCommand::CopyKeyframes)),
-        1 => Just(Command::Clipboard(ClipboardCommand::CopyPose)),
+        1 => prop::option::of(any_rbt_index()).prop_map(|node| Command::Clipboard(ClipboardCommand::CopyPose(node))),
         1 => (0.0f64..5.0).prop_map(|seconds| Command::View(ViewCommand::ScrubSeconds(seconds))),
         1 => Just(Command::View(ViewCommand::HoldTimedKeys)),
     ];

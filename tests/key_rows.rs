@@ -427,6 +427,8 @@ fn colours_are_keyed_from_the_menu_of_a_node() {
     let before = bytes(&harness);
     let robot = harness.get_by_role_and_label(Role::ListBoxOption, "robot1").rect().center();
     secondary_click(&mut harness, robot);
+    let submenu = harness.get_by_label_contains("Key a colour").accesskit_node().label().expect("it has a name");
+    click(&mut harness, &submenu);
     let item = harness
         .get_all_by_role(Role::Button)
         .find_map(|node| node.accesskit_node().label().filter(|label| label.starts_with("Key the colour of ")))

@@ -9,11 +9,12 @@ use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use glam::{Quat, Vec3};
 use inbetween::editor::keymap::bindings;
 use inbetween::editor::{
-    Command, Edit, Editor, FileCommand, GestureCommand, PlaybackCommand, SelectionCommand, ViewCommand,
+    Command, Edit, Editor, FileCommand, GestureCommand, PlaybackCommand, SelectionCommand, ViewCommand, WindowCommand,
 };
 use inbetween::keyframe::KeyframeIndex;
 use inbetween::pose::RbtIndex;
 use inbetween::scene::{DEFAULT_SCENE, built_in_scene};
+use inbetween::settings::Settings;
 use inbetween::ui::{
     ChangeAnswer, ChangeOffer, OverwriteAnswer, OverwriteQuestion, OverwriteReason, Panels, PathPurpose, QuitAnswer,
     UiOutput, theme,
@@ -443,4 +444,57 @@ fn a_changed_file_is_offered_in_a_bar_that_takes_no_keyboard() {
         assert_eq!(harness.state().output.change, Some(answer));
         assert!(!context.egui_wants_keyboard_input());
     }
+}
+
+#[test]
+fn a_click_on_a_picture_gives_a_pose() {
+    let mut app = harness(editor(0));
+    app.state_mut().ui.perform(&WindowCommand::TogglePoses, &mut Settings::default()).unwrap();
+    app.run();
+    assert!(app.state().ui.wanted_thumbnail().is_some(), "its picture is asked for");
+    click(&mut app, "Give the pose wave");
+    assert_eq!(app.state().editor.message_text(), "Gave wave to robot1.");
+    type_into(&mut app, "Name of a new pose", "mine");
+    let is_saved = |command: &Command| *command == Command::File(FileCommand::SavePose("mine".to_owned()));
+    assert!(app.state().commands.iter().any(is_saved));
+}
+
+#[test]
+fn the_menu_of_a_node_mirrors_and_resets_it() {
+    let mut app = harness(editor(0));
+    click(&mut app, "robot1/left_shoulder");
+    app.state_mut().editor.apply(Command::Edit(Edit::RotateChosen { axis_in_node: Vec3::Z, radians: 1.0 })).unwrap();
+    let right = |app: &Harness<'_, App>| app.state().editor.document().live_pose.get(RbtIndex::new(3)).rotation;
+    app.get_by_label("robot1/left_shoulder").click_secondary();
+    app.run();
+    app.get_by_label_contains("Mirror").click();
+    app.run();
+    assert!(right(&app).z < -0.4);
+    app.get_by_label("robot1/right_shoulder").click_secondary();
+    app.run();
+    app.get_by_label_contains("Return rotation to rest").click();
+    app.run();
+    assert_eq!(right(&app), Quat::IDENTITY);
+}
+
+#[test]
+fn a_right_click_in_the_scene_opens_the_menu_of_what_is_there() {
+    let mut app = harness(editor(0));
+    let viewport = app.state().viewport;
+    let camera = app.state().editor.camera(glam::Vec2::new(viewport.width(), viewport.height()));
+    let (robot_px, _) = camera.project(Vec3::new(-2.0, 1.4, 0.0)).unwrap();
+    for (at, has_menu) in
+        [(viewport.center_top() + vec2(0.0, 20.0), false), (viewport.min + vec2(robot_px.x, robot_px.y), true)]
+    {
+        app.event(egui::Event::PointerMoved(at));
+        for pressed in [true, false] {
+            let button = egui::PointerButton::Secondary;
+            app.event(egui::Event::PointerButton { pos: at, button, pressed, modifiers: Modifiers::NONE });
+        }
+        app.run();
+        assert_eq!(app.query_by_label_contains("Mirror").is_some(), has_menu);
+    }
+    app.get_by_label_contains("Copy pose").click();
+    app.run();
+    assert_eq!(app.state().editor.message_text(), "Copied the pose of robot1.");
 }

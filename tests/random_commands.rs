@@ -3,9 +3,9 @@
 mod common;
 
 use std::path::Path;
-use std::sync::LazyLock;
+use std::sync::{Arc, LazyLock};
 
-use common::{apply, editor, press};
+use common::{any_node_edit, any_rbt_index, apply, editor, press};
 use glam::{Quat, Vec3};
 use inbetween::editor::{
     ClipboardCommand, Command, Edit, Editor, Eye, GestureCommand, KeyAt, Pivot, PlaybackCommand, SceneEdit,
@@ -14,6 +14,7 @@ use inbetween::editor::{
 use inbetween::interpolation::Interpolation;
 use inbetween::keyframe::{Easing, KeyframeIndex, Retiming, StretchEnd, keyframes_to_json};
 use inbetween::pose::RbtIndex;
+use inbetween::pose_file::shipped_poses;
 use inbetween::rbt::Rbt;
 use inbetween::scene::{Channel, KeyValue, scene_to_json};
 use proptest::prelude::*;
@@ -76,7 +77,6 @@ fn any_timeline_edit() -> impl Strategy<Value = Command> {
         2 => Just(TimelineEdit::DuplicateKeyframes),
         1 => Just(TimelineEdit::DeleteKeyframes),
         1 => Just(TimelineEdit::ReverseKeyframes),
-        1 => Just(TimelineEdit::PastePose),
         1 => (0usize..9).prop_map(TimelineEdit::MoveKeyframes),
         1 => prop::sample::select(&["linear", "hold", "sine-in"])
             .prop_map(|name| TimelineEdit::SetEasing(Easing::from_name(name).unwrap())),
@@ -129,7 +129,9 @@ fn any_step() -> impl Strategy<Value = Step> {
         }),
         1 => (0u8..8).prop_map(|place| Command::Selection(SelectionCommand::TimedKeys(vec![key(place)]))),
         2 => Just(Command::Clipboard(ClipboardCommand::CopyKeyframes)),
-        1 => Just(Command::Clipboard(ClipboardCommand::CopyPose)),
+        1 => prop::option::of(any_rbt_index()).prop_map(|node| Command::Clipboard(ClipboardCommand::CopyPose(node))),
+        1 => prop::sample::select(shipped_poses()).prop_map(|pose| Command::Edit(Edit::Pose(Arc::new(pose)))),
+        2 => (any_node_edit(), prop::option::of(any_rbt_index())).prop_map(|(edit, node)| Command::Edit(Edit::Nodes(edit, node))),
         1 => (0usize..6, 0usize..8).prop_map(|range| Command::Playback(PlaybackCommand::SetRange(Some(range)))),
         1 => (0.0f64..6.0).prop_map(|key_time| Command::Playback(PlaybackCommand::Scrub(key_time))),
         1 => (0.0f64..5.0).prop_map(|seconds| Command::View(ViewCommand::ScrubSeconds(seconds))),

@@ -7,6 +7,7 @@ use boon::{Compiler, SchemaIndex, Schemas};
 use inbetween::grading::{Overrides, Rubric};
 use inbetween::interpolation::Interpolation;
 use inbetween::keyframe::{Easing, keyframes_from_json};
+use inbetween::pose_file::{PoseFile, shipped_poses};
 use inbetween::references::read_list;
 use inbetween::scene::{SceneGraph, scene_from_json};
 use inbetween::settings::{Settings, ThemeChoice, WindowPlace};
@@ -70,6 +71,10 @@ fn reader_of_scenes() -> Reader {
 
 fn reader_of_settings() -> Reader {
     Box::new(|text| Settings::from_json(text.as_bytes()).is_ok())
+}
+
+fn reader_of_poses() -> Reader {
+    Box::new(|text| PoseFile::from_json(text.as_bytes()).is_ok())
 }
 
 fn reader_of_pictures() -> Reader {
@@ -194,6 +199,13 @@ fn scene_files() {
     assert!(validator("scene").is_valid(&joint));
     joint["nodes"][2]["reach"] = json!([0, 1, 0]);
     assert!(!validator("scene").is_valid(&joint), "a control node reaches");
+}
+
+#[test]
+fn poses() {
+    for pose in [2, 5] {
+        check("pose", &shipped_poses()[pose].to_json(), &reader_of_poses());
+    }
 }
 
 #[test]

@@ -66,7 +66,7 @@ impl Editor {
             Command::Selection(SelectionCommand::Keyframes(selected)) => without_effect(self.select(selected)),
             Command::Selection(SelectionCommand::TimedKeys(keys)) => without_effect(self.select_keys(keys)),
             Command::Clipboard(ClipboardCommand::CopyKeyframes) => without_effect(self.copy_keyframes()),
-            Command::Clipboard(ClipboardCommand::CopyPose) => without_effect(self.copy_pose()),
+            Command::Clipboard(ClipboardCommand::CopyPose(node)) => without_effect(self.copy_pose(node)),
             Command::File(file) => Ok((None, Some(self.file(file)?))),
             Command::Gesture(gesture) => without_effect(self.gesture(gesture)),
             Command::Undo => without_effect(self.undo()),
@@ -116,6 +116,8 @@ impl Editor {
             self.commit_gesture();
         }
         match edit {
+            Edit::Pose(pose) => self.apply_pose(&pose),
+            Edit::Nodes(edit, node) => self.edit_nodes(edit, node),
             Edit::Timeline(edit) => self.edit_timeline(edit, row),
             Edit::Scene(edit) => self.edit_scene(edit),
             Edit::DisplayCurrent => self.display_current(),

@@ -1,6 +1,7 @@
 //! Commands and effects as plain data: what users ask of the editor, and what the editor asks of its host.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use glam::{Quat, Vec3};
 
@@ -9,6 +10,7 @@ use crate::film::ExportOptions;
 use crate::interpolation::Interpolation;
 use crate::keyframe::{Blend, Easing, KeyframeIndex, KeyframesText, Retiming};
 use crate::pose::RbtIndex;
+use crate::pose_file::PoseFile;
 use crate::rbt::Rbt;
 use crate::settings::ThemeChoice;
 use crate::words::Language;
@@ -64,6 +66,8 @@ pub enum WindowCommand {
     ShowManual,
     /// Asks what film to make of the keyframes.
     ShowExport,
+    /// Shows or hides the poses with names.
+    TogglePoses,
     /// Shows or hides the log of messages.
     ToggleMessages,
     /// Shows or hides how fast the window is.
@@ -165,6 +169,10 @@ pub enum Edit {
     /// Turns the limb that a node ends about the line from its root joint to its end, by degrees, right-handed along that line: the elbow
     /// or knee goes around it, and the end stays.
     TurnPole(RbtIndex, f64),
+    /// Gives a named pose to the chosen nodes, or to the node that it was taken of.
+    Pose(Arc<PoseFile>),
+    /// Poses this node or, with `None`, the chosen ones.
+    Nodes(NodeEdit, Option<RbtIndex>),
     /// Edits the list as a timeline.
     Timeline(TimelineEdit),
     /// Edits control nodes and timed keys, which are part of the scene.
@@ -172,6 +180,31 @@ pub enum Edit {
     /// Moves the chosen nodes, or the eye, along the view, with respect to their auxiliary frames.
     /// Consecutive ones are one undo step.
     Wheel(Rbt),
+}
+
+/// Edits of the live pose that mean a node whatever its place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NodeEdit {
+    /// Returns a node to rest; what hangs below it keeps its own places.
+    Reset(NodePart),
+    /// Gives the other side the mirrored pose of a node and of all below it. A node in the middle swaps the sides below it.
+    Mirror,
+    /// Gives a node and all below it the copied pose. Another node than the copied one keeps its own translation.
+    Paste {
+        /// Whether the pose is mirrored first.
+        is_mirrored: bool,
+    },
+}
+
+/// What of a node's place is meant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NodePart {
+    /// Translation and rotation.
+    Both,
+    /// The translation.
+    Translation,
+    /// The rotation.
+    Rotation,
 }
 
 /// Edits of the keyframe list as a timeline. "The selected keyframes" are the current keyframe if none is selected.
@@ -204,8 +237,6 @@ pub enum TimelineEdit {
     DuplicateKeyframes,
     /// Reverses the order of the selected keyframes, or of all where fewer than two are selected.
     ReverseKeyframes,
-    /// Gives the chosen node and all below it the copied pose; another root keeps its own place.
-    PastePose,
     /// Moves one node in one keyframe of the list, as dragging its dot on the motion path does: in the parent's space.
     SetTranslationInKeyframe(KeyframeIndex, RbtIndex, Vec3),
     /// Turns one node in one keyframe of the list.
@@ -308,8 +339,8 @@ pub enum SelectionCommand {
 pub enum ClipboardCommand {
     /// Copies the selected keyframes, or the current one.
     CopyKeyframes,
-    /// Copies the displayed pose of the chosen node and all nodes below it.
-    CopyPose,
+    /// Copies the displayed pose of this node, or of the primary of the chosen ones, and of all nodes below it.
+    CopyPose(Option<RbtIndex>),
 }
 
 /// Files and the program itself.
@@ -339,6 +370,10 @@ pub enum FileCommand {
     ChooseSaveSceneAs,
     /// Writes the scene to a file, which becomes its own from now on.
     SaveSceneAs(PathBuf),
+    /// Gives the pose of this name, or in this file, to the chosen nodes.
+    ApplyPose(String),
+    /// Writes the pose of the primary chosen node and all below it, or of the whole scene, under this name or to this file.
+    SavePose(String),
     /// Writes a picture.
     Screenshot {
         /// Where to; `None`: the next free name beside the keyframe file.
@@ -416,6 +451,15 @@ pub enum Effect {
         text: String,
         /// Whether the file was read or written before, as for keyframes.
         is_known: bool,
+    },
+    /// Read the pose of this name, or in this file, and hand it to [`super::Editor::pose_read`].
+    ReadPose(String),
+    /// Write this text and hand the outcome to [`super::Editor::pose_written`].
+    WritePose {
+        /// The pose's name, or its file.
+        name: String,
+        /// All of its text.
+        text: String,
     },
     /// Ask where to save the scene.
     ChooseSaveSceneAs,

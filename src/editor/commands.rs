@@ -9,6 +9,7 @@ mod keyframes;
 mod line;
 mod nodes;
 mod playing;
+mod poses;
 mod reaching;
 mod row;
 mod timed_keys;
@@ -33,6 +34,7 @@ static ROWS: LazyLock<Vec<Row>> = LazyLock::new(|| {
         timeline::rows(),
         nodes::rows(),
         reaching::rows(),
+        poses::rows(),
         timed_keys::rows(),
         playing::rows(),
         view::rows(),

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use thiserror::Error;
 
 use crate::keyframe::KeyframeFileError;
+use crate::pose_file::LONGEST_POSE_NAME;
 use crate::scene::{Channel, SceneError};
 use crate::text_layouts::TextError;
 use crate::words::{Argument, Message, Phrase, Severity, display_by_message, quoted, texts};
@@ -52,8 +53,28 @@ pub enum CommandError {
         /// The key that copies.
         copy: Argument,
     },
+    /// A text that cannot name a pose.
+    NotAPoseName {
+        /// The text.
+        name: String,
+    },
+    /// A pose that is shipped has that name.
+    PoseIsShipped {
+        /// The name.
+        name: String,
+    },
+    /// No node of a pose is in the scene.
+    PoseFitsNowhere {
+        /// The pose's name.
+        name: String,
+    },
     /// There is no copied pose.
     NoPoseCopied,
+    /// Nothing mirrors the node.
+    NoOtherSide {
+        /// Its path.
+        path: String,
+    },
     /// The copied pose is of other nodes.
     OtherNodes {
         /// The path below the node that was copied.
@@ -216,6 +237,10 @@ impl CommandError {
             }
             Self::NoSuchRange { first, last } => texts::refused_no_such_range(*first, *last),
             Self::NothingCopied { copy } => texts::refused_nothing_copied(copy.clone()),
+            Self::NotAPoseName { name } => texts::pose_file_name(quoted(name), LONGEST_POSE_NAME),
+            Self::PoseIsShipped { name } => texts::refused_pose_is_shipped(quoted(name)),
+            Self::PoseFitsNowhere { name } => texts::refused_pose_fits_nowhere(quoted(name)),
+            Self::NoOtherSide { path } => texts::refused_no_other_side(quoted(path)),
             Self::NoPoseCopied => texts::REFUSED_NO_POSE_COPIED.into(),
             Self::OtherNodes { path, chosen } => texts::refused_other_nodes(quoted(path), quoted(chosen)),
             Self::NothingPlaying { play } => texts::refused_nothing_playing(play.clone()),

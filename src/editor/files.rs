@@ -52,6 +52,8 @@ impl Editor {
             }
             FileCommand::ChooseSaveSceneAs => Effect::ChooseSaveSceneAs,
             FileCommand::SaveSceneAs(path) => self.write_scene_effect(path),
+            FileCommand::ApplyPose(name) => Effect::ReadPose(name),
+            FileCommand::SavePose(name) => self.save_pose(name)?,
             FileCommand::Screenshot { path, has_overlays } => Effect::Screenshot { path, has_overlays },
             FileCommand::Export(options) => Effect::Export(options),
             FileCommand::CancelExport => Effect::CancelExport,

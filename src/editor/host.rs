@@ -45,6 +45,8 @@ pub enum FileAccess {
     SceneWritten,
     /// A picture of the scene was written.
     ScreenshotTaken,
+    /// A pose with a name was written.
+    PoseWritten,
 }
 
 /// What a host is asked to write.
@@ -128,6 +130,18 @@ pub trait Host {
         has_overlays: bool,
     ) -> Result<(PathBuf, FileOutcome<()>), Self::Stop>;
 
+    /// Reads the pose of this name, or in this file.
+    ///
+    /// # Errors
+    /// Only where the host cannot go on; a file that cannot be read is an outcome.
+    fn read_pose(&mut self, name: &str) -> Result<FileOutcome<Vec<u8>>, Self::Stop>;
+
+    /// Writes a pose under this name or to this file. Returns the path.
+    ///
+    /// # Errors
+    /// Only where the host cannot go on; a file that cannot be written is an outcome.
+    fn write_pose(&mut self, name: &str, text: &str) -> Result<FileOutcome<(PathBuf, Written)>, Self::Stop>;
+
     /// The editor was told of a file; `told` is what it made of that.
     ///
     /// # Errors
@@ -175,6 +189,19 @@ pub trait Host {
                 let (path, outcome) = self.take_screenshot(path, has_overlays)?;
                 let told = self.editor().screenshot_taken(&path, outcome);
                 return self.told(FileAccess::ScreenshotTaken, &path, told);
+            }
+            Effect::ReadPose(name) => {
+                let outcome = self.read_pose(&name)?;
+                // A command, so that a journal has what the file held.
+                if let Ok(command) = self.editor().pose_read(&name, outcome) {
+                    return self.carry_out(command);
+                }
+            }
+            Effect::WritePose { name, text } => {
+                let outcome = self.write_pose(&name, &text)?;
+                let path = outcome.as_ref().map_or_else(|_| PathBuf::from(&name), |(path, _)| path.clone());
+                let told = self.editor().pose_written(&name, outcome);
+                return self.told(FileAccess::PoseWritten, &path, told);
             }
             Effect::ChooseOpen => self.window().ask_for_path(PathQuestion::Open),
             Effect::ChooseCompare => self.window().ask_for_path(PathQuestion::Compare),

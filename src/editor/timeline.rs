@@ -20,7 +20,7 @@ const LONGEST_NAME: usize = 100;
 pub struct Clipboard {
     keyframes: Vec<Keyframe>,
     /// The node whose pose was copied, and the pose of everything.
-    pose: Option<(RbtIndex, Pose)>,
+    pub(super) pose: Option<(RbtIndex, Pose)>,
 }
 
 impl Clipboard {
@@ -54,12 +54,6 @@ impl Editor {
     #[must_use]
     pub fn has_copied_keyframes(&self) -> bool {
         !self.clipboard.keyframes.is_empty()
-    }
-
-    /// Whether there is a pose to paste.
-    #[must_use]
-    pub const fn has_copied_pose(&self) -> bool {
-        self.clipboard.pose.is_some()
     }
 
     pub(super) fn edit_timeline(&mut self, edit: TimelineEdit, row: &Row) -> CommandResult {
@@ -97,7 +91,6 @@ impl Editor {
                 Ok(Some(texts::keyframes_duplicated(count, at)))
             }
             TimelineEdit::ReverseKeyframes => self.reverse_keyframes(),
-            TimelineEdit::PastePose => self.paste_pose(),
             TimelineEdit::SetTranslationInKeyframe(keyframe, rbt, translation) => {
                 self.change_node_in_keyframe(keyframe, rbt, |from| Rbt { translation, ..from })
             }
@@ -149,12 +142,6 @@ impl Editor {
     pub(super) fn copy_keyframes(&mut self) -> CommandResult {
         self.clipboard.keyframes = self.copies_of_edited()?;
         Ok(Some(texts::keyframes_copied(texts::count_keyframes(self.clipboard.keyframes.len()))))
-    }
-
-    pub(super) fn copy_pose(&mut self) -> CommandResult {
-        let chosen = self.session.chosen.primary().ok_or_else(|| self.nothing_chosen())?;
-        self.clipboard.pose = Some((chosen, self.displayed_pose().in_bounds()));
-        Ok(Some(texts::pose_copied(self.document.scene.rbt_path(chosen))))
     }
 
     fn rename(&mut self, index: KeyframeIndex, name: &str) -> CommandResult {
@@ -306,41 +293,6 @@ impl Editor {
         self.rearrange(texts::ACT_REVERSING_OF_KEYFRAMES, keyframes, current, 0..0)?;
         self.session.selected = selected;
         Ok(Some(texts::keyframes_reversed(texts::count_keyframes(indices.len()))))
-    }
-
-    /// Pairs of the copied node and the chosen one, each with all below it, matched by their paths.
-    fn paste_pose(&mut self) -> CommandResult {
-        let chosen = self.session.chosen.primary().ok_or_else(|| self.nothing_chosen())?;
-        let (source, pose) = self.clipboard.pose.clone().ok_or(CommandError::NoPoseCopied)?;
-        let (source_path, chosen_path) =
-            (self.document.scene.rbt_path(source).to_owned(), self.document.scene.rbt_path(chosen).to_owned());
-        let mut pairs = Vec::new();
-        for rbt in self.document.scene.rbt_indices() {
-            let path = self.document.scene.rbt_path(rbt);
-            let Some(below) =
-                path.strip_prefix(source_path.as_str()).filter(|below| below.is_empty() || below.starts_with('/'))
-            else {
-                continue;
-            };
-            let target = self.document.scene.find_rbt(&format!("{chosen_path}{below}")).ok_or_else(|| {
-                CommandError::OtherNodes { path: below.trim_start_matches('/').to_owned(), chosen: chosen_path.clone() }
-            })?;
-            pairs.push((rbt, target));
-        }
-        let scrubbed = self.end_scrub();
-        self.record(texts::ACT_PASTING_OF_A_POSE, None, |document| {
-            if let Some(pose) = scrubbed {
-                document.live_pose = pose;
-            }
-            for (from, to) in pairs {
-                let mut placed = pose.get(from);
-                if from == source && source != chosen {
-                    placed.translation = document.live_pose.get(to).translation;
-                }
-                document.live_pose.set(to, placed);
-            }
-        })?;
-        Ok(Some(texts::pose_pasted(source_path, chosen_path)))
     }
 
     fn change_node_in_keyframe(

@@ -203,6 +203,18 @@ impl Host for Folder {
         Ok((path, Ok(())))
     }
 
+    fn read_pose(&mut self, name: &str) -> Result<FileOutcome<Vec<u8>>, String> {
+        // A name is that of a file in the script's own folder here.
+        self.read(FileAccess::KeyframesRead, Path::new(&pose_file(name)))
+    }
+
+    fn write_pose(&mut self, name: &str, text: &str) -> Result<FileOutcome<(PathBuf, Written)>, String> {
+        let path = PathBuf::from(pose_file(name));
+        let writing = Writing { access: FileAccess::PoseWritten, path: &path, text: &text, is_known: true };
+        let written = self.write(writing)?.unwrap_or_else(|| Ok(Written::default()));
+        Ok(written.map(|written| (path, written)))
+    }
+
     fn told(&mut self, _access: FileAccess, _path: &Path, _told: Result<(), CommandError>) -> Result<(), String> {
         // What is wrong with a file is the editor's message, and the script goes on.
         Ok(())
@@ -211,6 +223,10 @@ impl Host for Folder {
     fn window(&mut self) -> &mut dyn WindowHost {
         &mut self.no_window
     }
+}
+
+fn pose_file(name: &str) -> String {
+    if name.ends_with(".json") { name.to_owned() } else { format!("{name}.json") }
 }
 
 /// The name of a file in the script's own folder.

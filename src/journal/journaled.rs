@@ -107,6 +107,14 @@ impl<H: Windowless> Host for Journaled<H> {
         self.host.take_screenshot(path, has_overlays)
     }
 
+    fn read_pose(&mut self, name: &str) -> Result<FileOutcome<Vec<u8>>, H::Stop> {
+        self.host.read_pose(name)
+    }
+
+    fn write_pose(&mut self, name: &str, text: &str) -> Result<FileOutcome<(PathBuf, Written)>, H::Stop> {
+        self.host.write_pose(name, text)
+    }
+
     fn told(&mut self, access: FileAccess, path: &Path, told: Result<(), CommandError>) -> Result<(), H::Stop> {
         if let (Some(journal), Ok(())) = (&mut self.journal, &told) {
             journal.wrote(access, path);

@@ -53,6 +53,14 @@ impl Host for Nowhere {
         Ok((path.unwrap_or_default(), Err(texts::JOURNAL_NO_FILES.into())))
     }
 
+    fn read_pose(&mut self, _: &str) -> Result<FileOutcome<Vec<u8>>, Infallible> {
+        Ok(Err(texts::JOURNAL_NO_FILES.into()))
+    }
+
+    fn write_pose(&mut self, _: &str, _: &str) -> Result<FileOutcome<(PathBuf, Written)>, Infallible> {
+        Ok(Err(texts::JOURNAL_NO_FILES.into()))
+    }
+
     fn told(&mut self, _: FileAccess, _: &Path, _: Result<(), CommandError>) -> Result<(), Infallible> {
         Ok(())
     }

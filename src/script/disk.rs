@@ -96,6 +96,14 @@ impl Host for Disk {
         Ok((path, written))
     }
 
+    fn read_pose(&mut self, name: &str) -> Result<FileOutcome<Vec<u8>>, DiskStop> {
+        Ok(files::poses::read(name))
+    }
+
+    fn write_pose(&mut self, name: &str, text: &str) -> Result<FileOutcome<(PathBuf, Written)>, DiskStop> {
+        Ok(files::poses::write(name, text))
+    }
+
     fn told(&mut self, access: FileAccess, _path: &Path, told: Result<(), CommandError>) -> Result<(), DiskStop> {
         if std::mem::take(&mut self.is_refusing) {
             self.refused.extend(told.err());
@@ -110,7 +118,10 @@ impl Host for Disk {
                 Ok(())
             }
             FileAccess::ComparedRead => Ok(()),
-            FileAccess::KeyframesWritten | FileAccess::SceneWritten | FileAccess::ScreenshotTaken => Ok(told?),
+            FileAccess::KeyframesWritten
+            | FileAccess::SceneWritten
+            | FileAccess::ScreenshotTaken
+            | FileAccess::PoseWritten => Ok(told?),
         }
     }
 

@@ -100,6 +100,7 @@ impl Panels {
             PanelInput { editor, keymap: &self.keymap, settings: &self.settings, is_exporting, view: Vec2::ZERO };
         let state = WindowState {
             messages: self.log.is_shown(),
+            poses: self.poses.is_shown(),
             statistics: self.statistics.is_some(),
             journal: self.settings.journal,
             reload: self.settings.reload,

@@ -48,6 +48,7 @@ impl Panels {
             WindowCommand::ShowExport => {
                 self.dialog = Some(Dialog::Export(Box::new(ExportDialog::new(self.exported.clone()))));
             }
+            WindowCommand::TogglePoses => self.poses.toggle(),
             WindowCommand::ToggleMessages => self.log.toggle(),
             WindowCommand::ToggleStatistics => {
                 self.statistics = if self.statistics.is_some() { None } else { Some(Statistics::default()) };

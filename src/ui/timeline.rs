@@ -43,6 +43,8 @@ use paint::Look;
 use rename::Renaming;
 use rows::{Rows, has_key_rows};
 use scale::{MOST_POINTS, Scale, VisibleTime};
+pub use timed_key_menu::key_colour_now;
+pub use timed_key_rows::put_control_above;
 use timed_key_view::KeyView;
 use timed_keys::Keys;
 
@@ -175,7 +177,7 @@ impl Timeline {
         self.folds_focused = false;
         match self.tab {
             Tab::Keyframes => {
-                labels::rows(self, ui, &look, &rows, commands);
+                labels::rows(self, ui, &look, &rows, bindings, commands);
                 let entry = diamonds(self, ui, &look, commands);
                 self.keys.diamonds(ui, &key_view, look.tokens, &mut self.keyboard, commands);
                 self.move_focus(ui, entry, &target);
@@ -359,11 +361,6 @@ impl Timeline {
             if first == last { (first.saturating_sub(1), (last + 1).min(last_place)) } else { (first, last) };
         self.view = Some(VisibleTime::fitting(columns.time(first), columns.time(last), layout.tracks.width()));
     }
-}
-
-/// The context menu of a node in a list: a control node above it, keys of the colours of its shapes.
-pub fn node_menu(response: &Response, editor: &Editor, rbt: crate::pose::RbtIndex, commands: &mut Vec<Command>) {
-    timed_key_menu::of_rbt(response, editor, editor.scene().rbt_node(rbt), commands);
 }
 
 /// The first and the last keyframe that play.

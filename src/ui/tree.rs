@@ -7,7 +7,7 @@ use egui::{Align2, Color32, Pos2, Rect, Response, RichText, Role, Sense, Shape, 
 use super::icons::{Icon, paint, was_pressed};
 use super::theme::{CORNER, ROW, Tokens, text_font};
 use super::words::Words;
-use super::{key_of, tip};
+use super::{key_of, node_menu, tip};
 use crate::editor::keymap::Keymap;
 use crate::editor::{Command, Editor, Eye, ViewCommand};
 use crate::pose::RbtIndex;
@@ -57,7 +57,7 @@ impl Tree {
                 has_children: below.skip(1).any(|index| matches!(scene.nodes()[index].kind, NodeKind::Rbt(_))),
                 eye: scene.eyes().iter().position(|&eye| eye == rbt),
             };
-            self.row(ui, editor, &row, &eye_key, commands);
+            self.row(ui, editor, &row, &eye_key, keymap, commands);
         }
         // What is left of the panel chooses nothing.
         let rest = ui.available_rect_before_wrap();
@@ -66,7 +66,15 @@ impl Tree {
         }
     }
 
-    fn row(&mut self, ui: &mut Ui, editor: &Editor, row: &Row<'_>, eye_key: &str, commands: &mut Vec<Command>) {
+    fn row(
+        &mut self,
+        ui: &mut Ui,
+        editor: &Editor,
+        row: &Row<'_>,
+        eye_key: &str,
+        keymap: &Keymap,
+        commands: &mut Vec<Command>,
+    ) {
         let tokens = Tokens::of(ui);
         let words = Words::of(ui);
         let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::click());
@@ -97,7 +105,7 @@ impl Tree {
         } else {
             words.say(texts::CHOOSE_IT_DRAGS_MOVE_IT)
         });
-        super::timeline::node_menu(&response, editor, row.rbt, commands);
+        node_menu::show(&response, editor, keymap.bindings(), row.rbt, commands);
         if was_pressed(&response) {
             commands.push(choice_by_click(ui, editor, row.rbt));
         }

@@ -48,6 +48,16 @@ impl Host for Shell {
         Ok((path, outcome))
     }
 
+    fn read_pose(&mut self, name: &str) -> Result<FileOutcome<Vec<u8>>, Infallible> {
+        Ok(files::poses::read(name))
+    }
+
+    fn write_pose(&mut self, name: &str, text: &str) -> Result<FileOutcome<(PathBuf, Written)>, Infallible> {
+        let outcome = files::poses::write(name, text);
+        self.ui.put_own_poses(files::poses::own());
+        Ok(outcome)
+    }
+
     fn told(&mut self, access: FileAccess, path: &Path, told: Result<(), CommandError>) -> Result<(), Infallible> {
         let is_keyframe_file = matches!(access, FileAccess::KeyframesRead | FileAccess::KeyframesWritten);
         if told.is_ok() {

@@ -77,6 +77,7 @@ impl Shell {
     pub fn new(mut editor: Editor, at_start: Vec<Command>, proxy: EventLoopProxy<UserEvent>, tests: ForTests) -> Self {
         let (settings_file, problem) = SettingsFile::read();
         let mut ui = Panels::new();
+        ui.put_own_poses(crate::files::poses::own());
         let errors = ui.adopt(&settings_file.settings).into_iter().map(|error| error.message());
         editor.set_keymap(ui.keymap().clone());
         for message in problem.into_iter().chain(errors) {

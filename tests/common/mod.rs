@@ -7,12 +7,12 @@ use std::sync::Arc;
 
 use glam::Vec3;
 use inbetween::editor::keymap::{binding_for, bindings, press_from_word};
-use inbetween::editor::{Command, Document, Edit, Editor, Effect, KeyAt, TimelineEdit};
+use inbetween::editor::{Command, Document, Edit, Editor, Effect, KeyAt, NodeEdit, NodePart, TimelineEdit};
 use inbetween::interpolation::Interpolation;
 use inbetween::keyframe::{
     KeyframeIndex, MS_BETWEEN_KEYFRAMES_RANGE, file_bytes_at_most, keyframes_from_json, keyframes_to_json,
 };
-use inbetween::pose::Pose;
+use inbetween::pose::{Pose, RbtIndex};
 use inbetween::rbt::Rbt;
 use inbetween::rotation_rules::Mending;
 use inbetween::scene::{DEFAULT_SCENE, built_in_scene, scene_from_json, scene_to_json};
@@ -171,4 +171,22 @@ pub fn other_files() -> Vec<Vec<u8>> {
     files.push(b"{0: vec(0, 1, 0), 2: vec(1, 1, 0)}".to_vec());
     files.extend([b"1 2 3\n".to_vec(), b"\xff\xfe\x00".to_vec(), b"{\"format\": 3}".to_vec(), Vec::new()]);
     files
+}
+
+/// Any edit of a node whatever its place.
+pub fn any_node_edit() -> impl proptest::strategy::Strategy<Value = NodeEdit> {
+    proptest::sample::select(&[
+        NodeEdit::Mirror,
+        NodeEdit::Paste { is_mirrored: false },
+        NodeEdit::Paste { is_mirrored: true },
+        NodeEdit::Reset(NodePart::Both),
+        NodeEdit::Reset(NodePart::Rotation),
+        NodeEdit::Reset(NodePart::Translation),
+    ])
+}
+
+/// A node of the built-in scene, or one that is not in it.
+pub fn any_rbt_index() -> impl proptest::strategy::Strategy<Value = RbtIndex> {
+    use proptest::strategy::Strategy as _;
+    (0usize..24).prop_map(RbtIndex::new)
 }

@@ -88,6 +88,8 @@ impl Menu {
 pub struct WindowState {
     /// Whether the log of messages is shown.
     pub messages: bool,
+    /// Whether the poses with names are shown.
+    pub poses: bool,
     /// Whether the statistics are shown.
     pub statistics: bool,
     /// Whether a journal is kept.

@@ -43,7 +43,7 @@ fn edit_with(id: &'static str, owns: fn(&Command) -> bool) -> Row {
 }
 
 pub(super) fn rows() -> Vec<Row> {
-    [selection(), edits(), intervals(), times(), nodes(), window(), poses()].concat()
+    [selection(), edits(), intervals(), times(), nodes(), window()].concat()
 }
 
 fn selection() -> Vec<Row> {
@@ -270,17 +270,5 @@ fn window() -> Vec<Row> {
             .can(|editor, command| !editor.is_playing() && has_keyframes(editor, command)),
         fit("timeline-fit-all", WindowCommand::FitTimeline, &["f"]),
         fit("timeline-fit-selection", WindowCommand::FitSelection, &["Shift+F"]),
-    ]
-}
-
-fn poses() -> Vec<Row> {
-    let copy = binding("pose-copy", Command::Clipboard(ClipboardCommand::CopyPose), &["Ctrl+Shift+C"]);
-    let paste = binding("pose-paste", edit(TimelineEdit::PastePose), &["Ctrl+Shift+V"]);
-    vec![
-        Row::listed(Changes::Session, copy)
-            .can(|editor, _| !editor.session.chosen.is_empty())
-            .word("copy-pose", "copies what is on screen of the chosen node and all below it"),
-        listed_edit(paste, "paste-pose", "gives it to the chosen node, of the other robot, say")
-            .can(|editor, _| editor.has_copied_pose() && !editor.session.chosen.is_empty()),
     ]
 }

@@ -17,6 +17,7 @@ fn lists() -> Vec<Row> {
     let hotkeys = binding("hotkeys", WindowCommand::ShowHotkeys);
     let tour = binding("tour", WindowCommand::ShowTour);
     let about = binding("about", WindowCommand::ShowAbout);
+    let poses = binding("poses", WindowCommand::TogglePoses);
     let messages = binding("messages", WindowCommand::ToggleMessages);
     let statistics = binding("statistics", WindowCommand::ToggleStatistics);
     let reload = binding("reload-changed", WindowCommand::ToggleReload).menu(Menu::File);
@@ -27,6 +28,7 @@ fn lists() -> Vec<Row> {
         Row::listed(Changes::Window, hotkeys.menu(Menu::Help)),
         Row::listed(Changes::Window, tour.menu(Menu::Help).ticked(|_, window| window.tour)),
         Row::listed(Changes::Window, about.menu(Menu::Help).section(9)),
+        Row::listed(Changes::Window, poses.hotkeys(&["Ctrl+L"]).ticked(|_, window| window.poses)),
         Row::listed(Changes::Window, messages.ticked(|_, window| window.messages)),
         Row::listed(Changes::Window, statistics.ticked(|_, window| window.statistics)),
         Row::listed(Changes::Window, reload.ticked(|_, window| window.reload)),

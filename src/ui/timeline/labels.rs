@@ -6,12 +6,13 @@ use super::hit::Layout;
 use super::paint::Look;
 use super::rows::{Row, Subject};
 use super::timed_key_rows::RowPlace;
-use super::{Ask, Tab, Timeline, timed_key_menu};
+use super::{Ask, Tab, Timeline};
 use crate::editor::keymap::Binding;
 use crate::editor::{Command, WindowCommand};
 use crate::pose::RbtIndex;
 use crate::ui::binding_of;
 use crate::ui::icons::{Icon, button_at, was_pressed};
+use crate::ui::node_menu;
 use crate::ui::theme::{CORNER, ROW, Tokens, small_font, text_font};
 use crate::ui::tree::choice_by_click;
 use crate::ui::words::Words;
@@ -59,7 +60,14 @@ pub fn header(timeline: &mut Timeline, ui: &Ui, layout: &Layout, bindings: &[Bin
 }
 
 /// Shows the names of rows: a click chooses a node, a triangle unfolds what is below it.
-pub fn rows(timeline: &mut Timeline, ui: &Ui, look: &Look<'_>, rows: &[Row], commands: &mut Vec<Command>) {
+pub fn rows(
+    timeline: &mut Timeline,
+    ui: &Ui,
+    look: &Look<'_>,
+    rows: &[Row],
+    bindings: &[Binding],
+    commands: &mut Vec<Command>,
+) {
     let layout = look.target.layout;
     let tokens = look.tokens;
     let column = layout.labels;
@@ -76,7 +84,7 @@ pub fn rows(timeline: &mut Timeline, ui: &Ui, look: &Look<'_>, rows: &[Row], com
         if let Subject::Rbt { rbt, .. } = row.subject {
             let id = ui.scope_id().with(("row", rbt));
             let sense = timeline.keyboard.item(ui, id, index + 1, rect.left(), Sense::click());
-            name(ui, &painter, look, (row, rbt), (seen, id, sense), rect, commands);
+            name(ui, &painter, look, (row, rbt), (seen, id, sense), rect, bindings, commands);
         } else {
             let place = RowPlace { row, index: index + 1, rect, seen };
             timeline.keys.label(ui, &painter, look, place, &mut timeline.keyboard, commands);
@@ -96,6 +104,7 @@ fn name(
     (row, rbt): (&Row, RbtIndex),
     (seen, id, sense): (Rect, egui::Id, Sense),
     rect: Rect,
+    bindings: &[Binding],
     commands: &mut Vec<Command>,
 ) {
     let tokens = look.tokens;
@@ -130,7 +139,7 @@ fn name(
         look.words.say(texts::CHOOSE_IT_DRAGS_MOVE_IT_AND_THE)
     };
     let response = response.on_hover_text(tip);
-    timed_key_menu::of_rbt(&response, look.editor, row.node, commands);
+    node_menu::show(&response, look.editor, bindings, rbt, commands);
     if was_pressed(&response) {
         commands.push(choice_by_click(ui, look.editor, rbt));
     }

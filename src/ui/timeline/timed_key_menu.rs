@@ -18,7 +18,7 @@ use crate::editor::{
     Command, Edit, Editor, GestureCommand, KeyAt, SceneEdit, SelectionCommand, TimelineEdit, TrackPath,
 };
 use crate::rotation_rules::rotation_from_euler_degrees;
-use crate::scene::{Channel, KeyValue, NodeId, NodeKind};
+use crate::scene::{Channel, KeyValue, NodeId};
 use crate::ui::angles::{degrees_from_rotation, say_of_angles};
 use crate::ui::icons::was_pressed;
 use crate::ui::theme::{GRID, ROW, Tokens};
@@ -317,28 +317,7 @@ fn rename(ui: &mut Ui, menu: &mut Menu, is_enabled: bool, commands: &mut Vec<Com
     });
 }
 
-/// The context menu of an RBT node's name: a control node above it, keys of the colours of its shapes.
-pub fn of_rbt(response: &Response, editor: &Editor, id: NodeId, commands: &mut Vec<Command>) {
-    response.context_menu(|ui| {
-        let words = Words::of(ui);
-        let graph = editor.scene();
-        let is_still = !editor.is_playing();
-        ui.set_min_width(216.0);
-        ui.spacing_mut().item_spacing.y = 0.0;
-        caption(ui, &graph.node(id).path);
-        if item(ui, words.say(texts::PUT_A_CONTROL_NODE_ABOVE_IT), "", is_still) {
-            commands.push(put_control_above(&graph.node(id).path));
-        }
-        let shapes = graph.nodes_with_ids().filter(|(_, node)| {
-            let hangs_here = node.parent == Some(id);
-            hangs_here
-                && matches!(&node.kind, NodeKind::Shape(placed) if placed.tracks().get(Channel::Colour).is_none())
-        });
-        for (_, node) in shapes {
-            if item(ui, &words.message(texts::key_colour_of(&node.name)), "", is_still) {
-                let key = KeyAt::new(&node.path, Channel::Colour, playhead(editor));
-                commands.push(scene(SceneEdit::AddKeys(vec![key])));
-            }
-        }
-    });
+/// Adds a key of the colour of the shape with this path at the playhead.
+pub fn key_colour_now(editor: &Editor, path: &str) -> Command {
+    scene(SceneEdit::AddKeys(vec![KeyAt::new(path, Channel::Colour, playhead(editor))]))
 }

@@ -331,6 +331,6 @@ fn clock(painter: &Painter, view: &KeyView<'_>, tokens: &Tokens) {
 }
 
 /// Puts a control node above a node.
-pub(super) fn put_control_above(path: &str) -> Command {
+pub fn put_control_above(path: &str) -> Command {
     scene(SceneEdit::PutControlAbove(path.into()))
 }
