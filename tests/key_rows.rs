@@ -351,7 +351,7 @@ fn the_keyboard_alone_reaches_keys_and_their_numbers() {
             harness.key_press(Key::Enter);
             harness.run();
             assert_eq!(selected(harness), [(Channel::Rotation, 3.0)]);
-            type_number(harness, "Key: Rotation yaw", "90");
+            type_number(harness, "Key: Rotation about z", "90");
         },
         Channel::Rotation,
         &[0.0, 2.0, 3.0, 4.0],

@@ -213,12 +213,12 @@ fn typed_degrees_turn_the_node_and_stay_as_typed() {
     let mut harness = harness(editor(0));
     harness.state_mut().editor.apply(Command::View(ViewCommand::Choose(Some(RbtIndex::new(3))))).unwrap();
     harness.run();
-    type_into(&mut harness, "Rotation yaw", "90");
-    type_into(&mut harness, "Rotation pitch", "135");
+    type_into(&mut harness, "Rotation about z", "90");
+    type_into(&mut harness, "Rotation about y", "135");
     let rotation = harness.state().editor.document().live_pose.get(RbtIndex::new(3)).rotation;
     let expected = Quat::from_rotation_z(90_f32.to_radians()) * Quat::from_rotation_y(135_f32.to_radians());
     assert!(rotation.dot(expected).abs() > 1.0 - 1e-6, "{rotation} is not {expected}");
-    assert_eq!(harness.get_by_label("Rotation pitch").value().as_deref(), Some("135.0"));
+    assert_eq!(harness.get_by_label("Rotation about y").value().as_deref(), Some("135.0"));
 }
 
 #[test]
@@ -228,10 +228,10 @@ fn typed_full_turns_are_said_to_be_none() {
     harness.run();
     let note = "degrees is the same rotation as";
     assert!(harness.query_by_label_contains(note).is_none());
-    type_into(&mut harness, "Rotation yaw", "360");
-    assert_eq!(harness.get_by_label("Rotation yaw").value().as_deref(), Some("360.0"));
+    type_into(&mut harness, "Rotation about z", "360");
+    assert_eq!(harness.get_by_label("Rotation about z").value().as_deref(), Some("360.0"));
     harness.get_by_label_contains("360 degrees is the same rotation as 0");
-    type_into(&mut harness, "Rotation yaw", "180");
+    type_into(&mut harness, "Rotation about z", "180");
     assert!(harness.query_by_label_contains(note).is_none());
 }
 
@@ -475,6 +475,47 @@ fn the_menu_of_a_node_mirrors_and_resets_it() {
     app.get_by_label_contains("Return rotation to rest").click();
     app.run();
     assert_eq!(right(&app), Quat::IDENTITY);
+}
+
+#[test]
+fn the_filter_shows_nodes_by_name_and_shapes_too() {
+    let mut app = harness(editor(0));
+    assert!(app.query_by_label("robot1/chest").is_none());
+    app.get_by_label("Filter").focus();
+    app.run();
+    app.get_by_label("Filter").type_text("chest_pl");
+    app.run();
+    assert!(app.query_by_label("robot1/chest_plate").is_some() && app.query_by_label("sky").is_none());
+    app.get_by_label("Filter").type_text("zzz");
+    app.run();
+    app.get_by_label("No node is called that.");
+    app.key_press(Key::Escape);
+    app.run();
+    click(&mut app, "Show shapes in the list");
+    click(&mut app, "robot1/chest");
+    assert_eq!(*app.state().editor.session().chosen, [RbtIndex::new(2)], "what carries a shape is chosen");
+}
+
+#[test]
+fn a_double_click_returns_a_number_to_rest() {
+    let mut app = harness(editor(0));
+    click(&mut app, "robot1");
+    type_into(&mut app, "Translation y", "3");
+    let y = |app: &Harness<'_, App>| app.state().editor.document().live_pose.get(RbtIndex::new(2)).translation.y;
+    assert_eq!(y(&app), 3.0);
+    let at = app.get_by_label("Translation y").rect().center();
+    for pressed in [true, false, true, false] {
+        app.event(egui::Event::PointerMoved(at));
+        app.event(egui::Event::PointerButton {
+            pos: at,
+            button: egui::PointerButton::Primary,
+            pressed,
+            modifiers: Modifiers::NONE,
+        });
+        app.run_steps(1);
+    }
+    app.run();
+    assert_eq!(y(&app), 1.0);
 }
 
 #[test]

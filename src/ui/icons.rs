@@ -33,6 +33,10 @@ pub enum Icon {
     Body,
     /// A joint.
     Joint,
+    /// A shape.
+    Shape,
+    /// A node that is moved by keys.
+    Control,
     /// An eye: look from here.
     Eye,
     /// It is on.
@@ -127,6 +131,26 @@ pub fn paint(painter: &Painter, icon: Icon, centre: Pos2, colour: Color32) {
         Icon::Joint => {
             painter.circle_stroke(at(-2.5, 2.5), 2.2, stroke);
             line(at(-0.9, 0.9), at(4.5, -4.5));
+        }
+        Icon::Shape => {
+            let top = |x: f32, y: f32| at(x, y - 1.0);
+            for (from, to) in [
+                ((-4.5, -1.5), (0.0, -4.0)),
+                ((0.0, -4.0), (4.5, -1.5)),
+                ((-4.5, -1.5), (0.0, 1.0)),
+                ((0.0, 1.0), (4.5, -1.5)),
+            ] {
+                line(top(from.0, from.1), top(to.0, to.1));
+            }
+            for x in [-4.5, 0.0, 4.5] {
+                let y = if x == 0.0 { 1.0 } else { -1.5 };
+                line(top(x, y), top(x, y + 4.5));
+            }
+            line(top(-4.5, 3.0), top(0.0, 5.5));
+            line(top(0.0, 5.5), top(4.5, 3.0));
+        }
+        Icon::Control => {
+            painter.add(Shape::closed_line(vec![at(0.0, -5.0), at(5.0, 0.0), at(0.0, 5.0), at(-5.0, 0.0)], stroke));
         }
         Icon::PlayFromPlayhead => {
             bar(-6.0, -6.0, 1.8, 12.0);

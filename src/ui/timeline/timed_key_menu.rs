@@ -204,7 +204,7 @@ fn value(ui: &mut Ui, menu: &mut Menu, editor: &Editor, id: NodeId, key: &KeyAt,
                 menu.angles.filter(|&angles| rotation_from_euler_degrees(angles).dot(rotation).abs() > 1.0 - 1e-6);
             let angles = shown.unwrap_or_else(|| degrees_from_rotation(rotation));
             menu.angles = Some(angles);
-            (angles, [words.say(texts::YAW), words.say(texts::PITCH), words.say(texts::ROLL)], 0.5, 1)
+            (angles, [words.say(texts::ABOUT_Z), words.say(texts::ABOUT_Y), words.say(texts::ABOUT_X)], 0.5, 1)
         }
         KeyValue::Colour(colour) => {
             let bytes = colour.to_bytes().map(f32::from);
