@@ -102,5 +102,5 @@ fn names_are_checked_and_shipped_ones_are_kept() {
     let own = Command::File(FileCommand::ApplyPose("a # b".to_owned()));
     assert_eq!(print(&own, editor.scene()).as_deref(), Some("pose apply \"a # b\""));
     let broken = editor.pose_read("mine", Ok(b"{".to_vec())).unwrap_err().message().to_string();
-    assert!(broken.starts_with("mine: line 1 column 2"), "{broken}");
+    assert!(broken.starts_with("mine: line 1 column 1"), "{broken}");
 }

@@ -481,13 +481,14 @@ fn the_menu_of_a_node_mirrors_and_resets_it() {
 fn the_filter_shows_nodes_by_name_and_shapes_too() {
     let mut app = harness(editor(0));
     assert!(app.query_by_label("robot1/chest").is_none());
-    app.get_by_label("Filter").focus();
-    app.run();
-    app.get_by_label("Filter").type_text("chest_pl");
-    app.run();
+    click(&mut app, "Filter");
+    let type_text = |app: &mut Harness<'_, App>, text: &str| {
+        app.event(egui::Event::Text(text.to_owned()));
+        app.run();
+    };
+    type_text(&mut app, "chest_pl");
     assert!(app.query_by_label("robot1/chest_plate").is_some() && app.query_by_label("sky").is_none());
-    app.get_by_label("Filter").type_text("zzz");
-    app.run();
+    type_text(&mut app, "zzz");
     app.get_by_label("No node is called that.");
     app.key_press(Key::Escape);
     app.run();
@@ -512,7 +513,6 @@ fn a_double_click_returns_a_number_to_rest() {
             pressed,
             modifiers: Modifiers::NONE,
         });
-        app.run_steps(1);
     }
     app.run();
     assert_eq!(y(&app), 1.0);

@@ -33,6 +33,20 @@ fn document(editor: &Editor) -> (String, String, Vec<[f32; 7]>) {
 /// Lines that edit the document, after lines that lead there: what the list is then, and what is said.
 const EDITS: &[(&str, &str, &str, &str)] = &[
     ("select robot1", "rotate z 45", "0 1 2 3 4 [5] | 5", ""),
+    ("select robot1\ntranslate 1 0 0", "reset-node", "0 1 2 3 4 [5] | -2", "Returned to rest: robot1."),
+    (
+        "select robot1/left_shoulder\nrotate z 30",
+        "mirror",
+        "0 1 2 3 4 [5] | 5",
+        "Mirrored robot1/left_shoulder to robot1/right_shoulder.",
+    ),
+    ("", "pose apply sit", "0 1 2 3 4 [5] | 5", "Gave sit to robot1."),
+    (
+        "",
+        r#"pose-of "{\"format\": \"inbetween.pose\", \"version\": 1, \"name\": \"a\", \"nodes\": [{\"path\": \"robot2\", \"turned\": [0, 1, 0, 0]}]}""#,
+        "0 1 2 3 4 [5] | 5",
+        "Gave a to the scene.",
+    ),
     ("select robot1", "translate 0.5 0 0", "0 1 2 3 4 [5] | 5.5", ""),
     ("", "key n", "0 1 2 3 4 5 [5] | 5", "Keyframe 6 (0 to 6): created after keyframe 5."),
     ("", "do reverse keyframes", "5 4 3 2 1 [0] | 0", "Reversed 6 keyframes."),
