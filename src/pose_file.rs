@@ -243,7 +243,7 @@ impl PoseFile {
             self.nodes
                 .iter()
                 .filter(|node| !node.path.is_empty())
-                .any(|node| self.find(scene, Some(rbt), &node.path).is_some())
+                .any(|node| Self::find(scene, Some(rbt), &node.path).is_some())
         };
         if self.nodes.iter().all(|node| node.path.is_empty()) {
             return Some(chosen);
@@ -253,7 +253,7 @@ impl PoseFile {
         std::iter::successors(Some(chosen), above).find(fits)
     }
 
-    fn find(&self, scene: &SceneGraph, root: Option<RbtIndex>, path: &str) -> Option<RbtIndex> {
+    fn find(scene: &SceneGraph, root: Option<RbtIndex>, path: &str) -> Option<RbtIndex> {
         match root {
             Some(root) if path.is_empty() => Some(root),
             Some(root) => scene.find_rbt(&format!("{}/{path}", scene.rbt_path(root))),
@@ -267,7 +267,7 @@ impl PoseFile {
     pub fn fit(&self, scene: &SceneGraph, live: &Pose, root: Option<RbtIndex>) -> Fit {
         let mut fit = Fit { placed: Vec::new(), missing: Vec::new() };
         for node in &self.nodes {
-            let Some(rbt) = self.find(scene, root, &node.path) else {
+            let Some(rbt) = Self::find(scene, root, &node.path) else {
                 fit.missing.push(node.path.clone());
                 continue;
             };
@@ -303,6 +303,7 @@ fn heading(rotation: Quat) -> Quat {
 }
 
 /// The poses that are shipped, in the order in which lists show them.
+#[must_use]
 pub fn shipped_poses() -> &'static [PoseFile] {
     static POSES: LazyLock<Vec<PoseFile>> = LazyLock::new(|| {
         let texts = [

@@ -10,8 +10,8 @@ use glam::{Quat, Vec3};
 use inbetween::colour::Colour;
 use inbetween::editor::commands::{self, Changes};
 use inbetween::editor::{
-    ClipboardCommand, Command, Edit, Eye, FileCommand, GestureCommand, KeyAt, Pivot, PlayMode, PlaybackCommand, SceneEdit,
-    SelectionCommand, TimelineEdit, ViewCommand, WorkEye,
+    ClipboardCommand, Command, Edit, Eye, FileCommand, GestureCommand, KeyAt, Pivot, PlayMode, PlaybackCommand,
+    SceneEdit, SelectionCommand, TimelineEdit, ViewCommand, WorkEye,
 };
 use inbetween::interpolation::Interpolation;
 use inbetween::keyframe::{Blend, Easing, KeyframeIndex, Retiming, StretchEnd};

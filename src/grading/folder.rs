@@ -226,7 +226,11 @@ impl Host for Folder {
 }
 
 fn pose_file(name: &str) -> String {
-    if name.ends_with(".json") { name.to_owned() } else { format!("{name}.json") }
+    if Path::new(name).extension().is_some_and(|ending| ending == "json") {
+        name.to_owned()
+    } else {
+        format!("{name}.json")
+    }
 }
 
 /// The name of a file in the script's own folder.

@@ -33,16 +33,11 @@ impl SceneGraph {
         for rbt in self.rbt_indices() {
             let parent = parent_of(rbt);
             // Parents come before their children.
-            let other_parent = match parent {
-                None => None,
-                Some(parent) => match counterparts[parent.get()] {
-                    Some(other) => Some(other),
-                    None => {
-                        counterparts.push(None);
-                        continue;
-                    }
-                },
-            };
+            let other_parent = parent.and_then(|parent| counterparts[parent.get()]);
+            if parent.is_some() && other_parent.is_none() {
+                counterparts.push(None);
+                continue;
+            }
             let by_name = self.by_name(rbt, parent, other_parent);
             let by_position = || self.by_position(rbt, &children[parent?.get()], &children[other_parent?.get()]);
             let is_in_middle = parent == other_parent;

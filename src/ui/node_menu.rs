@@ -9,7 +9,7 @@ use super::theme::{ROW, Tokens};
 use super::timeline::{key_colour_now, put_control_above};
 use super::words::Words;
 use crate::editor::keymap::Binding;
-use crate::editor::{ClipboardCommand, Command, Edit, Editor, NodeEdit, NodePart, ViewCommand};
+use crate::editor::{ClipboardCommand, Command, Edit, Editor, Eye, NodeEdit, NodePart, ViewCommand};
 use crate::pose::RbtIndex;
 use crate::scene::{Channel, NodeKind};
 use crate::words::texts;
@@ -54,10 +54,8 @@ pub fn items(ui: &mut Ui, editor: &Editor, bindings: &[Binding], rbt: RbtIndex, 
     ui.set_min_width(232.0);
     ui.spacing_mut().item_spacing.y = 0.0;
     let words = Words::of(ui);
-    let caption = match is_of_several {
-        true => words.message(texts::count_nodes(chosen.len())),
-        false => scene.rbt_path(rbt).to_owned(),
-    };
+    let caption =
+        if is_of_several { words.message(texts::count_nodes(chosen.len())) } else { scene.rbt_path(rbt).to_owned() };
     ui.horizontal(|ui| {
         ui.add_space(2.0);
         ui.label(RichText::new(caption).small().color(Tokens::of(ui).dim));
@@ -91,7 +89,7 @@ pub fn items(ui: &mut Ui, editor: &Editor, bindings: &[Binding], rbt: RbtIndex, 
     if let Some(eye) = eye
         && item(ui, &words.message(texts::look_from_eye(&scene.node(scene.rbt_node(rbt)).name)), "", true)
     {
-        commands.push(Command::View(ViewCommand::SetEye(eye)));
+        commands.push(Command::View(ViewCommand::SetEye(Eye::Recorded(eye))));
     }
     let is_still = !editor.is_playing();
     let id = scene.rbt_node(rbt);
