@@ -173,7 +173,7 @@ fn picture(
     response.widget_info(|| WidgetInfo::labeled(Role::Button, is_enabled, &says));
     let image = Rect::from_min_size(rect.min, size);
     match pictured {
-        Some(pictured) => thumbnails.paint(ui.painter(), image, pictured, tokens),
+        Some(pictured) => thumbnails.paint_alone(ui.painter(), image, pictured, tokens),
         None => _ = ui.painter().rect_filled(image, CORNER, tokens.raised),
     }
     let is_lit = is_enabled && (response.hovered() || response.has_focus());

@@ -94,13 +94,12 @@ impl Thumbnails {
 
     /// Draws the picture of a keyframe's pose, or the ground that waits for it.
     pub fn paint(&mut self, painter: &Painter, rect: Rect, (index, pose): (usize, &Pose), tokens: &Tokens) {
-        match self.find_or_last(index, pose) {
-            None => _ = painter.rect_filled(rect, CORNER, tokens.raised),
-            Some(texture) => {
-                let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
-                painter.add(RectShape::filled(rect, CORNER, Color32::WHITE).with_texture(texture, whole));
-            }
-        }
+        paint(painter, rect, self.find_or_last(index, pose), tokens);
+    }
+
+    /// Draws the picture of a pose that is no keyframe's, or the ground that waits for it.
+    pub fn paint_alone(&mut self, painter: &Painter, rect: Rect, pose: &Pose, tokens: &Tokens) {
+        paint(painter, rect, self.find(pose), tokens);
     }
 
     /// Shows the picture of a keyframe's pose in a tooltip, in its own size.
@@ -109,6 +108,16 @@ impl Thumbnails {
         #[expect(clippy::cast_precision_loss, reason = "it is a small picture")]
         let (rect, _) = ui.allocate_exact_size(vec2(width as f32, height as f32), Sense::hover());
         self.paint(ui.painter(), rect, keyframe, Tokens::of(ui));
+    }
+}
+
+fn paint(painter: &Painter, rect: Rect, texture: Option<TextureId>, tokens: &Tokens) {
+    match texture {
+        None => _ = painter.rect_filled(rect, CORNER, tokens.raised),
+        Some(texture) => {
+            let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+            painter.add(RectShape::filled(rect, CORNER, Color32::WHITE).with_texture(texture, whole));
+        }
     }
 }
 
