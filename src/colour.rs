@@ -58,6 +58,9 @@ impl Colour {
     pub const GREEN: Self = Self::from_rgb(0x63, 0xc0, 0x8a);
     /// Ghosts of a comparison: blended matrices.
     pub const RED: Self = Self::from_rgb(0xe5, 0x64, 0x5a);
+    /// The axes x, y and z.
+    pub const AXES: [Self; 3] =
+        [Self::from_rgb(0xe0, 0x60, 0x5a), Self::from_rgb(0x7f, 0xb8, 0x6a), Self::from_rgb(0x5b, 0x8f, 0xe0)];
 
     /// Ghosts of the animation of another file.
     pub const OTHER_FILE: Self = Self::from_rgb(0xc0, 0x86, 0xe8);

@@ -14,6 +14,7 @@ mod export;
 mod eye;
 mod files;
 mod gesture;
+pub mod gizmo;
 mod history;
 mod host;
 pub mod keymap;
@@ -64,6 +65,7 @@ use crate::scene::{Ray, SceneGraph};
 use crate::words::Phrase;
 pub use crate::words::{Message, Severity};
 use gesture::Gesture;
+use gizmo::{GizmoAxes, SnapSteps};
 use history::History;
 use keymap::Keymap;
 use playback::Playback;
@@ -99,6 +101,12 @@ pub struct Session {
     pub is_picking: bool,
     /// Whether the arcball is drawn.
     pub shows_arcball: bool,
+    /// Whether handles are drawn around the chosen node, where the arcball is.
+    pub shows_gizmo: bool,
+    /// Whose axes handles go by.
+    pub gizmo_axes: GizmoAxes,
+    /// The steps of drags with Shift.
+    pub snap: SnapSteps,
     /// Whether the path of the chosen node is drawn.
     pub shows_motion_path: bool,
     /// The blends whose poses are shown wherever a sample is, apart from the one that plays.
@@ -195,6 +203,9 @@ impl Editor {
                 sky_mode: SkyMode::default(),
                 is_picking: false,
                 shows_arcball: true,
+                shows_gizmo: true,
+                gizmo_axes: GizmoAxes::default(),
+                snap: SnapSteps::default(),
                 shows_motion_path: true,
                 compared_blends: Vec::new(),
                 selected: Vec::new(),

@@ -2,6 +2,7 @@
 //!
 //! This module does not know where the file is, or what the name of a key means.
 
+mod handles;
 mod merge;
 
 use std::collections::BTreeMap;
@@ -10,6 +11,8 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
+
+pub use handles::{GizmoAxes, SnapSteps};
 
 use crate::decode::{self, DecodeError};
 use crate::words::{Argument, Language, Message, display_by_message, texts};
@@ -93,6 +96,10 @@ pub struct Settings {
     pub window: Option<WindowPlace>,
     /// Whether an empty window shows the first steps.
     pub tour: bool,
+    /// Whose axes handles go by.
+    pub gizmo_axes: GizmoAxes,
+    /// The steps of drags with Shift.
+    pub snap: SnapSteps,
 }
 
 impl Default for Settings {
@@ -108,6 +115,8 @@ impl Default for Settings {
             reload: false,
             window: None,
             tour: true,
+            gizmo_axes: GizmoAxes::default(),
+            snap: SnapSteps::default(),
         }
     }
 }
@@ -138,6 +147,10 @@ struct File {
     window: Option<WindowPlace>,
     #[serde(default = "kept")]
     tour: bool,
+    #[serde(default)]
+    gizmo_axes: GizmoAxes,
+    #[serde(default)]
+    snap: SnapSteps,
 }
 
 const fn kept() -> bool {
@@ -177,9 +190,9 @@ pub enum SettingsError {
         /// The value in the file.
         found: String,
         /// The smallest allowed value.
-        least: u16,
+        least: Argument,
         /// The largest allowed value.
-        most: u16,
+        most: Argument,
     },
 }
 
@@ -193,7 +206,9 @@ impl SettingsError {
             Self::Format { found } => texts::settings_format(found, FORMAT),
             Self::Version { found } => texts::settings_version(*found, VERSION),
             Self::Json(error) => error.message(),
-            Self::Range { what, found, least, most } => texts::settings_range(what.clone(), found, *least, *most),
+            Self::Range { what, found, least, most } => {
+                texts::settings_range(what.clone(), found, least.clone(), most.clone())
+            }
         }
     }
 }
@@ -215,16 +230,25 @@ impl Settings {
         let (least, most) = (SCALES[0], SCALES[SCALES.len() - 1]);
         if !(least..=most).contains(&file.scale_percent) {
             let found = file.scale_percent.to_string();
+            let (least, most) = (least.into(), most.into());
             return Err(SettingsError::Range { what: "scale_percent".into(), found, least, most });
         }
         if let Some((name, size)) = file.panels.iter().find(|(_, size)| !PANEL_SIZES.contains(size)) {
             let (what, found) = (texts::settings_panel_size(name).into(), size.to_string());
-            return Err(SettingsError::Range { what, found, least: 40, most: 4000 });
+            return Err(SettingsError::Range { what, found, least: 40_u16.into(), most: 4000_u16.into() });
+        }
+        for (what, number, range) in
+            [("snap.degrees", file.snap.degrees, SnapSteps::DEGREES), ("snap.units", file.snap.units, SnapSteps::UNITS)]
+        {
+            if !range.contains(&number) {
+                let (least, most) = ((*range.start()).into(), (*range.end()).into());
+                return Err(SettingsError::Range { what: what.into(), found: number.to_string(), least, most });
+            }
         }
         if let Some(size) = file.window.iter().flat_map(|window| window.size).find(|size| !WINDOW_SIZES.contains(size))
         {
             let (what, found) = (Message::from(texts::SETTINGS_WINDOW_SIZE).into(), size.to_string());
-            return Err(SettingsError::Range { what, found, least: 40, most: 16_000 });
+            return Err(SettingsError::Range { what, found, least: 40_u16.into(), most: 16_000_u16.into() });
         }
         let mut recent = file.recent;
         recent.truncate(MOST_RECENT_FILES);
@@ -239,6 +263,8 @@ impl Settings {
             reload: file.reload,
             window: file.window,
             tour: file.tour,
+            gizmo_axes: file.gizmo_axes,
+            snap: file.snap,
         })
     }
 
@@ -260,6 +286,8 @@ impl Settings {
             reload: self.reload,
             window: self.window.clone(),
             tour: self.tour,
+            gizmo_axes: self.gizmo_axes,
+            snap: self.snap,
         };
         let mut text = serde_json::to_string_pretty(&file).expect("settings are plain text and numbers");
         text.push('\n');
@@ -303,6 +331,8 @@ mod tests {
             let mut settings = Settings { theme: ThemeChoice::Light, language, ..Settings::default() };
             settings.keys.insert("keyframe-new".to_owned(), vec!["Ctrl+K".to_owned(), "n".to_owned()]);
             settings.scale_percent = 125;
+            settings.gizmo_axes = GizmoAxes::World;
+            settings.snap = SnapSteps { degrees: 7.5, units: 0.1 };
             settings.used(Path::new("folder/걷기.json"));
             settings.window = Some(WindowPlace { size: [900.0, 600.0], at_px: Some([-3, 4]), is_maximized: true });
             settings.tour = false;
@@ -339,6 +369,14 @@ mod tests {
         check_refused(
             r#"{"format": "inbetween.settings", "version": 1, "language": "xx"}"#,
             "unknown value \"xx\", expected en or ko",
+        );
+        check_refused(
+            r#"{"format": "inbetween.settings", "version": 1, "gizmo_axes": "own"}"#,
+            "unknown value \"own\", expected local, parent, world or view",
+        );
+        check_refused(
+            r#"{"format": "inbetween.settings", "version": 1, "snap": {"degrees": 0, "units": 1}}"#,
+            "snap.degrees is 0, and must be 0.1 to 180",
         );
         check_refused(r#"{"format": "inbetween.settings", "version": 1, "scale_percent": 9}"#, "is 9");
         check_refused(r#"{"format": "inbetween.settings", "version": 1, "panels": {"side": 1e9}}"#, "\"side\"");

@@ -30,6 +30,7 @@ mod path_dialog;
 mod pointed;
 mod poses;
 mod program;
+mod readout;
 mod recovery;
 mod statistics;
 mod status;
@@ -326,6 +327,7 @@ impl Panels {
         if let Some(name) = &self.pointed {
             pointed::show(ui, output.viewport, name);
         }
+        readout::show(ui, output.viewport, editor);
         if editor.session().shows_help {
             self.help.show(ui, self.keymap.bindings(), &mut output.commands);
         }

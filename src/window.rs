@@ -11,6 +11,7 @@ mod display;
 mod effects;
 mod ending;
 mod export;
+pub mod handle;
 mod handling;
 pub mod hotkeys;
 mod idle;

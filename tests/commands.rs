@@ -9,6 +9,7 @@ use common::any_node_edit;
 use glam::{Quat, Vec3};
 use inbetween::colour::Colour;
 use inbetween::editor::commands::{self, Changes};
+use inbetween::editor::gizmo::{Axis, GizmoAxes, Handle, Pull, SnapSteps};
 use inbetween::editor::{
     ClipboardCommand, Command, Edit, Eye, FileCommand, GestureCommand, KeyAt, Pivot, PlayMode, PlaybackCommand,
     SceneEdit, SelectionCommand, TimelineEdit, ViewCommand, WorkEye,
@@ -159,6 +160,7 @@ fn any_edit() -> impl Strategy<Value = Command> {
         (any_node(), any_vector()).prop_map(|(rbt, to)| Edit::Reach(rbt, to)),
         (any_node(), any_vector()).prop_map(|(rbt, by)| Edit::ReachBy(rbt, by)),
         (any_node(), any_f64()).prop_map(|(rbt, degrees)| Edit::TurnPole(rbt, degrees)),
+        common::any_pull(any_f64().boxed()).prop_map(Edit::PullChosen),
     ]
     .prop_map(Command::Edit)
 }
@@ -238,6 +240,8 @@ fn any_view() -> impl Strategy<Value = Command> {
         any::<bool>().prop_map(ViewCommand::SetGhostsOfChosen),
         prop::sample::subsequence(Blend::ALL.to_vec(), 0..=Blend::ALL.len()).prop_map(ViewCommand::CompareBlends),
         any_f64().prop_map(ViewCommand::ScrubSeconds),
+        prop::sample::select(&GizmoAxes::ALL).prop_map(ViewCommand::SetGizmoAxes),
+        (any_f64(), any_f64()).prop_map(|(degrees, units)| ViewCommand::SetSnapSteps(SnapSteps { degrees, units })),
     ]
     .prop_map(Command::View)
 }
@@ -290,6 +294,7 @@ fn any_gesture() -> impl Strategy<Value = Command> {
         any_rbt().prop_map(GestureCommand::Move),
         (prop::collection::vec(any_rbt(), 1..3), any::<bool>())
             .prop_map(|(placed, is_turn)| GestureCommand::MoveTo { placed, is_turn }),
+        common::any_hold(any_f64().boxed()),
     ]
     .prop_map(Command::Gesture)
 }
@@ -371,6 +376,8 @@ fn lines_are_as_people_write_them_where_that_is_exact() {
     let edit = Command::Edit;
     let timeline = |change| edit(Edit::Timeline(change));
     let key = |path: &str, seconds| KeyAt::new(path, Channel::Scale, seconds);
+    let turn = Pull::Turn { axis: Axis::X, degrees: 45.0, axes: GizmoAxes::Local };
+    let shift = Pull::Move { by: [0.0, 0.25, -1.0], axes: GizmoAxes::World };
     for (command, line) in [
         (edit(Edit::CreateKeyframe), "do keyframe-new"),
         (timeline(TimelineEdit::CutKeyframes), "cut"),
@@ -384,6 +391,15 @@ fn lines_are_as_people_write_them_where_that_is_exact() {
         (edit(Edit::Wheel(Rbt::from_translation(Vec3::X))), "wheel-by 1 0 0 0 0 0 1"),
         (Command::Gesture(GestureCommand::Move(Rbt::from_translation(Vec3::X))), "drag move 1 0 0"),
         (Command::Gesture(GestureCommand::Commit), "drag end"),
+        (edit(Edit::PullChosen(turn)), "turn x 45 local"),
+        (edit(Edit::PullChosen(shift)), "shift 0 0.25 -1 world"),
+        (Command::Gesture(GestureCommand::Pull(turn)), "drag-pull turn x 45 local"),
+        (Command::Gesture(GestureCommand::Grab(Handle::TURN_IN_VIEW)), "drag-grab turn z view"),
+        (Command::Gesture(GestureCommand::Lock(Axis::Y)), "drag-lock y"),
+        (Command::Gesture(GestureCommand::Type('.')), "drag-type ."),
+        (Command::Gesture(GestureCommand::Erase), "drag-type erase"),
+        (Command::View(ViewCommand::SetSnapSteps(SnapSteps { degrees: 5.0, units: 0.1 })), "snap 5 0.1"),
+        (Command::View(ViewCommand::SetSnapSteps(SnapSteps { degrees: 0.0, units: 0.1 })), "clamped snap 0 0.1"),
         (Command::Playback(PlaybackCommand::Step(-1)), "step -1"),
         (Command::View(ViewCommand::Choose(None)), "select none"),
         (Command::View(ViewCommand::Choose(Some(RbtIndex::new(3)))), "select \"none\""),

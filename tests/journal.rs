@@ -93,6 +93,11 @@ enum Step {
     NewScene,
 }
 
+/// Degrees or units, some of them further than coordinates go.
+fn amount() -> BoxedStrategy<f64> {
+    prop_oneof![6 => -400.0f64..400.0, 1 => prop::sample::select(&[0.0, 180.0, 1e6, -1e300])].boxed()
+}
+
 fn any_step() -> impl Strategy<Value = Step> {
     let place = || (0usize..8).prop_map(KeyframeIndex::new);
     let edit = prop_oneof![
@@ -109,6 +114,7 @@ fn any_step() -> impl Strategy<Value = Step> {
         2 => any_rbt().prop_map(Edit::Wheel),
         2 => (0usize..24, any_rbt()).prop_map(|(rbt, to)| Edit::Reach(RbtIndex::new(rbt), to.translation)),
         1 => (0usize..24, -400.0f64..400.0).prop_map(|(rbt, by)| Edit::TurnPole(RbtIndex::new(rbt), by)),
+        2 => common::any_pull(amount()).prop_map(Edit::PullChosen),
         2 => (0usize..24, any_rbt()).prop_map(|(rbt, to)| Edit::SetRotation(RbtIndex::new(rbt), to.rotation)),
         1 => prop::sample::select(&[f32::NAN, 1e6, -1e6, 1.1e6, 3e38])
             .prop_map(|x| Edit::SetTranslation(RbtIndex::new(2), Vec3::X * x)),
@@ -167,6 +173,7 @@ fn any_step() -> impl Strategy<Value = Step> {
         2 => Just(GestureCommand::Begin),
         5 => any_rbt().prop_map(GestureCommand::Move),
         1 => prop::sample::select(&[9e5_f32, 3e38]).prop_map(|x| GestureCommand::Move(Rbt::from_translation(Vec3::X * x))),
+        4 => common::any_hold(amount()),
         2 => Just(GestureCommand::Commit),
         1 => Just(GestureCommand::Abort),
     ];

@@ -64,8 +64,14 @@ fn any_edit() -> impl Strategy<Value = Command> {
         any_rbt().prop_map(|by| Edit::TranslateChosen(by.translation)),
         (-9.0f64..9.0).prop_map(|radians| Edit::RotateChosen { axis_in_node: Vec3::Y, radians }),
         any_rbt().prop_map(Edit::Wheel),
+        common::any_pull(amount()).prop_map(Edit::PullChosen),
     ]
     .prop_map(Command::Edit)
+}
+
+/// Degrees or units, some of them further than coordinates go.
+fn amount() -> BoxedStrategy<f64> {
+    prop_oneof![6 => -400.0f64..400.0, 1 => prop::sample::select(&[0.0, 180.0, 1e6, -1e300])].boxed()
 }
 
 /// Edits of the list by its selection or by indices, which it has or not.
@@ -149,6 +155,7 @@ fn any_step() -> impl Strategy<Value = Step> {
         2 => (0usize..24).prop_map(|rbt| Command::View(ViewCommand::ChooseAlso(RbtIndex::new(rbt)))),
         2 => Just(Command::Gesture(GestureCommand::Begin)),
         3 => any_rbt().prop_map(|motion| Command::Gesture(GestureCommand::Move(motion))),
+        4 => common::any_hold(amount()).prop_map(Command::Gesture),
         1 => Just(Command::Gesture(GestureCommand::Commit)),
         1 => Just(Command::Gesture(GestureCommand::Abort)),
         4 => Just(Command::Undo),

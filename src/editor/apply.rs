@@ -1,6 +1,7 @@
 //! Dispatch of commands, and the handlers of pose and keyframe edits.
 
 use super::commands::{Row, row_of};
+use super::gizmo::{GizmoAxes, SnapSteps};
 use super::history::Run;
 use super::keymap::Keymap;
 use super::{
@@ -81,6 +82,12 @@ impl Editor {
         self.keymap = keymap;
     }
 
+    /// Sets what handles go by, as settings have it.
+    pub fn set_handles(&mut self, axes: GizmoAxes, snap: SnapSteps) {
+        self.session.gizmo_axes = axes;
+        self.session.snap = snap.in_range_or(self.session.snap);
+    }
+
     /// The hotkey of a command for use in a message; its name if it has no hotkey; empty if the keymap does not list the command.
     pub(super) fn key_of(&self, command: &Command) -> Argument {
         match self.keymap.bindings().iter().find(|binding| binding.command == *command) {
@@ -153,6 +160,7 @@ impl Editor {
             Edit::Reach(last, target_in_world) => self.reach(last, target_in_world),
             Edit::ReachBy(last, by_in_world) => self.reach_by(last, by_in_world),
             Edit::TurnPole(last, degrees) => self.turn_pole(last, degrees),
+            Edit::PullChosen(pull) => self.pull_chosen(pull),
             Edit::Wheel(motion) => {
                 if self.dragged_node().is_none() {
                     return self.set_work_eye(self.session.work_eye.moved(motion));

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use glam::{Quat, Vec3};
 
+use super::gizmo::{Axis, GizmoAxes, Handle, Pull, SnapSteps};
 use super::{Eye, KeyAt, Pivot, PlayMode, SceneEdit, WorkEye};
 use crate::film::ExportOptions;
 use crate::interpolation::Interpolation;
@@ -177,6 +178,8 @@ pub enum Edit {
     Timeline(TimelineEdit),
     /// Edits control nodes and timed keys, which are part of the scene.
     Scene(SceneEdit),
+    /// Turns or moves the chosen nodes about or along axes.
+    PullChosen(Pull),
     /// Moves the chosen nodes, or the eye, along the view, with respect to their auxiliary frames.
     /// Consecutive ones are one undo step.
     Wheel(Rbt),
@@ -287,6 +290,14 @@ pub enum ViewCommand {
     SetPivot(Pivot),
     /// Shows or hides the arcball.
     ToggleArcball,
+    /// Shows or hides the handles around the chosen node.
+    ToggleGizmo,
+    /// Whose axes handles go by.
+    SetGizmoAxes(GizmoAxes),
+    /// The next of local, parent, world, view.
+    NextGizmoAxes,
+    /// The steps of drags with Shift, kept within [`SnapSteps::DEGREES`] and [`SnapSteps::UNITS`].
+    SetSnapSteps(SnapSteps),
     /// Shows or hides the help.
     ToggleHelp,
     /// Shows or hides all panels.
@@ -410,6 +421,16 @@ pub enum GestureCommand {
         /// Whether the last motion turned and did not move.
         is_turn: bool,
     },
+    /// A drag begins with a handle that is held: keys that lock axes and type numbers belong to it.
+    Grab(Handle),
+    /// Puts the chosen nodes where a pull takes them from where they were when the drag began.
+    Pull(Pull),
+    /// Turns about this axis alone, or moves along it. Again: about the world's or the node's.
+    Lock(Axis),
+    /// Types a digit, `.` or `-` of the number that the drag goes by.
+    Type(char),
+    /// Takes back what was typed last.
+    Erase,
     /// The drag ends and counts.
     Commit,
     /// The drag ends and is as if it had not been.

@@ -5,6 +5,7 @@
 
 mod comparing;
 mod file;
+mod gizmo;
 mod keyframes;
 mod line;
 mod nodes;
@@ -35,6 +36,7 @@ static ROWS: LazyLock<Vec<Row>> = LazyLock::new(|| {
         nodes::rows(),
         reaching::rows(),
         poses::rows(),
+        gizmo::rows(),
         timed_keys::rows(),
         playing::rows(),
         view::rows(),

@@ -1,6 +1,7 @@
 //! Drags, each one undo step, and the undo and redo commands.
 
 use super::apply::CommandResult;
+use super::gizmo::Hold;
 use super::placing::{move_label, turn_label};
 use super::{CommandError, Document, Editor, GestureCommand, Snapshot, WorkEye};
 use crate::keyframe::{Keyframe, KeyframeList};
@@ -15,10 +16,12 @@ pub(super) struct Gesture {
     pub(super) before: Document,
     /// The work eye before it.
     work_eye: WorkEye,
-    /// The pose on screen before it: a sample where the playhead was dragged.
+    /// The pose on screen before it, from which pulls count: a sample where the playhead was dragged.
     pub(super) start: Pose,
     /// What undo calls it.
     pub(super) label: Phrase,
+    /// The handle that is held, if one is.
+    pub(super) hold: Option<Hold>,
 }
 
 impl Editor {
@@ -26,17 +29,12 @@ impl Editor {
         match command {
             // While playing only the work eye can be dragged, which changes no document and is no step.
             GestureCommand::Begin if self.is_playing() => {}
-            GestureCommand::Begin => {
-                self.commit_gesture();
-                self.history.end_run();
-                // A scrubbed pose stays on screen until the drag moves a node.
-                self.gesture = Some(Gesture {
-                    before: self.document.clone(),
-                    work_eye: self.session.work_eye,
-                    start: self.edited_pose(),
-                    label: texts::ACT_DRAG,
-                });
-            }
+            GestureCommand::Begin => self.begin_gesture(),
+            GestureCommand::Grab(handle) => return self.grab(handle),
+            GestureCommand::Pull(pull) => return self.pull(pull),
+            GestureCommand::Lock(axis) => return self.lock(axis),
+            GestureCommand::Type(character) => return self.type_in_drag(character),
+            GestureCommand::Erase => return self.erase_in_drag(),
             GestureCommand::Move(motion) => {
                 if !self.takes_motions() {
                     return Err(CommandError::NoDrag);
@@ -78,6 +76,15 @@ impl Editor {
         self.document = gesture.before;
         self.session.work_eye = gesture.work_eye;
         Some(texts::DRAG_TAKEN_BACK.into())
+    }
+
+    pub(super) fn begin_gesture(&mut self) {
+        self.commit_gesture();
+        self.history.end_run();
+        // A scrubbed pose stays on screen until the drag moves a node.
+        let (before, start) = (self.document.clone(), self.edited_pose());
+        self.gesture =
+            Some(Gesture { before, work_eye: self.session.work_eye, start, label: texts::ACT_DRAG, hold: None });
     }
 
     fn drag_to(&mut self, placed: Vec<(RbtIndex, Rbt)>, is_turn: bool) -> CommandResult {
@@ -165,15 +172,18 @@ impl Editor {
         }
     }
 
+    /// Ends one thing: the help, the drag, the pick mode, or the choice.
     pub(super) fn cancel(&mut self) -> Option<Message> {
+        if std::mem::take(&mut self.session.shows_help) {
+            return None;
+        }
         if let Some(said) = self.take_drag_back() {
             return Some(said);
         }
-        if self.session.is_picking {
-            self.session.is_picking = false;
+        if std::mem::take(&mut self.session.is_picking) {
             return Some(texts::VIEW_NOTHING_PICKED.into());
         }
-        self.session.shows_help = false;
-        None
+        let chosen = std::mem::take(&mut self.session.chosen);
+        (!chosen.is_empty()).then(|| texts::VIEW_NOTHING_CHOSEN.into())
     }
 }

@@ -56,6 +56,8 @@ pub enum Key {
     Delete,
     /// Enter or Return.
     Enter,
+    /// Backspace.
+    Backspace,
     /// The arrow to the left.
     Left,
     /// The arrow to the right.
@@ -67,7 +69,7 @@ pub enum Key {
 }
 
 /// Keys that type no character, with their displayed names; scripts and settings accept them in any case.
-pub const NAMED_KEYS: [(Key, &str); 25] = [
+pub const NAMED_KEYS: [(Key, &str); 26] = [
     (Key::Space, "Space"),
     (Key::Escape, "Esc"),
     (Key::F1, "F1"),
@@ -89,6 +91,7 @@ pub const NAMED_KEYS: [(Key, &str); 25] = [
     (Key::Insert, "Insert"),
     (Key::Delete, "Delete"),
     (Key::Enter, "Enter"),
+    (Key::Backspace, "Backspace"),
     (Key::Left, "Left"),
     (Key::Right, "Right"),
     (Key::Up, "Up"),

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use crate::editor::gizmo::{GizmoAxes, SnapSteps};
 use crate::editor::{Command, Editor, Eye, Pivot, PlayMode, PlaybackCommand, SelectionCommand, SkyMode, ViewCommand};
 use crate::script::{Restore, print_swiftly};
 use crate::storage;
@@ -45,6 +46,10 @@ fn session(editor: &Editor) -> Vec<Command> {
     commands.extend(pivot.map(view));
     commands.extend(toggled(session.is_picking, ViewCommand::StartPicking));
     commands.extend(toggled(!session.shows_arcball, ViewCommand::ToggleArcball));
+    commands.extend(toggled(!session.shows_gizmo, ViewCommand::ToggleGizmo));
+    let axes = (session.gizmo_axes != GizmoAxes::default()).then_some(ViewCommand::SetGizmoAxes(session.gizmo_axes));
+    let snap = (session.snap != SnapSteps::default()).then_some(ViewCommand::SetSnapSteps(session.snap));
+    commands.extend(axes.into_iter().chain(snap).map(view));
     commands.extend(toggled(!session.shows_motion_path, ViewCommand::ToggleMotionPath));
     commands.push(view(ViewCommand::CompareBlends(session.compared_blends.clone())));
     commands.push(view(ViewCommand::SetGhostsOfChosen(session.ghosts_of_chosen)));

@@ -163,7 +163,13 @@ impl Writer {
                 self.line("drag begin");
                 self.drag = Some(Drag::default());
             }
-            Command::Gesture(GestureCommand::Move(_)) => {
+            Command::Gesture(
+                GestureCommand::Move(_)
+                | GestureCommand::Pull(_)
+                | GestureCommand::Lock(_)
+                | GestureCommand::Type(_)
+                | GestureCommand::Erase,
+            ) => {
                 if editor.takes_motions() {
                     self.drag.get_or_insert_default().is_moving = true;
                 }

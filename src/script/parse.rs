@@ -7,7 +7,8 @@ use super::problem::{LineProblem, ScriptError};
 use super::restore::{self, Restore};
 use super::table::OWN_LINES;
 use crate::editor::commands::{self, ArgumentError, Arguments, Ending, quoted_prefix, split_option, tokens};
-use crate::editor::keymap::{binding_for, bindings, press_from_word};
+use crate::editor::gizmo::DragKey;
+use crate::editor::keymap::{KeyPress, binding_for, bindings, press_from_word};
 use crate::editor::{Command, Edit, FileCommand, SceneEdit};
 use crate::scene::SceneGraph;
 use crate::words::Message;
@@ -21,6 +22,8 @@ pub struct Line {
     pub text: String,
     /// What it does.
     pub action: Action,
+    /// The key that it presses, which belongs to a turn or move that a key has begun, if one is on.
+    pub key: Option<KeyPress>,
     /// What to say if that is done and nothing else is said.
     pub note: Option<Message>,
 }
@@ -83,12 +86,13 @@ struct Read<'t> {
     /// Its text without its comment.
     text: &'t str,
     action: Action,
+    key: Option<KeyPress>,
     note: Option<Message>,
 }
 
 impl Read<'_> {
     fn numbered(self, number: usize) -> Line {
-        Line { number, text: self.text.to_owned(), action: self.action, note: self.note }
+        Line { number, text: self.text.to_owned(), action: self.action, key: self.key, note: self.note }
     }
 }
 
@@ -108,8 +112,10 @@ impl Parser<'_> {
         }
         let action = self.action(text)?;
         let note = self.note(text);
+        let key = name_and_rest(text);
+        let key = if key.0 == "key" { press_from_word(key.1) } else { None };
         self.track_scene_edit(&action);
-        Ok(Some(Read { text, action, note }))
+        Ok(Some(Read { text, action, key, note }))
     }
 
     /// The text without its comment, for lines whose arguments may contain `#`. `None` if the first `#` starts the comment.
@@ -227,11 +233,13 @@ fn line_of(name: &str) -> Option<&'static commands::Line> {
     commands::lines().find(|line| line.name == name)
 }
 
-/// The command of a default hotkey.
+/// The command of a default hotkey, or else of a key that means something in a turn or move that a key has begun.
 fn hotkey(word: &str) -> Result<Command, LineProblem> {
     let table = bindings();
-    let binding = press_from_word(word).and_then(|press| binding_for(&table, press));
-    binding.map(|binding| binding.command.clone()).ok_or_else(|| LineProblem::Hotkey { word: word.to_owned() })
+    let press = press_from_word(word);
+    let bound = press.and_then(|press| binding_for(&table, press)).map(|binding| binding.command.clone());
+    let in_drag = || press.and_then(DragKey::of).map(DragKey::command);
+    bound.or_else(in_drag).ok_or_else(|| LineProblem::Hotkey { word: word.to_owned() })
 }
 
 /// The command of an id or of an English name, in any case.

@@ -7,7 +7,9 @@ use super::parse::{Action, Line};
 use super::restore::Restore;
 use super::trace::{State, TraceLine};
 use crate::clock::AnimationClock;
-use crate::editor::{Host, PathQuestion, Severity, WindowCommand, WindowHost};
+use crate::editor::gizmo::DragKey;
+use crate::editor::keymap::KeyPress;
+use crate::editor::{Command, CommandError, Host, PathQuestion, Severity, WindowCommand, WindowHost};
 use crate::film::ExportOptions;
 
 /// What hosts without a window keep of what only a window can do.
@@ -128,7 +130,14 @@ impl<H: Windowless> Runner<H> {
                 Ok(self.said(false))
             }
             Action::Apply(command) => {
-                let performed = self.host.carry_out(command.clone());
+                let command = match line.key {
+                    None => command.clone(),
+                    Some(press) => match self.pressed(press, command) {
+                        Ok(command) => command,
+                        Err(step) => return Ok(step),
+                    },
+                };
+                let performed = self.host.carry_out(command);
                 if self.host.editor().is_playing() && !was_playing {
                     // The first tick comes a whole period after the start, whatever was waited for before.
                     self.clock.restart();
@@ -145,6 +154,23 @@ impl<H: Windowless> Runner<H> {
                 })
             }
         }
+    }
+
+    /// What a key means now: in a turn or move that a key has begun, axes, numbers and Enter belong to that, and but Escape no other key
+    /// does anything. A drag that a script began leaves keys as they are.
+    fn pressed(&mut self, press: KeyPress, hotkey: &Command) -> Result<Command, Step> {
+        let editor = self.host.editor();
+        let in_drag = DragKey::of(press);
+        let nothing = Step { message: String::new(), is_refusal: false, is_last: false };
+        if editor.held().is_some() {
+            let is_escape = *hotkey == Command::Cancel;
+            return if is_escape { Ok(Command::Cancel) } else { in_drag.map(DragKey::command).ok_or(nothing) };
+        }
+        if in_drag.is_some_and(|key| key.command() == *hotkey) {
+            editor.say(CommandError::NoDrag.message());
+            return Err(self.said(false));
+        }
+        Ok(hotkey.clone())
     }
 
     fn tick(&mut self, ticks: u64) -> Step {

@@ -9,7 +9,20 @@ impl Settings {
     /// panel sizes, each entry is a field of its own. Of recent files, each stays that neither side has removed.
     #[must_use]
     pub fn merged(&self, base: &Self, file: Self) -> Self {
-        let Settings { keys, theme, language, scale_percent, recent: _, panels, journal, reload, window, tour } = self;
+        let Settings {
+            keys,
+            theme,
+            language,
+            scale_percent,
+            recent: _,
+            panels,
+            journal,
+            reload,
+            window,
+            tour,
+            gizmo_axes,
+            snap,
+        } = self;
         Self {
             keys: merged_map(keys, &base.keys, file.keys),
             theme: changed(theme, &base.theme, file.theme),
@@ -21,6 +34,8 @@ impl Settings {
             reload: changed(reload, &base.reload, file.reload),
             window: changed(window, &base.window, file.window),
             tour: changed(tour, &base.tour, file.tour),
+            gizmo_axes: changed(gizmo_axes, &base.gizmo_axes, file.gizmo_axes),
+            snap: changed(snap, &base.snap, file.snap),
         }
     }
 

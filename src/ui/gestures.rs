@@ -45,6 +45,8 @@ const fn row(place: Place, how: Phrase, does: Phrase) -> Gesture {
 /// All of them, in the order of the help.
 pub const GESTURES: &[Gesture] = &[
     row(Place::Scene, texts::LEFT_DRAG, texts::TURN_BY_THE_ARCBALL),
+    row(Place::Scene, texts::HANDLE_DRAG, texts::TURN_OR_MOVE_BY_ITS_AXIS),
+    row(Place::Scene, texts::AXIS_OR_DIGIT_IN_DRAG, texts::LOCK_THE_AXIS_TYPE_THE_NUMBER),
     row(Place::Scene, texts::RIGHT_DRAG, texts::MOVE_IN_THE_VIEWS_PLANE),
     row(Place::Scene, texts::MIDDLE_DRAG, texts::MOVE_ALONG_THE_VIEW),
     row(Place::Scene, texts::LEFT_RIGHT_DRAG, texts::MOVE_ALONG_THE_VIEW),

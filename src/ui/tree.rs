@@ -179,7 +179,11 @@ impl Tree {
         let area = Rect::from_center_size(centre, vec2(16.0, ROW));
         let response = ui.interact(area, ui.scope_id().with(("fold", &path)), Sense::click());
         let words = Words::of(ui);
-        let says = words.message(if is_folded { texts::unfold_node(row.node.name.as_str()) } else { texts::fold_node(row.node.name.as_str()) });
+        let says = words.message(if is_folded {
+            texts::unfold_node(row.node.name.as_str())
+        } else {
+            texts::fold_node(row.node.name.as_str())
+        });
         response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &says));
         ui.ctx().accesskit_node_builder(response.id, |node| node.set_expanded(!is_folded));
         ring(ui, area, &response);

@@ -4,6 +4,7 @@ use glam::Vec2;
 
 use super::comparison::{add_compared, add_comparison};
 use super::ghosts::{Neighbours, add_ghosts};
+use super::gizmo::add_gizmo;
 use super::motion_path::add_path;
 use super::scene::{frame_of_scene, outline};
 use crate::editor::Editor;
@@ -32,7 +33,9 @@ pub fn frame_of_displayed(editor: &Editor, pose: &Pose, size_px: Vec2) -> Frame 
     let session = editor.session();
     let mut frame = frame_of_scene(editor.scene(), pose, editor.seconds(), &camera);
     outline(&mut frame, editor.scene(), &session.chosen);
-    if session.shows_arcball && !editor.is_playing() {
+    if let Some(gizmo) = editor.gizmo(&camera).filter(|_| editor.shows_gizmo()) {
+        add_gizmo(&mut frame, editor, &gizmo);
+    } else if session.shows_arcball && !editor.is_playing() {
         frame.arcball = editor
             .manipulation(&camera)
             .arcball_in_world

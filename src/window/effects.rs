@@ -131,6 +131,11 @@ impl Shell {
         if is_new && self.editor.message().is_some_and(|message| message.severity() != Severity::Error) {
             self.name_new_animation();
         }
+        let (session, settings) = (self.editor.session(), &mut self.settings_file.settings);
+        if (settings.gizmo_axes, settings.snap) != (session.gizmo_axes, session.snap) {
+            (settings.gizmo_axes, settings.snap) = (session.gizmo_axes, session.snap);
+            self.keep_settings();
+        }
     }
 
     /// Does something with the editor. If it panics, the editor is as it was before.
@@ -202,6 +207,7 @@ impl Shell {
         // Another window may have changed settings as well.
         self.ui.adopt(&self.settings_file.settings);
         self.editor.set_keymap(self.ui.keymap().clone());
+        self.editor.set_handles(self.settings_file.settings.gizmo_axes, self.settings_file.settings.snap);
         match written {
             Ok(None) => {}
             Ok(Some(message)) => self.editor.say(message.with_severity(Severity::Outcome)),

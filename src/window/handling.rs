@@ -26,7 +26,7 @@ impl Shell {
         if self.hovered_dot.is_some() {
             return Some(CursorIcon::Grab);
         }
-        if let Some(cursor) = self.limb_cursor() {
+        if let Some(cursor) = self.handle_cursor().or_else(|| self.limb_cursor()) {
             return Some(cursor);
         }
         match self.pointer.dragging(self.space.is_held()) {
@@ -75,11 +75,13 @@ impl Shell {
             return;
         }
         let is_arrow = matches!(press.typed, Some(Key::Left | Key::Right | Key::Up | Key::Down));
-        if is_arrow && self.ui.takes_arrows(&stage.context) {
+        let is_for_panel = is_arrow && self.ui.takes_arrows(&stage.context);
+        if self.key_in_drag(press) || is_for_panel {
             return;
         }
         if let Some(command) = binding_for(self.ui.keymap().bindings(), press).map(|binding| binding.command.clone()) {
-            self.apply(command);
+            self.apply(command.clone());
+            self.began_by_keyboard(&command);
             self.request_redraw();
         }
     }
@@ -120,11 +122,19 @@ impl Shell {
         let dot = self.dot_at(at_px);
         let dot_before = std::mem::replace(&mut self.hovered_dot, dot);
         let is_over_other_limb = self.look_for_limbs(at_px);
-        let is_held = self.pointer.is_held();
+        let handle = self.handle_at(at_px).filter(|_| dot.is_none());
+        let handle_before = std::mem::replace(&mut self.hovered_handle, handle);
+        let is_held = self.pointer.is_held() || self.editor.held().is_some();
+        if self.is_held_by_keyboard() {
+            self.pull_to(self.in_view(at_px));
+        } else if !self.editor.is_dragging() {
+            self.handle_drag = None;
+        }
         for action in self.pointer.move_to(self.in_view(at_px), self.space.is_held()) {
             self.act(action);
         }
-        let is_over_other = is_over_other_limb || dot_before != self.hovered_dot;
+        let is_over_other =
+            is_over_other_limb || dot_before != self.hovered_dot || handle_before != self.hovered_handle;
         is_over_other || is_held || self.picks() || !was_over_scene || !self.is_over_scene(at_px)
     }
 
@@ -162,11 +172,21 @@ impl Shell {
             self.request_redraw();
             return;
         }
+        if button == Button::Left && state == ElementState::Released {
+            self.pressed_handle = None;
+        }
+        if state == ElementState::Pressed && self.is_held_by_keyboard() {
+            self.end_by_button(button);
+            return;
+        }
         if button == Button::Left && state == ElementState::Pressed {
+            self.pressed_handle = self.handle_at(self.pointer_px);
             self.path_drag = self.path_drag_at(self.pointer_px);
             self.hovered_dot = self.path_drag.map(|drag| drag.dot().keyframe);
         }
-        if self.path_drag.is_some() || self.limb_button(state, button) {
+        // A handle comes before the ball at a limb's end.
+        let is_on_handle = self.pressed_handle.is_some() && button == Button::Left;
+        if self.path_drag.is_some() || !is_on_handle && self.limb_button(state, button) {
             return;
         }
         let action = match state {
@@ -190,12 +210,13 @@ impl Shell {
                 let rbt = self.editor.node_under(camera.ray_through(at_px));
                 self.apply(Command::View(ViewCommand::Choose(rbt)));
             }
-            Action::Begin => {
+            Action::Begin(from_px) => {
                 self.space.drag();
-                self.apply(Command::Gesture(GestureCommand::Begin));
+                self.begin_drag(&camera, from_px);
             }
             // A drag that was refused or cancelled does not continue.
             Action::Move { .. } | Action::Commit if !self.editor.is_dragging() => {}
+            Action::Move { to_px, .. } if self.pull_to(to_px) => {}
             Action::Move { kind, from_px, to_px } => {
                 let motion = self.editor.manipulation(&camera).motion(kind, from_px, to_px);
                 self.apply(Command::Gesture(GestureCommand::Move(motion)));

@@ -96,6 +96,7 @@ const fn without_character(named: NamedKey) -> Option<Key> {
         NamedKey::Insert => Key::Insert,
         NamedKey::Delete => Key::Delete,
         NamedKey::Enter => Key::Enter,
+        NamedKey::Backspace => Key::Backspace,
         NamedKey::ArrowLeft => Key::Left,
         NamedKey::ArrowRight => Key::Right,
         NamedKey::ArrowUp => Key::Up,

@@ -20,8 +20,8 @@ pub enum Button {
 pub enum Action {
     /// Choose the node under the pointer.
     Pick(Vec2),
-    /// The first movement of a drag: begin, then move.
-    Begin,
+    /// The first movement of a drag, from where it was pressed: begin, then move.
+    Begin(Vec2),
     /// The drag goes on.
     Move {
         /// What it does.
@@ -74,7 +74,7 @@ impl Pointer {
         let Some(kind) = self.kind(space).filter(|_| from_px != at_px) else { return Vec::new() };
         let mut actions = Vec::new();
         if !std::mem::replace(&mut self.is_dragging, true) {
-            actions.push(Action::Begin);
+            actions.push(Action::Begin(from_px));
         }
         actions.push(Action::Move { kind, from_px, to_px: at_px });
         actions
@@ -124,7 +124,7 @@ mod tests {
             assert_eq!(pointer.press(button, from_px, false), None);
         }
         let moved = Action::Move { kind: expected, from_px, to_px };
-        assert_eq!(pointer.move_to(to_px, space), [Action::Begin, moved], "{buttons:?}, space {space}");
+        assert_eq!(pointer.move_to(to_px, space), [Action::Begin(from_px), moved], "{buttons:?}, space {space}");
         let mut ends: Vec<_> = buttons.iter().map(|&button| pointer.release(button)).collect();
         assert_eq!(ends.pop(), Some(Some(Action::Commit)));
         assert!(ends.iter().all(Option::is_none));

@@ -13,6 +13,7 @@ use winit::keyboard::ModifiersState;
 use winit::window::WindowId;
 
 use super::export::Export;
+use super::handle::HandleDrag;
 use super::hotkeys::{KeyInput, SpaceBar};
 use super::keeper::Keeper;
 use super::limb_handling::Limbs;
@@ -24,6 +25,7 @@ use super::settings_file::SettingsFile;
 use super::stage::{Lit, WindowSurface};
 use super::{ForTests, UserEvent, WindowError, desktop, display, ending, now, place};
 use crate::clock::AnimationClock;
+use crate::editor::gizmo::Handle;
 use crate::editor::{Command, Editor, FileCommand, Severity};
 use crate::files;
 use crate::journal::Ending;
@@ -58,6 +60,12 @@ pub struct Shell {
     pub(super) hovered_dot: Option<KeyframeIndex>,
     /// The balls at limbs' ends that the pointer is over or holds.
     pub(super) limbs: Limbs,
+    /// The drag that goes on, where it has handles.
+    pub(super) handle_drag: Option<HandleDrag>,
+    /// The handle that the left button was pressed on, until the pointer moves.
+    pub(super) pressed_handle: Option<Handle>,
+    /// The handle that the pointer is over.
+    pub(super) hovered_handle: Option<Handle>,
     /// Where the pointer is, in the window's pixels.
     pub(super) pointer_px: Vec2,
     clock: AnimationClock,
@@ -80,6 +88,7 @@ impl Shell {
         ui.put_own_poses(crate::files::poses::own());
         let errors = ui.adopt(&settings_file.settings).into_iter().map(|error| error.message());
         editor.set_keymap(ui.keymap().clone());
+        editor.set_handles(settings_file.settings.gizmo_axes, settings_file.settings.snap);
         for message in problem.into_iter().chain(errors) {
             editor.say(message.with_severity(Severity::Error));
         }
@@ -108,6 +117,9 @@ impl Shell {
             path_drag: None,
             hovered_dot: None,
             limbs: Limbs::default(),
+            handle_drag: None,
+            pressed_handle: None,
+            hovered_handle: None,
             pointer_px: Vec2::ZERO,
             clock: AnimationClock::new(),
             last_tick: None,
@@ -222,7 +234,13 @@ impl Shell {
         }
         assert!(!self.keeper.panics_in_drawing(), "a test asked for this panic in drawing");
         let dot = self.hovered_dot.and_then(|keyframe| self.editor.path_dot(keyframe));
-        let lit = Lit { node: hovered, dot, ball: self.lit_ball(), robot: self.robot_with_balls() };
+        let lit = Lit {
+            node: hovered,
+            dot,
+            handle: self.hovered_handle,
+            ball: self.lit_ball(),
+            robot: self.robot_with_balls(),
+        };
         for (panel, size) in panels {
             if self.settings_file.settings.resized(panel, size) {
                 self.keep_settings();

@@ -11,12 +11,15 @@ use super::meter::{Meter, Work};
 use super::panels::{PanelPainter, WindowLayout};
 use super::screen::Screen;
 use super::{UserEvent, WindowError, now};
+use crate::editor::gizmo::Handle;
 use crate::editor::{Editor, LimbBall, PathDot};
 use crate::frame::Frame;
 use crate::pose::RbtIndex;
 use crate::render::{Gpu, GpuError, Image, Offscreen, Renderer, Target, Viewport, default_samples};
 use crate::ui::{Panels, THUMBNAIL_PX, UiOutput, theme};
-use crate::view::{add_limb_balls, frame_of_displayed, mark_dot, mark_limb_ball, outline, picture_of_editor};
+use crate::view::{
+    add_limb_balls, frame_of_displayed, light_handle, mark_dot, mark_limb_ball, outline, picture_of_editor,
+};
 
 /// The 3D view, in physical pixels of the window.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -55,6 +58,8 @@ pub struct Lit {
     pub node: Option<RbtIndex>,
     /// The dot of the motion path that a press would take.
     pub dot: Option<PathDot>,
+    /// The handle that a press would take.
+    pub handle: Option<Handle>,
     /// The ball at a limb's end that a press would take, or that is held.
     pub ball: Option<LimbBall>,
     /// A node of the robot whose balls show besides those of the chosen nodes.
@@ -203,6 +208,9 @@ impl WindowSurface {
         }
         if let Some(dot) = lit.dot {
             mark_dot(&mut frame, dot);
+        }
+        if let Some((gizmo, handle)) = editor.gizmo(&editor.camera(self.view.size_px)).zip(lit.handle) {
+            light_handle(&mut frame, editor, &gizmo, handle);
         }
         frame.scale_strokes(laid_out.pixels_per_point);
         let built = now();

@@ -95,6 +95,33 @@ fn keys_of_the_view_are_done_without_a_word_or_with_one() {
 }
 
 #[test]
+fn keys_belong_to_a_turn_or_move_that_a_key_has_begun() {
+    let begun = "select robot1\nkey n\nkey ctrl+g\nkey x\nkey -\nkey 1\nkey 5\nkey backspace\n";
+    let trace = Sandbox::new().trace(&format!("{begun}key n\nkey y\nkey t\nkey enter\nkey u\nkey t\n"));
+    // Letters other than x, y and z do nothing, and y locks an axis.
+    assert!(trace[8..12].iter().all(|line| line["keyframes"] == json!(1) && line["message"] == json!("")), "{trace:?}");
+    assert_eq!((&trace[8]["playing"], &trace[11]["interpolation"]), (&json!(false), &json!("linear")));
+    assert_eq!(trace[13]["interpolation"], json!("catmull-rom"));
+    let trace = Sandbox::new().trace(&format!("{begun}key escape\nkey 4\ndrag begin\nkey x\nkey n\n"));
+    let messages: Vec<&str> = trace[8..].iter().map(|line| line["message"].as_str().unwrap()).collect();
+    let nothing_on = "There is no drag to go on with.";
+    assert_eq!(messages[..4], ["Drag taken back.", nothing_on, "", nothing_on]);
+    assert_eq!(trace[12]["keyframes"], json!(2));
+}
+
+#[test]
+fn what_is_typed_leads_where_it_says() {
+    let sandbox = Sandbox::new();
+    let script = "select robot1\nkey ctrl+g\nkey x\nkey 1\nkey .\nkey 5\nkey enter\nkey n\nkey w\n";
+    sandbox.write("s.txt", script);
+    sandbox.run(&["script", "s.txt", "--keyframes", "walk.json"]).succeeds();
+    let file: Value = serde_json::from_str(&sandbox.read("walk.json")).unwrap();
+    let translation = file["keyframes"][0]["pose"][2]["translation"].as_array().unwrap();
+    let numbers: Vec<f64> = translation.iter().filter_map(Value::as_f64).collect();
+    assert_eq!(numbers, [-0.5, 1.0, 0.0]);
+}
+
+#[test]
 fn a_trace_line_has_exactly_these_keys_in_this_order() {
     let sandbox = Sandbox::new();
     sandbox.write("s.txt", "# nothing\n\n  select robot1   # the first\nkey n\n");

@@ -6,8 +6,11 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use glam::Vec3;
+use inbetween::editor::gizmo::{Axis, GizmoAxes, Handle, HandleKind, Pull};
 use inbetween::editor::keymap::{binding_for, bindings, press_from_word};
-use inbetween::editor::{Command, Document, Edit, Editor, Effect, KeyAt, NodeEdit, NodePart, TimelineEdit};
+use inbetween::editor::{
+    Command, Document, Edit, Editor, Effect, GestureCommand, KeyAt, NodeEdit, NodePart, TimelineEdit,
+};
 use inbetween::interpolation::Interpolation;
 use inbetween::keyframe::{
     KeyframeIndex, MS_BETWEEN_KEYFRAMES_RANGE, file_bytes_at_most, keyframes_from_json, keyframes_to_json,
@@ -16,6 +19,7 @@ use inbetween::pose::{Pose, RbtIndex};
 use inbetween::rbt::Rbt;
 use inbetween::rotation_rules::Mending;
 use inbetween::scene::{DEFAULT_SCENE, built_in_scene, scene_from_json, scene_to_json};
+use proptest::prelude::*;
 
 /// An editor of the built-in scene, with nothing in its list.
 pub fn editor() -> Editor {
@@ -174,7 +178,7 @@ pub fn other_files() -> Vec<Vec<u8>> {
 }
 
 /// Any edit of a node whatever its place.
-pub fn any_node_edit() -> impl proptest::strategy::Strategy<Value = NodeEdit> {
+pub fn any_node_edit() -> impl Strategy<Value = NodeEdit> {
     proptest::sample::select(&[
         NodeEdit::Mirror,
         NodeEdit::Paste { is_mirrored: false },
@@ -186,7 +190,29 @@ pub fn any_node_edit() -> impl proptest::strategy::Strategy<Value = NodeEdit> {
 }
 
 /// A node of the built-in scene, or one that is not in it.
-pub fn any_rbt_index() -> impl proptest::strategy::Strategy<Value = RbtIndex> {
-    use proptest::strategy::Strategy as _;
+pub fn any_rbt_index() -> impl Strategy<Value = RbtIndex> {
     (0usize..24).prop_map(RbtIndex::new)
+}
+
+/// Pulls of handles, by such numbers.
+pub fn any_pull(number: impl Strategy<Value = f64> + Clone + 'static) -> impl Strategy<Value = Pull> {
+    let (axis, axes) = (prop::sample::select(&Axis::ALL), prop::sample::select(&GizmoAxes::ALL));
+    let turn =
+        (axis, number.clone(), axes.clone()).prop_map(|(axis, degrees, axes)| Pull::Turn { axis, degrees, axes });
+    let along = (prop::array::uniform3(number), axes).prop_map(|(by, axes)| Pull::Move { by, axes });
+    prop_oneof![turn, along]
+}
+
+/// Drags of handles: taken, pulled by such numbers, and by keys.
+pub fn any_hold(number: impl Strategy<Value = f64> + Clone + 'static) -> impl Strategy<Value = GestureCommand> {
+    let kinds = [HandleKind::Turn, HandleKind::Move, HandleKind::Plane];
+    let (kind, axis) = (prop::sample::select(kinds.to_vec()), prop::sample::select(&Axis::ALL));
+    let handle = (kind, axis, prop::sample::select(&GizmoAxes::ALL));
+    prop_oneof![
+        2 => handle.prop_map(|(kind, axis, axes)| GestureCommand::Grab(Handle { kind, axis, axes })),
+        4 => any_pull(number).prop_map(GestureCommand::Pull),
+        1 => prop::sample::select(&Axis::ALL).prop_map(GestureCommand::Lock),
+        3 => prop::sample::select("0123456789.-".chars().collect::<Vec<_>>()).prop_map(GestureCommand::Type),
+        1 => Just(GestureCommand::Erase),
+    ]
 }

@@ -219,6 +219,11 @@ pub fn window_and_failures() -> String {
         texts::gpu_not_read_back("Adapter", "it broke"),
         texts::SCREENSHOT_NO_WINDOW.into(),
         texts::refused_no_example("walk"),
+        texts::readout_turn("+32.5", "z"),
+        texts::readout_turn_in_view("45|"),
+        texts::readout_move("+0.25", "x"),
+        texts::readout_move_in_plane("+0.25", "x", "-0.10", "y"),
+        texts::readout_move_in_view("+0.25", "-0.10"),
     ];
     messages.into_iter().chain(times.into_iter().flatten()).map(|message: Message| format!("{message}\n")).collect()
 }

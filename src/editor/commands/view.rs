@@ -167,7 +167,9 @@ fn panels() -> Vec<Row> {
             help.hotkeys(&["h"]).menu(Menu::Help).ticked(|editor, _| editor.session.shows_help),
         ),
         Row::listed(Changes::Session, panels.hotkeys(&["F11"]).ticked(|editor, _| editor.session.shows_panels)),
-        Row::listed(Changes::Document, cancel.hotkeys(&["Esc"]).menu(Menu::Edit).section(9))
-            .can(|editor, _| editor.gesture.is_some() || editor.session.is_picking || editor.session.shows_help),
+        Row::listed(Changes::Document, cancel.hotkeys(&["Esc"]).menu(Menu::Edit).section(9)).can(|editor, _| {
+            let session = &editor.session;
+            editor.is_dragging() || session.is_picking || session.shows_help || !session.chosen.is_empty()
+        }),
     ]
 }
