@@ -13,6 +13,7 @@ mod error;
 mod export;
 mod eye;
 mod files;
+mod framing;
 mod gesture;
 pub mod gizmo;
 mod history;
@@ -23,6 +24,7 @@ mod manipulate;
 mod motion_path;
 mod named_poses;
 mod node_edits;
+mod picking;
 mod placing;
 mod playback;
 mod playing;
@@ -47,11 +49,13 @@ pub use document::Document;
 pub use error::CommandError;
 pub use eye::{Eye, WorkEye};
 pub use files::NEW_FILE;
+pub use framing::Side;
 pub use history::{MOST_STEPS, Reach};
 pub use host::{FileAccess, FileOutcome, Host, PathQuestion, WindowHost, Writing, Written};
 pub use limb_balls::{LimbBall, dragged_point};
 pub use manipulate::{DragKind, Manipulation};
 pub use motion_path::PathDot;
+pub use picking::CLICK_REACH;
 pub use playback::PlayMode;
 pub use playing::SPEED_PERCENT_RANGE;
 pub use said::Said;
@@ -60,8 +64,8 @@ pub use snapshot::{Before, Snapshot};
 pub use timed_key_clock::Transport;
 
 use crate::keyframe::{Blend, KeyframeIndex};
-use crate::pose::{Pose, RbtIndex};
-use crate::scene::{Ray, SceneGraph};
+use crate::pose::Pose;
+use crate::scene::SceneGraph;
 use crate::words::Phrase;
 pub use crate::words::{Message, Severity};
 use gesture::Gesture;
@@ -188,7 +192,7 @@ impl Editor {
     #[must_use]
     pub fn new(scene: Arc<SceneGraph>, keyframe_file: PathBuf) -> Self {
         let document = Document::new(Arc::clone(&scene));
-        Self {
+        let mut editor = Self {
             saved_scene: scene,
             scene_path: None,
             saved: document.clone(),
@@ -232,7 +236,9 @@ impl Editor {
             said: Said::default(),
             keyframe_file,
             is_file_known: false,
-        }
+        };
+        editor.session.work_eye = editor.first_work_eye();
+        editor
     }
 
     /// The same with a scene that was read from this file, which is where it is saved.
@@ -344,12 +350,6 @@ impl Editor {
     #[must_use]
     pub fn displayed_pose(&self) -> Pose {
         self.sampled_pose().unwrap_or_else(|| self.document.live_pose.clone())
-    }
-
-    /// The node that a ray through the view meets: what a click there would choose.
-    #[must_use]
-    pub fn node_under(&self, ray: Ray) -> Option<RbtIndex> {
-        self.scene().pick(&self.displayed_pose(), self.seconds(), ray)?.rbt
     }
 
     /// Makes the document as it is now the ground of undo: what the program was started with is not undone.

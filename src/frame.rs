@@ -57,6 +57,8 @@ pub struct DrawItem {
     pub node: u32,
     /// Whether it belongs to the chosen node, which gets an outline in the accent colour.
     pub outlined: bool,
+    /// Whether only its shadow shows: it belongs to the node that one looks from, and would be seen from inside.
+    pub is_hidden: bool,
 }
 
 impl DrawItem {

@@ -100,6 +100,8 @@ pub struct Settings {
     pub gizmo_axes: GizmoAxes,
     /// The steps of drags with Shift.
     pub snap: SnapSteps,
+    /// Whether the window begins with the scene's first eye, which keyframes record, instead of the work eye.
+    pub recorded_eye: bool,
 }
 
 impl Default for Settings {
@@ -117,6 +119,7 @@ impl Default for Settings {
             tour: true,
             gizmo_axes: GizmoAxes::default(),
             snap: SnapSteps::default(),
+            recorded_eye: false,
         }
     }
 }
@@ -151,6 +154,8 @@ struct File {
     gizmo_axes: GizmoAxes,
     #[serde(default)]
     snap: SnapSteps,
+    #[serde(default)]
+    recorded_eye: bool,
 }
 
 const fn kept() -> bool {
@@ -265,6 +270,7 @@ impl Settings {
             tour: file.tour,
             gizmo_axes: file.gizmo_axes,
             snap: file.snap,
+            recorded_eye: file.recorded_eye,
         })
     }
 
@@ -288,6 +294,7 @@ impl Settings {
             tour: self.tour,
             gizmo_axes: self.gizmo_axes,
             snap: self.snap,
+            recorded_eye: self.recorded_eye,
         };
         let mut text = serde_json::to_string_pretty(&file).expect("settings are plain text and numbers");
         text.push('\n');

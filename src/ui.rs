@@ -194,7 +194,7 @@ pub struct Panels {
     pub changed: Option<ChangeOffer>,
     /// How fast the window is, where that is shown.
     pub statistics: Option<Statistics>,
-    /// The name of what the pointer is over in the scene, where it can be dragged.
+    /// The name of what the pointer is over in the scene, where it can be chosen or dragged.
     pub pointed: Option<Message>,
 }
 

@@ -12,7 +12,7 @@ use inbetween::editor::commands::{self, Changes};
 use inbetween::editor::gizmo::{Axis, GizmoAxes, Handle, Pull, SnapSteps};
 use inbetween::editor::{
     ClipboardCommand, Command, Edit, Eye, FileCommand, GestureCommand, KeyAt, Pivot, PlayMode, PlaybackCommand,
-    SceneEdit, SelectionCommand, TimelineEdit, ViewCommand, WorkEye,
+    SceneEdit, SelectionCommand, Side, TimelineEdit, ViewCommand, WorkEye,
 };
 use inbetween::interpolation::Interpolation;
 use inbetween::keyframe::{Blend, Easing, KeyframeIndex, Retiming, StretchEnd};
@@ -225,6 +225,13 @@ fn any_view() -> impl Strategy<Value = Command> {
     prop_oneof![
         (0..SCENE.eyes().len()).prop_map(|eye| ViewCommand::SetEye(Eye::Recorded(eye))),
         Just(ViewCommand::SetEye(Eye::Work)),
+        prop::sample::select(&Side::NAMES).prop_map(|(side, _)| ViewCommand::LookFrom(side)),
+        prop::sample::select(&[
+            ViewCommand::LevelEye,
+            ViewCommand::ShowAll,
+            ViewCommand::ShowChosen,
+            ViewCommand::ResetWorkEye,
+        ]),
         (-180f32..=180.0, -90f32..=90.0, 0.125f32..=1e5, prop::array::uniform3(-1e6f32..=1e6)).prop_map(
             |(yaw_degrees, pitch_degrees, distance, target)| {
                 let target_in_world = Vec3::from(target);

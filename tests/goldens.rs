@@ -28,7 +28,7 @@ fn draw(scene: &SceneGraph, pose: &Pose, seconds: f64) -> Image {
         vertical_fov: scene.vertical_fov(),
         size_px: Vec2::new(WIDTH.into(), HEIGHT.into()),
     };
-    let frame = frame_of_scene(scene, pose, seconds, &camera);
+    let frame = frame_of_scene(scene, pose, seconds, &camera, None);
     offscreen.render(&gpu, &mut renderer, &frame).expect("a picture")
 }
 

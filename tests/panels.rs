@@ -319,9 +319,16 @@ fn the_help_lists_every_key_and_the_mouse() {
     for binding in bindings().into_iter().filter(|binding| !binding.chords.is_empty()) {
         harness.get_by_label(&format!("{}: {}", binding.keys(), binding.explanation().english()));
     }
-    for gesture in
-        ["Left drag", "Right drag", "Middle drag", "Wheel", "Ctrl+click", "Drag a ball", "Wheel in that drag"]
-    {
+    for gesture in [
+        "Left drag",
+        "Right drag",
+        "Middle drag",
+        "Wheel",
+        "Click",
+        "Left drag on nothing",
+        "Drag a ball",
+        "Wheel in that drag",
+    ] {
         assert!(harness.query_all_by_label_contains(&format!("{gesture}: ")).count() > 0, "{gesture}");
     }
 }

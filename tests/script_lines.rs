@@ -224,6 +224,18 @@ const SESSIONS: &[(&str, &str, Look)] = &[
     ("eye work", "Work", |session| format!("{:?}", session.eye)),
     ("eye work\nkey v", "Recorded(0)", |session| format!("{:?}", session.eye)),
     ("eye work\nkey v\nkey v\nkey v\nkey v", "Work", |session| format!("{:?}", session.eye)),
+    ("work-eye 30 10 4 0 0 0\nlook right", "90 0 4 [0, 0, 0]", work_eye),
+    ("work-eye 30 10 4 0 0 0\nkey ctrl+7", "0 -90 4 [0, 0, 0]", work_eye),
+    ("work-eye 30 10 4 0 0 0\nlevel-eye", "30 0 4 [0, 0, 0]", work_eye),
+    ("look top", "Work", |session| format!("{:?}", session.eye)),
+    ("eye work\nkey 0", "Recorded(0)", |session| format!("{:?}", session.eye)),
+    ("work-eye 0 0 90 9 9 9\nshow-all", "true", |session| (session.work_eye.distance < 30.0).to_string()),
+    ("select robot1/head\nwork-eye 0 0 90 9 9 9\nshow-chosen", "true", |session| {
+        (session.work_eye.distance < 4.0).to_string()
+    }),
+    ("work-eye 0 0 90 9 9 9\nreset-work-eye", "20 12", |session| {
+        format!("{} {}", session.work_eye.yaw_degrees, session.work_eye.pitch_degrees)
+    }),
     ("work-eye 30 -5.5 4 1 2 3", "30 -5.5 4 [1, 2, 3]", work_eye),
     ("eye work\nwork-eye 30 10 4 0 0 0\nwheel 1", "30 10 3 [0, 0, 0]", work_eye),
     ("eye work\nwork-eye 0 0 4 0 0 0\ndrag begin\ndrag move 1 2 3\ndrag end", "0 0 7 [1, 2, 0]", work_eye),

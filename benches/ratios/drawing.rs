@@ -53,7 +53,7 @@ pub fn boxes(report: &mut Report) {
         ("all boxes in sight", looking(Vec3::new(0.0, 14.0, 92.0), Vec3::new(0.0, -8.0, 0.0)), 0.9),
     ];
     for (what, camera, most) in views {
-        let frame = frame_of_scene(&scene, scene.rest_pose(), 0.0, &camera);
+        let frame = frame_of_scene(&scene, scene.rest_pose(), 0.0, &camera, None);
         let renderers = [Arrangement::SortedAndCut, Arrangement::AsGiven].map(|arrangement| {
             let mut renderer = Renderer::new(&gpu, Offscreen::FORMAT, default_samples(gpu.is_software));
             renderer.set_arrangement(arrangement);

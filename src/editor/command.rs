@@ -6,7 +6,7 @@ use std::sync::Arc;
 use glam::{Quat, Vec3};
 
 use super::gizmo::{Axis, GizmoAxes, Handle, Pull, SnapSteps};
-use super::{Eye, KeyAt, Pivot, PlayMode, SceneEdit, WorkEye};
+use super::{Eye, KeyAt, Pivot, PlayMode, SceneEdit, Side, WorkEye};
 use crate::film::ExportOptions;
 use crate::interpolation::Interpolation;
 use crate::keyframe::{Blend, Easing, KeyframeIndex, KeyframesText, Retiming};
@@ -75,6 +75,8 @@ pub enum WindowCommand {
     ToggleStatistics,
     /// Reads files again when another program changes them, or only offers to.
     ToggleReload,
+    /// Begins with the scene's first eye the next time, or with the work eye.
+    ToggleRecordedEye,
     /// Keeps a journal, or none.
     ToggleJournal,
     /// The panels one step larger.
@@ -278,6 +280,16 @@ pub enum ViewCommand {
     SetEye(Eye),
     /// Puts the work eye somewhere, in force or not; numbers out of range are moved into it.
     SetWorkEye(WorkEye),
+    /// Looks from a side of the work eye's target, at the same distance.
+    LookFrom(Side),
+    /// Puts the work eye at the height of its target.
+    LevelEye,
+    /// Brings all shapes in sight of the work eye.
+    ShowAll,
+    /// Brings the chosen nodes in sight of the work eye.
+    ShowChosen,
+    /// Puts the work eye where it was at first.
+    ResetWorkEye,
     /// With the sky as eye and nothing chosen: moves about the world's centre, or about the eye itself.
     ToggleSkyMode,
     /// The next click in the view chooses the node to move.

@@ -1,12 +1,16 @@
 //! What the scene is looked at from: an eye of the scene, which keyframes record, or the work eye, which nothing records.
 
-use glam::{Quat, Vec3};
+use glam::{Quat, Vec2, Vec3};
 
 use super::apply::CommandResult;
 use super::{Command, CommandError, Editor, ViewCommand};
+use crate::camera::Camera;
 use crate::pose::{Pose, RbtIndex};
 use crate::rbt::{LARGEST_COORDINATE, Rbt};
 use crate::words::texts;
+
+/// How much nearer one notch of the wheel brings the work eye.
+const ZOOM_STEP: f32 = 1.15;
 
 /// What one looks from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -90,6 +94,35 @@ impl WorkEye {
             distance: self.distance + z,
             target_in_world: self.target_in_world + rotation * Vec3::new(x, y, 0.0),
         }
+    }
+
+    /// It after a drag over the view: to the right by a positive x, downwards by a positive y. The scene follows the pointer; the smaller
+    /// side of the view is half a turn.
+    #[must_use]
+    pub fn orbited(self, by_px: Vec2, camera: &Camera) -> Self {
+        let degrees = by_px * (180.0 / camera.size_px.min_element());
+        let eye =
+            Self { yaw_degrees: self.yaw_degrees - degrees.x, pitch_degrees: self.pitch_degrees + degrees.y, ..self };
+        eye.in_range().unwrap_or(self)
+    }
+
+    /// It after a drag over the view that takes the point under the pointer along, at the target's depth.
+    #[must_use]
+    pub fn panned(self, by_px: Vec2, camera: &Camera) -> Self {
+        let by = by_px * camera.units_per_pixel_at_unit_depth() * self.distance;
+        let target_in_world = self.target_in_world + self.rotation() * Vec3::new(-by.x, by.y, 0.0);
+        Self { target_in_world, ..self }.in_range().unwrap_or(self)
+    }
+
+    /// It nearer by notches of the wheel, or farther. What is under the pixel, at the target's depth, stays there.
+    #[must_use]
+    pub fn zoomed(self, notches: f32, at_px: Vec2, camera: &Camera) -> Self {
+        let distance = self.distance * ZOOM_STEP.powf(-notches);
+        let Some(Self { distance, .. }) = (Self { distance, ..self }).in_range() else { return self };
+        let from_centre = (at_px - camera.size_px * 0.5) * camera.units_per_pixel_at_unit_depth() * self.distance;
+        let to_point = self.rotation() * Vec3::new(from_centre.x, -from_centre.y, 0.0);
+        let target_in_world = self.target_in_world + to_point * (1.0 - distance / self.distance);
+        Self { distance, target_in_world, ..self }.in_range().unwrap_or(self)
     }
 }
 
@@ -192,6 +225,37 @@ mod tests {
         assert!(moved.world_from_eye().transform_vector(Vec3::X).y.abs() < 1e-6);
         assert_eq!((moved.distance, moved.target_in_world), (eye.distance, eye.target_in_world));
         assert!((moved.yaw_degrees - eye.yaw_degrees).abs() > 20.0, "{moved:?}");
+    }
+
+    fn camera(eye: WorkEye) -> Camera {
+        Camera { world_from_eye: eye.world_from_eye(), vertical_fov: 1.0, size_px: Vec2::new(640.0, 480.0) }
+    }
+
+    #[test]
+    fn orbits_go_around_the_target_and_stop_at_the_poles() {
+        let eye = WorkEye::default();
+        let moved = eye.orbited(Vec2::new(48.0, 24.0), &camera(eye));
+        assert_eq!((moved.yaw_degrees, moved.pitch_degrees), (eye.yaw_degrees - 18.0, eye.pitch_degrees + 9.0));
+        assert_eq!(moved.orbited(Vec2::new(0.0, 1e4), &camera(eye)).pitch_degrees, 90.0);
+        let (before, after) = (camera(eye).project(eye.target_in_world), camera(moved).project(eye.target_in_world));
+        assert!(before.unwrap().0.distance(after.unwrap().0) < 1e-2);
+    }
+
+    #[test]
+    fn the_point_under_the_pointer_stays_there_in_pans_and_zooms() {
+        let eye = WorkEye { yaw_degrees: 50.0, pitch_degrees: 30.0, ..WorkEye::default() };
+        let before = camera(eye);
+        let at_px = Vec2::new(500.0, 100.0);
+        let ray = before.ray_through(at_px);
+        let point_in_world = ray.origin_in_world + ray.direction_in_world * eye.distance;
+        let by_px = Vec2::new(-70.0, 30.0);
+        let seen = |eye: WorkEye| camera(eye).project(point_in_world).unwrap().0;
+        assert!(seen(eye.panned(by_px, &before)).distance(at_px + by_px) < 1e-2);
+        for notches in [1.0, -2.5] {
+            let zoomed = eye.zoomed(notches, at_px, &before);
+            assert!(seen(zoomed).distance(at_px) < 1e-2 && (zoomed.distance < eye.distance) == (notches > 0.0));
+        }
+        assert_eq!(eye.zoomed(1e3, at_px, &before).distance, *WorkEye::DISTANCES.start());
     }
 
     #[test]

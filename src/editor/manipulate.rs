@@ -12,7 +12,7 @@ use crate::pose::RbtIndex;
 use crate::rbt::Rbt;
 
 /// Radius of the arcball, as a part of the view's smaller side.
-const ARCBALL_RADIUS: f32 = 0.25;
+pub(super) const ARCBALL_RADIUS: f32 = 0.25;
 /// Depth that counts for moving the eye itself, in scene units.
 const EGO_DEPTH: f32 = 4.0;
 /// How much of the depth one notch of the wheel goes.

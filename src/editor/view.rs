@@ -17,6 +17,11 @@ impl Editor {
             ViewCommand::NextEye => self.set_eye(self.next_eye()),
             ViewCommand::SetEye(eye) => self.set_eye(eye),
             ViewCommand::SetWorkEye(eye) => self.set_work_eye(eye),
+            ViewCommand::LookFrom(side) => self.look_from_side(side),
+            ViewCommand::LevelEye => self.level(),
+            ViewCommand::ShowAll => self.show_all(),
+            ViewCommand::ShowChosen => self.show_chosen(),
+            ViewCommand::ResetWorkEye => self.reset_work_eye(),
             ViewCommand::ToggleSkyMode => {
                 if self.session.eye != Eye::Recorded(0) || !self.session.chosen.is_empty() {
                     return Err(CommandError::NoSkyMode);

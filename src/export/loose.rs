@@ -23,7 +23,7 @@ impl Painter {
         let mut world_from_eye = if is_sound { own } else { scene.world_from_rbt(right, 0.0, eye) };
         world_from_eye.rotation = world_from_eye.rotation.normalize();
         let camera = Camera { world_from_eye, vertical_fov: scene.vertical_fov(), size_px: self.size_px() };
-        let mut frame = frame_of_scene(scene, pose, 0.0, &camera);
+        let mut frame = frame_of_scene(scene, pose, 0.0, &camera, Some(eye));
         frame.items.retain(|item| {
             let matrix = item.world_from_shape;
             matrix.is_finite() && matrix.to_cols_array().iter().all(|number| number.abs() < FARTHEST)

@@ -24,6 +24,14 @@ pub enum Viewpoint {
 }
 
 impl Viewpoint {
+    /// The node that is looked from; `None` for a camera that is no node.
+    const fn node(self) -> Option<RbtIndex> {
+        match self {
+            Self::Eye(rbt) => Some(rbt),
+            Self::Turntable => None,
+        }
+    }
+
     /// The viewpoint with a name; by default the scene's first eye.
     ///
     /// # Errors
@@ -69,7 +77,7 @@ impl<'a> Stage<'a> {
     pub fn frame(&self, moment: &Moment) -> Result<Frame, ExportError> {
         let pose = self.pose(moment.shown)?;
         let camera = self.camera(&pose, moment);
-        let mut frame = frame_of_scene(self.source.scene, &pose, moment.seconds, &camera);
+        let mut frame = frame_of_scene(self.source.scene, &pose, moment.seconds, &camera, self.viewpoint.node());
         if self.ghosts > 0 {
             self.add_ghosts(&mut frame, moment);
         }
@@ -118,7 +126,7 @@ impl<'a> Stage<'a> {
         let pose = pose.unwrap_or_else(|_| scene.rest_pose().clone());
         let camera =
             Camera { world_from_eye: Rbt::IDENTITY, vertical_fov: scene.vertical_fov(), size_px: self.size_px };
-        let frame = frame_of_scene(scene, &pose, 0.0, &camera);
+        let frame = frame_of_scene(scene, &pose, 0.0, &camera, None);
         let reach = |item: &DrawItem| {
             let matrix = Mat3::from(item.world_from_shape.matrix3);
             let radius = (0..8_u8)

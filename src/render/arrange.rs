@@ -32,7 +32,7 @@ pub struct Arranged {
     /// The items' bounding boxes, in the frame's order.
     pub bounds: Vec<Bounds>,
     runs: Vec<Bounds>,
-    /// For each mesh, indices in the frame of items that may be visible: those without an outline, then those with one.
+    /// For each mesh, indices in the frame of items that may be visible and are not hidden: those without an outline, then those with one.
     pub seen: [[Vec<u32>; 2]; MESHES],
     distance_keys: Vec<u32>,
 }
@@ -61,7 +61,7 @@ impl Arranged {
                     Sight::None => false,
                     Sight::Partial => sides.may_see(&self.bounds[index as usize], Vec3::ZERO),
                 };
-                if may_be_seen {
+                if may_be_seen && !item.is_hidden {
                     self.seen[detail.mesh(item)][usize::from(item.outlined)].push(index);
                 }
             }
@@ -111,6 +111,7 @@ mod tests {
             rounding: 0.2,
             colour: Vec3::ONE,
             outlined: false,
+            is_hidden: false,
             node: 0,
         }
     }

@@ -92,6 +92,7 @@ mod tests {
             rounding: radius,
             colour: Vec3::ONE,
             outlined: false,
+            is_hidden: false,
             node: 0,
         }
     }

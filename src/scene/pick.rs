@@ -1,6 +1,6 @@
 //! Picking: the nearest shape that a ray meets.
 
-use glam::Vec3;
+use glam::{Affine3A, Vec3};
 
 use super::graph::{NodeId, NodeKind, SceneGraph};
 use super::shape::Shape;
@@ -26,25 +26,64 @@ pub struct Pick {
     pub distance: f32,
 }
 
-impl SceneGraph {
-    /// The nearest shape that `ray` meets under `pose`, `seconds` into the keys at their own times, in front of the ray's origin.
+/// The scene as it stands, for the rays of one look at it.
+pub struct Picker<'a> {
+    scene: &'a SceneGraph,
+    /// Shapes, and their inverse matrices.
+    shapes: Vec<(NodeId, Affine3A)>,
+}
+
+impl Picker<'_> {
+    /// The shapes that a ray meets in front of its origin, in the scene's order.
     ///
     /// Rounded edges of boxes are treated as sharp. A ray from inside a shape passes through it.
-    #[must_use]
-    pub fn pick(&self, pose: &Pose, seconds: f64, ray: Ray) -> Option<Pick> {
-        let world_from_node = self.world_from_nodes(pose, seconds);
-        let mut nearest: Option<Pick> = None;
-        for (id, node) in self.nodes_with_ids() {
-            let NodeKind::Shape(placed) = &node.kind else { continue };
-            let shape_from_world = world_from_node[id.get()].get().inverse();
+    fn hits(&self, ray: Ray) -> impl Iterator<Item = Pick> {
+        self.shapes.iter().filter_map(move |&(shape, shape_from_world)| {
+            let NodeKind::Shape(placed) = &self.scene.node(shape).kind else { return None };
             let origin = shape_from_world.transform_point3(ray.origin_in_world);
             let direction = shape_from_world.transform_vector3(ray.direction_in_world);
-            let Some(distance) = placed.shape.enter(origin, direction) else { continue };
-            if nearest.is_none_or(|pick| distance < pick.distance) {
-                let is_ground = matches!(placed.shape, Shape::Plane(_));
-                nearest = Some(Pick { shape: id, rbt: self.carrying_rbt(id).filter(|_| !is_ground), distance });
+            let distance = placed.shape.enter(origin, direction)?;
+            let is_ground = matches!(placed.shape, Shape::Plane(_));
+            Some(Pick { shape, rbt: self.scene.carrying_rbt(shape).filter(|_| !is_ground), distance })
+        })
+    }
+
+    /// The nearest shape that a ray meets.
+    #[must_use]
+    pub fn nearest(&self, ray: Ray) -> Option<Pick> {
+        self.hits(ray).min_by(|a, b| a.distance.total_cmp(&b.distance))
+    }
+
+    /// The nodes whose shapes a ray meets, nearest first, each once.
+    #[must_use]
+    pub fn nodes_along(&self, ray: Ray) -> Vec<RbtIndex> {
+        let mut hits: Vec<Pick> = self.hits(ray).collect();
+        hits.sort_by(|a, b| a.distance.total_cmp(&b.distance));
+        let mut nodes = Vec::new();
+        for rbt in hits.into_iter().filter_map(|hit| hit.rbt) {
+            if !nodes.contains(&rbt) {
+                nodes.push(rbt);
             }
         }
-        nearest
+        nodes
+    }
+}
+
+impl SceneGraph {
+    /// What rays meet under `pose`, `seconds` into the timed keys. The shapes of the node `from`, which is looked from, are not seen.
+    #[must_use]
+    pub fn picker(&self, pose: &Pose, seconds: f64, from: Option<RbtIndex>) -> Picker<'_> {
+        let world_from_node = self.world_from_nodes(pose, seconds);
+        let shapes = self.nodes_with_ids().filter_map(|(id, node)| {
+            let is_seen = matches!(node.kind, NodeKind::Shape(_)) && (from.is_none() || self.carrying_rbt(id) != from);
+            is_seen.then(|| (id, world_from_node[id.get()].get().inverse()))
+        });
+        Picker { scene: self, shapes: shapes.collect() }
+    }
+
+    /// The nearest shape that `ray` meets under `pose`, `seconds` into the timed keys, in front of the ray's origin.
+    #[must_use]
+    pub fn pick(&self, pose: &Pose, seconds: f64, ray: Ray) -> Option<Pick> {
+        self.picker(pose, seconds, None).nearest(ray)
     }
 }

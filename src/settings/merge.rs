@@ -22,6 +22,7 @@ impl Settings {
             tour,
             gizmo_axes,
             snap,
+            recorded_eye,
         } = self;
         Self {
             keys: merged_map(keys, &base.keys, file.keys),
@@ -36,6 +37,7 @@ impl Settings {
             tour: changed(tour, &base.tour, file.tour),
             gizmo_axes: changed(gizmo_axes, &base.gizmo_axes, file.gizmo_axes),
             snap: changed(snap, &base.snap, file.snap),
+            recorded_eye: changed(recorded_eye, &base.recorded_eye, file.recorded_eye),
         }
     }
 
@@ -112,6 +114,7 @@ mod tests {
             file.reload = true;
             file.window = Some(place(800.0));
             file.tour = false;
+            file.recorded_eye = true;
             file.panels.insert("timeline".to_owned(), 200.0);
             file.keys.insert("redo".to_owned(), vec!["F2".to_owned()]);
         });
@@ -122,6 +125,7 @@ mod tests {
             expected.reload = true;
             expected.window = Some(place(900.0));
             expected.tour = false;
+            expected.recorded_eye = true;
             expected.panels = BTreeMap::from([("side".to_owned(), 300.0), ("timeline".to_owned(), 200.0)]);
             expected.keys = BTreeMap::from([("redo".to_owned(), vec!["F2".to_owned()])]);
         });

@@ -29,7 +29,7 @@ pub fn show(ui: &mut Ui, editor: &Editor, angles: &mut ShownAngles, keymap: &Key
     let scene = editor.scene();
     let Some(rbt) = editor.dragged_node() else {
         ui.label(RichText::new(words.say(texts::WORK_EYE)).strong().size(14.0));
-        ui.label(RichText::new(words.say(texts::CTRL_CLICK_A_PART_TO_CHOOSE_IT)).small().color(tokens.dim));
+        ui.label(RichText::new(words.say(texts::CLICK_A_PART_TO_CHOOSE_IT)).small().color(tokens.dim));
         return;
     };
     let node = scene.node(scene.rbt_node(rbt));
@@ -89,7 +89,7 @@ pub fn show(ui: &mut Ui, editor: &Editor, angles: &mut ShownAngles, keymap: &Key
         let (stop, pause) = (key(PlaybackCommand::PlayOrStop), key(PlaybackCommand::PauseOrResume));
         words.message(texts::stop_or_pause_to_change(&stop, &pause))
     } else if editor.session().chosen.is_empty() {
-        words.say(texts::CTRL_CLICK_A_PART_TO_CHOOSE_IT).to_owned()
+        words.say(texts::CLICK_A_PART_TO_CHOOSE_IT).to_owned()
     } else {
         words.say(texts::DRAG_THE_NUMBERS_OR_CLICK_AND_TYPE).to_owned()
     };

@@ -105,6 +105,7 @@ impl Panels {
             journal: self.settings.journal,
             reload: self.settings.reload,
             tour: self.tour.is_shown(),
+            recorded_eye: self.settings.recorded_eye,
         };
         Panel::top("menu bar").exact_size(theme::MENU_BAR).frame(plain(tokens.panel, 4, 1)).show(ui, |ui| {
             menu::show(ui, shown, state, commands);

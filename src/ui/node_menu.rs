@@ -9,7 +9,7 @@ use super::theme::{ROW, Tokens};
 use super::timeline::{key_colour_now, put_control_above};
 use super::words::Words;
 use crate::editor::keymap::Binding;
-use crate::editor::{ClipboardCommand, Command, Edit, Editor, Eye, NodeEdit, NodePart, ViewCommand};
+use crate::editor::{CLICK_REACH, ClipboardCommand, Command, Edit, Editor, Eye, NodeEdit, NodePart, ViewCommand};
 use crate::pose::RbtIndex;
 use crate::scene::{Channel, NodeKind};
 use crate::words::texts;
@@ -38,7 +38,7 @@ pub fn show_over_scene(
     {
         let camera = editor.camera(Vec2::new(viewport.width(), viewport.height()));
         let at = at - viewport.min;
-        *opened = editor.node_under(camera.ray_through(Vec2::new(at.x, at.y)));
+        *opened = editor.part_near(&camera, Vec2::new(at.x, at.y), CLICK_REACH);
     }
     if let Some(rbt) = *opened {
         show(&response, editor, bindings, rbt, commands);

@@ -54,6 +54,7 @@ impl Panels {
                 self.statistics = if self.statistics.is_some() { None } else { Some(Statistics::default()) };
             }
             WindowCommand::ToggleReload => settings.reload = !settings.reload,
+            WindowCommand::ToggleRecordedEye => settings.recorded_eye = !settings.recorded_eye,
             WindowCommand::ToggleJournal => settings.journal = !settings.journal,
             WindowCommand::Larger => settings.scale_percent = settings.next_scale(true),
             WindowCommand::Smaller => settings.scale_percent = settings.next_scale(false),

@@ -23,7 +23,8 @@ pub fn picture_of_editor(editor: &Editor, size_px: Vec2, has_overlays: bool) -> 
     if has_overlays {
         return frame_of_editor(editor, size_px);
     }
-    frame_of_scene(editor.scene(), &editor.displayed_pose(), editor.seconds(), &editor.camera(size_px))
+    let camera = editor.camera(size_px);
+    frame_of_scene(editor.scene(), &editor.displayed_pose(), editor.seconds(), &camera, editor.eye())
 }
 
 /// Like [`frame_of_editor`], if the caller already has the displayed pose ([`Editor::displayed_pose`]).
@@ -31,7 +32,7 @@ pub fn picture_of_editor(editor: &Editor, size_px: Vec2, has_overlays: bool) -> 
 pub fn frame_of_displayed(editor: &Editor, pose: &Pose, size_px: Vec2) -> Frame {
     let camera = editor.camera(size_px);
     let session = editor.session();
-    let mut frame = frame_of_scene(editor.scene(), pose, editor.seconds(), &camera);
+    let mut frame = frame_of_scene(editor.scene(), pose, editor.seconds(), &camera, editor.eye());
     outline(&mut frame, editor.scene(), &session.chosen);
     if let Some(gizmo) = editor.gizmo(&camera).filter(|_| editor.shows_gizmo()) {
         add_gizmo(&mut frame, editor, &gizmo);

@@ -54,7 +54,7 @@ pub(super) fn push_ghosts(frame: &mut Frame, look: &GhostLook, world_from_node: 
         }
         let world_from_shape = world_from_node(node);
         let is_elsewhere = !world_from_shape.abs_diff_eq(item.world_from_shape, SAME_PLACE);
-        let item = DrawItem { world_from_shape, colour: look.tint, outlined: false, ..*item };
+        let item = DrawItem { world_from_shape, colour: look.tint, outlined: false, is_hidden: false, ..*item };
         is_elsewhere.then_some(Ghost { item, opacity: look.opacity })
     }));
 }

@@ -44,7 +44,8 @@ impl Shell {
     /// The handle that a press of the left button at a pixel of the window would take.
     pub(super) fn handle_at(&self, at_px: Vec2) -> Option<Handle> {
         let stage = self.stage.as_ref()?;
-        let is_busy = self.picks() || self.pointer.is_held() || self.space.is_held() || self.editor.is_dragging();
+        let is_busy =
+            self.passes_handles() || self.pointer.is_held() || self.space.is_held() || self.editor.is_dragging();
         if is_busy || !self.is_over_scene(at_px) {
             return None;
         }

@@ -7,15 +7,19 @@ use winit::event::{ElementState, MouseButton, MouseScrollDelta};
 
 use super::hotkeys::KeyInput;
 use super::motion_path::{PathDrag, REACH};
-use super::pointer::{Action, Button};
+use super::now;
+use super::pointer::{Action, Button, Click, Drag, Held, Press, Target};
 use super::shell::Shell;
 use crate::editor::keymap::{Key, binding_for};
-use crate::editor::{Command, DragKind, Edit, GestureCommand, ViewCommand};
+use crate::editor::{CLICK_REACH, Command, DragKind, Edit, GestureCommand, ViewCommand};
 use crate::keyframe::KeyframeIndex;
 use crate::pose::RbtIndex;
+use crate::words::{Message, texts};
 
 /// Pixels of a touchpad's scrolling that are as much as one notch of a wheel.
 const PIXELS_PER_NOTCH: f64 = 50.0;
+/// Notches of a wheel that are as much as fingers that move apart by their whole distance.
+const NOTCHES_PER_PINCH: f32 = 7.0;
 
 impl Shell {
     /// The pointer's shape over the scene: what a drag does, or that a click chooses.
@@ -30,28 +34,61 @@ impl Shell {
             return Some(cursor);
         }
         match self.pointer.dragging(self.space.is_held()) {
-            Some(_) if !self.editor.is_dragging() => Some(CursorIcon::NotAllowed),
-            Some(DragKind::Rotate) => Some(CursorIcon::Grabbing),
-            Some(DragKind::Translate) => Some(CursorIcon::Move),
-            Some(DragKind::Dolly) => Some(CursorIcon::ResizeVertical),
+            Some(Drag::Orbit) => Some(CursorIcon::Grabbing),
+            Some(Drag::Pan) => Some(CursorIcon::AllScroll),
+            Some(Drag::Pose(_)) if !self.editor.is_dragging() => Some(CursorIcon::NotAllowed),
+            Some(Drag::Pose(DragKind::Rotate)) => Some(CursorIcon::Grabbing),
+            Some(Drag::Pose(DragKind::Translate)) => Some(CursorIcon::Move),
+            Some(Drag::Pose(DragKind::Dolly)) => Some(CursorIcon::ResizeVertical),
             None => (self.editor.session().is_picking && self.is_over_scene(self.pointer_px))
                 .then_some(CursorIcon::Crosshair),
         }
     }
 
-    /// The node that a click would choose, while a click chooses.
+    /// The node that a click would choose.
     pub(super) fn hovered(&self) -> Option<RbtIndex> {
         let stage = self.stage.as_ref()?;
-        if !self.picks() || self.pointer.is_held() || !self.is_over_scene(self.pointer_px) {
+        let is_over_handle = self.hovered_dot.is_some() || self.hovered_handle.is_some() || self.lit_ball().is_some();
+        if self.pointer.is_held() || self.path_drag.is_some() || is_over_handle || !self.is_over_scene(self.pointer_px)
+        {
             return None;
         }
         let camera = self.editor.camera(stage.view.size_px);
-        self.editor.node_under(camera.ray_through(self.in_view(self.pointer_px)))
+        self.editor.part_near(&camera, self.in_view(self.pointer_px), CLICK_REACH * stage.context.pixels_per_point())
     }
 
-    /// Whether a left click in the scene chooses.
-    pub(super) fn picks(&self) -> bool {
-        self.editor.session().is_picking || self.modifiers.control_key()
+    /// Whether a press passes dots and balls, which lie over parts.
+    pub(super) fn passes_handles(&self) -> bool {
+        self.editor.session().is_picking || self.modifiers.control_key() || self.modifiers.alt_key()
+    }
+
+    /// The name of what lights up under the pointer.
+    pub(super) fn name_of_lit(&self, part: Option<RbtIndex>) -> Option<Message> {
+        let name = || Some(texts::foreign(self.editor.scene().rbt_path(part?)));
+        self.name_of_lit_ball().or_else(name)
+    }
+
+    /// What a press at a pixel of the window meets, and what it depends on.
+    pub(super) fn press_at(&self, at_px: Vec2) -> Press {
+        let held = Held {
+            ctrl: self.modifiers.control_key(),
+            shift: self.modifiers.shift_key(),
+            alt: self.modifiers.alt_key(),
+            space: self.space.is_held(),
+        };
+        let mut target = Target::Nothing;
+        if let Some(stage) = &self.stage {
+            let camera = self.editor.camera(stage.view.size_px);
+            let at_px = self.in_view(at_px);
+            let part = self.editor.part_near(&camera, at_px, CLICK_REACH * stage.context.pixels_per_point());
+            target = match part {
+                _ if self.pressed_handle.is_some() => Target::Handle,
+                Some(rbt) => Target::Part(rbt),
+                None if self.editor.is_in_arcball(&camera, at_px) => Target::Arcball,
+                None => Target::Nothing,
+            };
+        }
+        Press { target, held, picks: self.editor.session().is_picking, by_work_eye: self.editor.is_work_eye() }
     }
 
     pub(super) fn key(&mut self, input: &KeyInput) {
@@ -133,15 +170,19 @@ impl Shell {
         for action in self.pointer.move_to(self.in_view(at_px), self.space.is_held()) {
             self.act(action);
         }
-        let is_over_other =
-            is_over_other_limb || dot_before != self.hovered_dot || handle_before != self.hovered_handle;
-        is_over_other || is_held || self.picks() || !was_over_scene || !self.is_over_scene(at_px)
+        let hovered = self.hovered();
+        let hovered_before = std::mem::replace(&mut self.hovered_part, hovered);
+        let is_over_other = is_over_other_limb
+            || dot_before != self.hovered_dot
+            || handle_before != self.hovered_handle
+            || hovered_before != hovered;
+        is_over_other || is_held || !was_over_scene || !self.is_over_scene(at_px)
     }
 
     /// What a press at a pixel of the window would do with the dots of the motion path.
     fn path_drag_at(&self, at_px: Vec2) -> Option<PathDrag> {
         let stage = self.stage.as_ref()?;
-        if self.picks() || self.pointer.is_held() || self.space.is_held() || !self.is_over_scene(at_px) {
+        if self.passes_handles() || self.pointer.is_held() || self.space.is_held() || !self.is_over_scene(at_px) {
             return None;
         }
         let camera = self.editor.camera(stage.view.size_px);
@@ -191,11 +232,11 @@ impl Shell {
         }
         let action = match state {
             ElementState::Pressed if self.is_over_scene(self.pointer_px) => {
-                let picks = self.picks();
-                self.pointer.press(button, self.in_view(self.pointer_px), picks)
+                let press = self.press_at(self.pointer_px);
+                self.pointer.press(button, self.in_view(self.pointer_px), press)
             }
             ElementState::Pressed => None,
-            ElementState::Released => self.pointer.release(button),
+            ElementState::Released => self.pointer.release(button, now()),
         };
         if let Some(action) = action {
             self.act(action);
@@ -205,19 +246,39 @@ impl Shell {
     pub(super) fn act(&mut self, action: Action) {
         let Some(stage) = &self.stage else { return };
         let camera = self.editor.camera(stage.view.size_px);
+        let reach_px = CLICK_REACH * stage.context.pixels_per_point();
         match action {
             Action::Pick(at_px) => {
-                let rbt = self.editor.node_under(camera.ray_through(at_px));
+                let rbt = self.editor.part_near(&camera, at_px, reach_px);
                 self.apply(Command::View(ViewCommand::Choose(rbt)));
             }
-            Action::Begin(from_px) => {
+            Action::Click(click, at_px) => {
+                let command = match click {
+                    Click::Choose(rbt) => ViewCommand::Choose(Some(rbt)),
+                    Click::Also(rbt) => ViewCommand::ChooseAlso(rbt),
+                    Click::GoOn => ViewCommand::Choose(self.editor.part_behind(&camera, at_px, reach_px)),
+                    Click::ChooseNone => ViewCommand::Choose(None),
+                };
+                self.apply(Command::View(command));
+            }
+            Action::Move { drag: drag @ (Drag::Orbit | Drag::Pan), from_px, to_px } => {
                 self.space.drag();
+                let eye = self.editor.session().work_eye;
+                let by_px = to_px - from_px;
+                let eye = if drag == Drag::Orbit { eye.orbited(by_px, &camera) } else { eye.panned(by_px, &camera) };
+                self.apply(Command::View(ViewCommand::SetWorkEye(eye)));
+            }
+            Action::Begin { chosen, from_px } => {
+                self.space.drag();
+                if let Some(rbt) = chosen.filter(|rbt| !self.editor.session().chosen.contains(rbt)) {
+                    self.apply(Command::View(ViewCommand::Choose(Some(rbt))));
+                }
                 self.begin_drag(&camera, from_px);
             }
             // A drag that was refused or cancelled does not continue.
             Action::Move { .. } | Action::Commit if !self.editor.is_dragging() => {}
             Action::Move { to_px, .. } if self.pull_to(to_px) => {}
-            Action::Move { kind, from_px, to_px } => {
+            Action::Move { drag: Drag::Pose(kind), from_px, to_px } => {
                 let motion = self.editor.manipulation(&camera).motion(kind, from_px, to_px);
                 self.apply(Command::Gesture(GestureCommand::Move(motion)));
             }
@@ -226,18 +287,49 @@ impl Shell {
         self.request_redraw();
     }
 
+    /// Brings the work eye nearer to what is under the pointer, by notches of the wheel.
+    fn zoom(&mut self, notches: f32) {
+        let Some(stage) = &self.stage else { return };
+        let camera = self.editor.camera(stage.view.size_px);
+        let eye = self.editor.session().work_eye.zoomed(notches, self.in_view(self.pointer_px), &camera);
+        self.apply(Command::View(ViewCommand::SetWorkEye(eye)));
+    }
+
+    /// Two fingers on a touchpad moved apart, or together: by so much of their distance.
+    pub(super) fn pinch(&mut self, by: f64) {
+        if self.editor.is_work_eye() && self.is_over_scene(self.pointer_px) {
+            #[expect(clippy::cast_possible_truncation, reason = "fingers are short")]
+            self.zoom(by as f32 * NOTCHES_PER_PINCH);
+            self.request_redraw();
+        }
+    }
+
     pub(super) fn wheel(&mut self, delta: MouseScrollDelta) {
         if !self.is_over_scene(self.pointer_px) {
             return;
         }
         #[expect(clippy::cast_possible_truncation, reason = "scrolling is small")]
-        let notches = match delta {
-            MouseScrollDelta::LineDelta(_, lines) => lines,
-            MouseScrollDelta::PixelDelta(pixels) => (pixels.y / PIXELS_PER_NOTCH) as f32,
+        let (notches, by_px) = match delta {
+            MouseScrollDelta::LineDelta(_, lines) => (lines, None),
+            MouseScrollDelta::PixelDelta(by) => {
+                ((by.y / PIXELS_PER_NOTCH) as f32, Some(Vec2::new(by.x as f32, by.y as f32)))
+            }
         };
-        if notches != 0.0 && !self.wheel_limb(notches) {
-            let Some(stage) = &self.stage else { return };
-            let camera = self.editor.camera(stage.view.size_px);
+        if self.wheel_limb(notches) {
+            return;
+        }
+        let Some(stage) = &self.stage else { return };
+        let camera = self.editor.camera(stage.view.size_px);
+        if self.editor.is_work_eye() {
+            match by_px {
+                Some(by_px) if !self.modifiers.control_key() => {
+                    let eye = self.editor.session().work_eye.panned(by_px, &camera);
+                    self.apply(Command::View(ViewCommand::SetWorkEye(eye)));
+                }
+                _ => self.zoom(notches),
+            }
+            self.request_redraw();
+        } else if notches != 0.0 {
             let motion = self.editor.manipulation(&camera).wheel(notches);
             self.apply(Command::Edit(Edit::Wheel(motion)));
             self.request_redraw();

@@ -52,5 +52,5 @@ fn thumbnail_frame(editor: &Editor, pose: &Pose) -> Frame {
         vertical_fov: scene.vertical_fov(),
         size_px: Vec2::new(width as f32, height as f32),
     };
-    frame_of_scene(scene, pose, 0.0, &camera)
+    frame_of_scene(scene, pose, 0.0, &camera, Some(scene.eyes()[0]))
 }

@@ -5,6 +5,7 @@ use glam::Vec2;
 use winit::event::ElementState;
 
 use super::limb_drag::{LimbDrag, REACH};
+use super::now;
 use super::pointer::Button;
 use super::shell::Shell;
 use crate::editor::LimbBall;
@@ -53,7 +54,7 @@ impl Shell {
     /// What a press at a pixel of the window takes hold of.
     fn limb_drag_at(&self, at_px: Vec2) -> Option<LimbDrag> {
         let stage = self.stage.as_ref()?;
-        if self.picks() || self.pointer.is_held() || self.hovered_dot.is_some() || !self.is_over_scene(at_px) {
+        if self.passes_handles() || self.pointer.is_held() || self.hovered_dot.is_some() || !self.is_over_scene(at_px) {
             return None;
         }
         let camera = self.editor.camera(stage.view.size_px);
@@ -91,7 +92,7 @@ impl Shell {
             return None;
         }
         let camera = self.editor.camera(stage.view.size_px);
-        self.editor.node_under(camera.ray_through(self.in_view(at_px)))
+        self.editor.part_near(&camera, self.in_view(at_px), REACH * stage.context.pixels_per_point())
     }
 
     /// A button goes down or up. Says whether that belongs to a ball.
@@ -117,8 +118,9 @@ impl Shell {
 
     /// A press and a release of the left button where the pointer is: what lies under the ball.
     fn click(&mut self) {
-        let pressed = self.pointer.press(Button::Left, self.in_view(self.pointer_px), self.picks());
-        let released = self.pointer.release(Button::Left);
+        let press = self.press_at(self.pointer_px);
+        let pressed = self.pointer.press(Button::Left, self.in_view(self.pointer_px), press);
+        let released = self.pointer.release(Button::Left, now());
         for action in pressed.into_iter().chain(released) {
             self.act(action);
         }

@@ -1,8 +1,37 @@
 //! From buttons and movements over the scene to drags and clicks. Pixels are physical, from the 3D view's top left.
+//!
+//! What a drag does is decided where it begins. With an eye of the scene, which keyframes record:
+//!
+//! | drag | does |
+//! |---|---|
+//! | left | turns the dragged node by the arcball |
+//! | right | moves it in the view's plane |
+//! | middle, left and right, left with space | moves it along the view |
+//!
+//! With the work eye:
+//!
+//! | drag | from | does |
+//! |---|---|---|
+//! | middle, Alt+left | anywhere | orbits; with Shift pans |
+//! | left | nothing | orbits; with Shift pans |
+//! | right | nothing | pans |
+//! | left, right, both | a part | chooses it, then poses it as above |
+//! | left, right, both | a handle, inside of the arcball | poses the chosen nodes as above |
+//!
+//! A left click chooses with every eye: [`Click`]. Parts come before the arcball, so that what lights up is what is taken.
+
+use std::time::Instant;
 
 use glam::Vec2;
 
 use crate::editor::DragKind;
+use crate::pose::RbtIndex;
+
+/// The pointer must move so far for a press to be a drag, in pixels.
+const SLACK_PX: f32 = 3.0;
+/// Two clicks within this time and [`DOUBLE_CLICK_PX`] are a double click.
+const DOUBLE_CLICK_MS: u128 = 400;
+const DOUBLE_CLICK_PX: f32 = 6.0;
 
 /// A button of the mouse.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,24 +44,105 @@ pub enum Button {
     Right,
 }
 
+/// What a press meets.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Target {
+    /// A handle of the chosen nodes. It lies over parts.
+    Handle,
+    /// A part of this node.
+    Part(RbtIndex),
+    /// The inside of the arcball.
+    Arcball,
+    /// Nothing, or the ground.
+    #[default]
+    Nothing,
+}
+
+/// Keys that are held with the mouse.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[expect(clippy::struct_excessive_bools, reason = "each is a key")]
+pub struct Held {
+    /// Either Ctrl.
+    pub ctrl: bool,
+    /// Either Shift.
+    pub shift: bool,
+    /// Either Alt.
+    pub alt: bool,
+    /// The space bar.
+    pub space: bool,
+}
+
+/// What a press depends on.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Press {
+    /// What it meets.
+    pub target: Target,
+    /// The keys that are held.
+    pub held: Held,
+    /// Whether the next left click chooses, be it the ground.
+    pub picks: bool,
+    /// Whether the work eye is in force.
+    pub by_work_eye: bool,
+}
+
+/// What a drag moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Drag {
+    /// The work eye around its target.
+    Orbit,
+    /// The work eye in its own plane.
+    Pan,
+    /// The dragged nodes.
+    Pose(DragKind),
+}
+
+/// What a click on the scene does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Click {
+    /// Chooses a node, and no other.
+    Choose(RbtIndex),
+    /// Adds a node to the chosen ones, or takes it out.
+    Also(RbtIndex),
+    /// Goes on to what lies behind the chosen node.
+    GoOn,
+    /// Ends the choice.
+    ChooseNone,
+}
+
 /// What a press or movement does.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Action {
-    /// Choose the node under the pointer.
+    /// Choose the node under the pointer, or none.
     Pick(Vec2),
-    /// The first movement of a drag, from where it was pressed: begin, then move.
-    Begin(Vec2),
+    /// A click.
+    Click(Click, Vec2),
+    /// The first movement of a drag of nodes: choose a node if it is not chosen, then begin.
+    Begin {
+        /// The node to choose.
+        chosen: Option<RbtIndex>,
+        /// Where the button was pressed.
+        from_px: Vec2,
+    },
     /// The drag goes on.
     Move {
-        /// What it does.
-        kind: DragKind,
+        /// What it moves.
+        drag: Drag,
         /// Where the pointer was.
         from_px: Vec2,
         /// Where it is.
         to_px: Vec2,
     },
-    /// The drag ends and counts.
+    /// The drag of nodes ends and counts.
     Commit,
+}
+
+/// What the buttons that are held move.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Moves {
+    /// The work eye.
+    Eye(Drag),
+    /// The dragged nodes, after this one was chosen.
+    Nodes(Option<RbtIndex>),
 }
 
 /// Which buttons went down over the scene, and where the pointer is.
@@ -42,6 +152,10 @@ pub struct Pointer {
     middle: bool,
     right: bool,
     is_dragging: bool,
+    moves: Option<Moves>,
+    /// What a release without a movement does.
+    click: Option<(Target, Held)>,
+    last_click: Option<(Instant, Vec2)>,
     at_px: Vec2,
 }
 
@@ -52,45 +166,92 @@ impl Pointer {
         self.left || self.middle || self.right
     }
 
-    /// A button goes down over the scene. `picks`: a left click there chooses instead.
-    pub fn press(&mut self, button: Button, at_px: Vec2, picks: bool) -> Option<Action> {
-        self.at_px = at_px;
-        if picks && button == Button::Left && !self.is_held() {
-            return Some(Action::Pick(at_px));
+    /// A button goes down over the scene. Others that are held already have decided what is moved.
+    pub fn press(&mut self, button: Button, at_px: Vec2, press: Press) -> Option<Action> {
+        let Press { target, held, picks, by_work_eye } = press;
+        if self.is_held() {
+            self.click = None;
+        } else {
+            self.at_px = at_px;
+            if picks && button == Button::Left {
+                return Some(Action::Pick(at_px));
+            }
+            self.moves = Some(if by_work_eye { by_the_work_eye(button, target, held) } else { Moves::Nodes(None) });
+            self.click = (button == Button::Left && !held.alt).then_some((target, held));
         }
         *self.button(button) = true;
         None
     }
 
     /// A button goes up, anywhere.
-    pub fn release(&mut self, button: Button) -> Option<Action> {
+    pub fn release(&mut self, button: Button, now: Instant) -> Option<Action> {
         *self.button(button) = false;
-        (!self.is_held() && std::mem::take(&mut self.is_dragging)).then_some(Action::Commit)
+        if self.is_held() {
+            return None;
+        }
+        let was_dragging = std::mem::take(&mut self.is_dragging);
+        let click = self.click.take();
+        match self.moves.take()? {
+            Moves::Nodes(_) if was_dragging => Some(Action::Commit),
+            Moves::Eye(_) if was_dragging => None,
+            _ => self.clicked(click?, now),
+        }
     }
 
-    /// The pointer moves, anywhere. `space`: the space bar is held.
+    fn clicked(&mut self, (target, held): (Target, Held), now: Instant) -> Option<Action> {
+        let is_double = self.last_click.replace((now, self.at_px)).is_some_and(|(at, at_px)| {
+            now.duration_since(at).as_millis() < DOUBLE_CLICK_MS && at_px.distance(self.at_px) < DOUBLE_CLICK_PX
+        });
+        let click = match target {
+            Target::Part(rbt) if held.shift => Click::Also(rbt),
+            Target::Part(_) if held.ctrl => Click::GoOn,
+            Target::Part(rbt) => Click::Choose(rbt),
+            Target::Arcball | Target::Nothing if is_double => Click::ChooseNone,
+            Target::Handle | Target::Arcball | Target::Nothing => return None,
+        };
+        Some(Action::Click(click, self.at_px))
+    }
+
+    /// The pointer moves, anywhere.
     pub fn move_to(&mut self, at_px: Vec2, space: bool) -> Vec<Action> {
-        let from_px = std::mem::replace(&mut self.at_px, at_px);
-        let Some(kind) = self.kind(space).filter(|_| from_px != at_px) else { return Vec::new() };
-        let mut actions = Vec::new();
-        if !std::mem::replace(&mut self.is_dragging, true) {
-            actions.push(Action::Begin(from_px));
+        let Some(drag) = self.drag(space) else {
+            self.at_px = at_px;
+            return Vec::new();
+        };
+        if !self.is_dragging && self.at_px.distance(at_px) < SLACK_PX {
+            return Vec::new();
         }
-        actions.push(Action::Move { kind, from_px, to_px: at_px });
+        let from_px = std::mem::replace(&mut self.at_px, at_px);
+        let begins = !std::mem::replace(&mut self.is_dragging, true);
+        let mut actions = Vec::new();
+        if let (true, Some(Moves::Nodes(chosen))) = (begins, self.moves) {
+            actions.push(Action::Begin { chosen, from_px });
+        }
+        if from_px != at_px {
+            actions.push(Action::Move { drag, from_px, to_px: at_px });
+        }
         actions
     }
 
     /// Releases all buttons, as when the window loses the focus.
     pub fn let_go(&mut self) -> Option<Action> {
-        let was_dragging = self.is_dragging;
+        let commits = self.is_dragging && matches!(self.moves, Some(Moves::Nodes(_)));
         *self = Self { at_px: self.at_px, ..Self::default() };
-        was_dragging.then_some(Action::Commit)
+        commits.then_some(Action::Commit)
     }
 
-    /// What the drag that goes on does; `None` where there is none.
+    /// What the drag that goes on moves; `None` where there is none.
     #[must_use]
-    pub const fn dragging(&self, space: bool) -> Option<DragKind> {
-        if self.is_dragging { self.kind(space) } else { None }
+    pub const fn dragging(&self, space: bool) -> Option<Drag> {
+        if self.is_dragging { self.drag(space) } else { None }
+    }
+
+    const fn drag(&self, space: bool) -> Option<Drag> {
+        match (self.moves, self.kind(space)) {
+            (Some(Moves::Eye(drag)), Some(_)) => Some(drag),
+            (Some(Moves::Nodes(_)), Some(kind)) => Some(Drag::Pose(kind)),
+            _ => None,
+        }
     }
 
     const fn kind(&self, space: bool) -> Option<DragKind> {
@@ -112,58 +273,18 @@ impl Pointer {
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[track_caller]
-    fn check(buttons: &[Button], space: bool, expected: DragKind) {
-        let mut pointer = Pointer::default();
-        let (from_px, to_px) = (Vec2::new(10.0, 20.0), Vec2::new(12.0, 20.0));
-        for &button in buttons {
-            assert_eq!(pointer.press(button, from_px, false), None);
-        }
-        let moved = Action::Move { kind: expected, from_px, to_px };
-        assert_eq!(pointer.move_to(to_px, space), [Action::Begin(from_px), moved], "{buttons:?}, space {space}");
-        let mut ends: Vec<_> = buttons.iter().map(|&button| pointer.release(button)).collect();
-        assert_eq!(ends.pop(), Some(Some(Action::Commit)));
-        assert!(ends.iter().all(Option::is_none));
-        assert_eq!(pointer.move_to(from_px, space), []);
-    }
-
-    #[test]
-    fn buttons_mean_kinds_of_drags() {
-        check(&[Button::Left], false, DragKind::Rotate);
-        check(&[Button::Right], false, DragKind::Translate);
-        check(&[Button::Middle], false, DragKind::Dolly);
-        check(&[Button::Left, Button::Right], false, DragKind::Dolly);
-        check(&[Button::Right, Button::Left], false, DragKind::Dolly);
-        check(&[Button::Left], true, DragKind::Dolly);
-        check(&[Button::Right], true, DragKind::Translate);
-    }
-
-    #[test]
-    fn a_click_is_no_drag() {
-        let mut pointer = Pointer::default();
-        assert_eq!(pointer.press(Button::Left, Vec2::ONE, false), None);
-        assert_eq!(pointer.move_to(Vec2::ONE, false), []);
-        assert_eq!(pointer.release(Button::Left), None);
-    }
-
-    #[test]
-    fn a_picking_click_does_not_drag() {
-        let mut pointer = Pointer::default();
-        assert_eq!(pointer.press(Button::Left, Vec2::ONE, true), Some(Action::Pick(Vec2::ONE)));
-        assert_eq!(pointer.move_to(Vec2::ZERO, false), []);
-        assert_eq!(pointer.release(Button::Left), None);
-    }
-
-    #[test]
-    fn losing_the_focus_ends_a_drag() {
-        let mut pointer = Pointer::default();
-        pointer.press(Button::Right, Vec2::ZERO, false);
-        pointer.move_to(Vec2::ONE, false);
-        assert_eq!(pointer.let_go(), Some(Action::Commit));
-        assert_eq!(pointer.let_go(), None);
+/// The second table at the top.
+const fn by_the_work_eye(button: Button, target: Target, held: Held) -> Moves {
+    let around = if held.shift { Drag::Pan } else { Drag::Orbit };
+    match (button, target) {
+        (Button::Middle, _) => Moves::Eye(around),
+        (Button::Left, _) if held.alt => Moves::Eye(around),
+        (Button::Left, Target::Nothing) => Moves::Eye(around),
+        (Button::Right, Target::Nothing) => Moves::Eye(Drag::Pan),
+        (Button::Left | Button::Right, Target::Part(rbt)) => Moves::Nodes(Some(rbt)),
+        (Button::Left | Button::Right, Target::Handle | Target::Arcball) => Moves::Nodes(None),
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -116,6 +116,7 @@ mod tests {
             scale_percent: 90,
             journal: false,
             reload: true,
+            recorded_eye: true,
             recent: vec!["walk.json".into()],
             ..Settings::default()
         };

@@ -26,10 +26,11 @@ use super::stage::{Lit, WindowSurface};
 use super::{ForTests, UserEvent, WindowError, desktop, display, ending, now, place};
 use crate::clock::AnimationClock;
 use crate::editor::gizmo::Handle;
-use crate::editor::{Command, Editor, FileCommand, Severity};
+use crate::editor::{Command, Editor, Eye, FileCommand, Severity, ViewCommand};
 use crate::files;
 use crate::journal::Ending;
 use crate::keyframe::KeyframeIndex;
+use crate::pose::RbtIndex;
 use crate::render::GpuError;
 use crate::script::Restore;
 use crate::ui::Panels;
@@ -66,6 +67,8 @@ pub struct Shell {
     pub(super) pressed_handle: Option<Handle>,
     /// The handle that the pointer is over.
     pub(super) hovered_handle: Option<Handle>,
+    /// The node that lights up under the pointer.
+    pub(super) hovered_part: Option<RbtIndex>,
     /// Where the pointer is, in the window's pixels.
     pub(super) pointer_px: Vec2,
     clock: AnimationClock,
@@ -120,6 +123,7 @@ impl Shell {
             handle_drag: None,
             pressed_handle: None,
             hovered_handle: None,
+            hovered_part: None,
             pointer_px: Vec2::ZERO,
             clock: AnimationClock::new(),
             last_tick: None,
@@ -167,6 +171,9 @@ impl Shell {
         }
         ending::watch_display(event_loop, self.keeper.whereabouts().clone());
         desktop::ask_theme(self.proxy.clone());
+        if !self.settings_file.settings.recorded_eye {
+            self.apply(Command::View(ViewCommand::SetEye(Eye::Work)));
+        }
         for command in std::mem::take(&mut self.at_start) {
             self.apply(command);
         }
@@ -204,7 +211,7 @@ impl Shell {
     fn redraw(&mut self) {
         let cursor = self.cursor();
         let hovered = self.hovered();
-        self.ui.pointed = self.name_of_lit_ball();
+        self.ui.pointed = self.name_of_lit(hovered);
         let Some(stage) = &mut self.stage else { return };
         let start = now();
         let Some(mut laid_out) = stage.lay_out(&mut self.ui, &self.editor, cursor) else { return };
@@ -311,11 +318,8 @@ impl Shell {
                 shows = true;
             }
             WindowEvent::DroppedFile(path) => self.apply(Command::File(FileCommand::Open(path))),
-            WindowEvent::ModifiersChanged(modifiers) => {
-                // Ctrl+click chooses a node. While Ctrl is held, the node under the pointer is outlined, so redraw.
-                shows |= self.modifiers.control_key() != modifiers.state().control_key();
-                self.modifiers = modifiers.state();
-            }
+            WindowEvent::ModifiersChanged(modifiers) => self.modifiers = modifiers.state(),
+            WindowEvent::PinchGesture { delta, .. } => self.pinch(delta),
             WindowEvent::KeyboardInput { event, is_synthetic, .. } => {
                 self.key(&KeyInput::new(&event, is_synthetic, self.modifiers));
             }

@@ -41,6 +41,7 @@ pub fn item(shape: Shape, colour: &str, world_from_shape: Affine3A) -> DrawItem 
         colour: Colour::from_hex(colour).expect("a colour").to_linear(),
         node: 0,
         outlined: false,
+        is_hidden: false,
     }
 }
 

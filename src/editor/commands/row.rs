@@ -98,6 +98,8 @@ pub struct WindowState {
     pub reload: bool,
     /// Whether the first steps are shown.
     pub tour: bool,
+    /// Whether the window begins with the scene's first eye.
+    pub recorded_eye: bool,
 }
 
 /// The section of a menu that most items stand in.

@@ -5,15 +5,18 @@ use glam::Vec3;
 use super::line::{ArgumentError, Ending, Line};
 use super::row::{Binding, Changes, Group, Menu, Row};
 use super::values::{numbers, numbers_text, one_of, rbt_path_text, vector_text};
-use crate::editor::{Command, Eye, Pivot, ViewCommand, WorkEye};
+use crate::editor::{Command, Eye, Pivot, Side, ViewCommand, WorkEye};
 use crate::text::listed;
+
+/// The section of the menu with ways to look.
+const LOOKS: u8 = 4;
 
 fn binding(id: &'static str, command: ViewCommand) -> Binding {
     Binding::new(Group::View, id, Command::View(command))
 }
 
 pub(super) fn rows() -> Vec<Row> {
-    [eyes(), shown(), panels()].concat()
+    [eyes(), looks(), shown(), panels()].concat()
 }
 
 fn eyes() -> Vec<Row> {
@@ -22,7 +25,9 @@ fn eyes() -> Vec<Row> {
     let sky = binding("sky-mode", ViewCommand::ToggleSkyMode);
     vec![
         Row::listed(Changes::Session, next.hotkeys(&["v"])),
-        Row::of(Changes::Session, "eye", |command| matches!(command, Command::View(ViewCommand::SetEye(_)))).line(
+        Row::of(Changes::Session, "eye", |command| matches!(command, Command::View(ViewCommand::SetEye(_))))
+        .binding(binding("eye-recorded", ViewCommand::SetEye(Eye::Recorded(0))).hotkeys(&["0"]).section(LOOKS))
+        .line(
             Line::new(
                 "eye PATH|work",
                 "looks from an eye of the scene, or from the work eye, which keyframes do not record",
@@ -114,6 +119,44 @@ fn pivots() -> Row {
                 Pivot::NAMES.into_iter().find(|(named, _)| named == pivot).map(|(_, name)| name.to_owned())
             },
         ))
+}
+
+/// Where the work eye goes.
+fn looks() -> Vec<Row> {
+    let side = |id, side, key| binding(id, ViewCommand::LookFrom(side)).hotkeys(&[key]).section(LOOKS);
+    let listed = |id, command, keys: &[&str]| binding(id, command).hotkeys(keys).section(LOOKS);
+    let sides = Row::of(Changes::Session, "look", |command| matches!(command, Command::View(ViewCommand::LookFrom(_))))
+        .binding(side("look-front", Side::Front, "1"))
+        .binding(side("look-back", Side::Back, "Ctrl+1"))
+        .binding(side("look-right", Side::Right, "3"))
+        .binding(side("look-left", Side::Left, "Ctrl+3"))
+        .binding(side("look-top", Side::Top, "7"))
+        .binding(side("look-bottom", Side::Bottom, "Ctrl+7"))
+        .line(Line::new(
+            "look front|back|right|left|top|bottom",
+            "looks with the work eye from a side of its target; robots face the front",
+            |arguments| {
+                let &[word] = arguments.words else { return Ok(None) };
+                let side = one_of(word, "a side", Side::NAMES.into_iter())?;
+                Ok(Some(Command::View(ViewCommand::LookFrom(side))))
+            },
+            |command, _| {
+                let Command::View(ViewCommand::LookFrom(side)) = command else { return None };
+                Side::NAMES.into_iter().find(|(named, _)| named == side).map(|(_, name)| name.to_owned())
+            },
+        ));
+    vec![
+        sides,
+        Row::listed(Changes::Session, listed("show-chosen", ViewCommand::ShowChosen, &["z"]))
+            .can(|editor, _| !editor.session.chosen.is_empty())
+            .word("show-chosen", "brings the chosen nodes in sight of the work eye"),
+        Row::listed(Changes::Session, listed("show-all", ViewCommand::ShowAll, &["Shift+Z"]))
+            .word("show-all", "brings all shapes in sight of the work eye"),
+        Row::listed(Changes::Session, listed("level-eye", ViewCommand::LevelEye, &[]))
+            .word("level-eye", "puts the work eye at the height of what it looks at"),
+        Row::listed(Changes::Session, listed("reset-work-eye", ViewCommand::ResetWorkEye, &[]))
+            .word("reset-work-eye", "puts the work eye where it was at first"),
+    ]
 }
 
 fn work_eye() -> Row {

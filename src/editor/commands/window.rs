@@ -21,6 +21,7 @@ fn lists() -> Vec<Row> {
     let messages = binding("messages", WindowCommand::ToggleMessages);
     let statistics = binding("statistics", WindowCommand::ToggleStatistics);
     let reload = binding("reload-changed", WindowCommand::ToggleReload).menu(Menu::File);
+    let recorded_eye = binding("recorded-eye-at-start", WindowCommand::ToggleRecordedEye);
     let journal = binding("journal", WindowCommand::ToggleJournal).menu(Menu::File);
     vec![
         Row::listed(Changes::Window, commands.hotkeys(&["Ctrl+Shift+P"]).menu(Menu::Help)),
@@ -32,6 +33,7 @@ fn lists() -> Vec<Row> {
         Row::listed(Changes::Window, messages.ticked(|_, window| window.messages)),
         Row::listed(Changes::Window, statistics.ticked(|_, window| window.statistics)),
         Row::listed(Changes::Window, reload.ticked(|_, window| window.reload)),
+        Row::listed(Changes::Window, recorded_eye.ticked(|_, window| window.recorded_eye)),
         Row::listed(Changes::Window, journal.ticked(|_, window| window.journal)),
     ]
 }

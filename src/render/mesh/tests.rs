@@ -188,6 +188,7 @@ fn an_items_box_holds_its_finest_mesh() {
             rounding: shape.rounding(),
             colour: Vec3::ONE,
             outlined: false,
+            is_hidden: false,
             node: 0,
         };
         let [x, y, z] = Bounds::of(&item).half_edges_in_world;
