@@ -7,6 +7,7 @@ mod hold;
 mod place;
 mod pull;
 mod readout;
+mod shown;
 mod track;
 
 pub use hold::DragKey;

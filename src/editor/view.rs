@@ -1,7 +1,6 @@
 //! View commands: changes of the session, which undo leaves alone.
 
 use super::apply::CommandResult;
-use super::gizmo::GizmoAxes;
 use super::{Choice, Command, CommandError, Editor, Eye, Message, Pivot, SkyMode, ViewCommand};
 use crate::frame::MOST_GHOSTS;
 use crate::pose::RbtIndex;
@@ -94,24 +93,10 @@ impl Editor {
                 self.session.shows_arcball = !self.session.shows_arcball;
                 Ok(None)
             }
-            ViewCommand::ToggleGizmo => {
-                self.session.shows_gizmo = !self.session.shows_gizmo;
-                let said = if self.session.shows_gizmo { texts::VIEW_GIZMO_SHOWN } else { texts::VIEW_GIZMO_HIDDEN };
-                Ok(Some(said.into()))
-            }
-            ViewCommand::NextGizmoAxes => {
-                let next = (self.session.gizmo_axes as usize + 1) % GizmoAxes::ALL.len();
-                self.view(ViewCommand::SetGizmoAxes(GizmoAxes::ALL[next]))
-            }
-            ViewCommand::SetGizmoAxes(axes) => {
-                self.session.gizmo_axes = axes;
-                Ok(Some(texts::view_gizmo_axes(axes.title())))
-            }
-            ViewCommand::SetSnapSteps(snap) => {
-                let snap = snap.in_range_or(self.session.snap);
-                self.session.snap = snap;
-                Ok(Some(texts::view_snap_steps(snap.degrees, snap.units)))
-            }
+            ViewCommand::ToggleGizmo => Ok(Some(self.toggle_gizmo())),
+            ViewCommand::NextGizmoAxes => Ok(Some(self.set_gizmo_axes(self.session.gizmo_axes.next()))),
+            ViewCommand::SetGizmoAxes(axes) => Ok(Some(self.set_gizmo_axes(axes))),
+            ViewCommand::SetSnapSteps(steps) => Ok(Some(self.set_snap_steps(steps))),
             ViewCommand::ToggleHelp => {
                 self.session.shows_help = !self.session.shows_help;
                 Ok(None)

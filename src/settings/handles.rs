@@ -23,6 +23,12 @@ impl GizmoAxes {
     /// All of them, in the order of the menu.
     pub const ALL: [Self; 4] = [Self::Local, Self::Parent, Self::World, Self::View];
 
+    /// The next one, and after the last the first.
+    #[must_use]
+    pub const fn next(self) -> Self {
+        Self::ALL[(self as usize + 1) % Self::ALL.len()]
+    }
+
     /// Its word in scripts and settings.
     #[must_use]
     pub const fn name(self) -> &'static str {
