@@ -302,7 +302,7 @@ fn refusals_are_sentences() {
         ("set-rotation 0 0 0 0 robot1", "That is not a rotation: nothing was changed."),
         ("paste", "Nothing is copied yet: Ctrl+C copies the selected keyframes."),
         ("select robot1\npaste-pose", "No pose is copied yet: choose a node and copy its pose first."),
-        ("copy-pose", "No node is chosen. Choose one first: p and a click, Ctrl+click, or the list of nodes."),
+        ("copy-pose", "No node is chosen. Choose one first: a click on a part, p and a click, or the list of nodes."),
         (
             "range 0 3",
             "Keyframes 0 to 3 cannot play: a range runs from keyframe 1 or later to the last but one or earlier.",
@@ -311,9 +311,9 @@ fn refusals_are_sentences() {
         ("select robot1\ndrag-type 4", "There is no drag to go on with."),
         (
             "select robot1\nkey escape\nkey ctrl+r",
-            "No node is chosen. Choose one first: p and a click, Ctrl+click, or the list of nodes.",
+            "No node is chosen. Choose one first: a click on a part, p and a click, or the list of nodes.",
         ),
-        ("key ctrl+r", "No node is chosen. Choose one first: p and a click, Ctrl+click, or the list of nodes."),
+        ("key ctrl+r", "No node is chosen. Choose one first: a click on a part, p and a click, or the list of nodes."),
         (
             "select robot1\nkey ctrl+r",
             "Turn: move the pointer or type degrees; x, y and z lock an axis; Enter or a click ends, Esc takes back.",
