@@ -76,7 +76,7 @@ impl Poses {
             .fade_in(false)
             .fade_out(false)
             .default_size(vec2(432.0, 340.0))
-            .default_pos(viewport.left_top() + vec2(16.0, 16.0))
+            .default_pos(viewport.right_top() + vec2(-464.0, 16.0))
             .constrain_to(viewport)
             .show(context, |ui| self.list(ui, editor, thumbnails, commands));
         if !is_open {

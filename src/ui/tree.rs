@@ -87,7 +87,7 @@ impl Tree {
             let field = TextEdit::singleline(&mut self.filter).hint_text(hint).desired_width(width);
             let response = ui.add(field);
             response.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, hint));
-            if response.has_focus() && ui.input(|input| input.key_pressed(egui::Key::Escape)) {
+            if response.lost_focus() && ui.input(|input| input.key_pressed(egui::Key::Escape)) {
                 self.filter.clear();
             }
             let (area, _) = ui.allocate_exact_size(vec2(22.0, ROW), Sense::hover());
