@@ -76,14 +76,7 @@ impl Editor {
                     if self.session.shows_motion_path { texts::VIEW_PATH_SHOWN } else { texts::VIEW_PATH_HIDDEN };
                 Ok(Some(said.into()))
             }
-            ViewCommand::SetPivot(pivot) => {
-                self.commit_gesture();
-                self.session.pivot = pivot;
-                Ok(Some(match pivot {
-                    Pivot::Own => texts::VIEW_PIVOT_OWN.into(),
-                    Pivot::Common => texts::VIEW_PIVOT_COMMON.into(),
-                }))
-            }
+            ViewCommand::SetPivot(pivot) => Ok(Some(self.set_pivot(pivot))),
             ViewCommand::ToggleComparison => Ok(Some(self.toggle_comparison())),
             ViewCommand::CompareBlends(blends) => Ok(Some(self.compare_blends(&blends))),
             ViewCommand::EndCompareWith => Ok(Some(self.end_compare_with())),
@@ -107,6 +100,15 @@ impl Editor {
                 let key = self.key_of(&Command::View(ViewCommand::TogglePanels));
                 Ok(hidden.then(|| texts::view_panels_hidden(key)))
             }
+        }
+    }
+
+    fn set_pivot(&mut self, pivot: Pivot) -> Message {
+        self.commit_gesture();
+        self.session.pivot = pivot;
+        match pivot {
+            Pivot::Own => texts::VIEW_PIVOT_OWN.into(),
+            Pivot::Common => texts::VIEW_PIVOT_COMMON.into(),
         }
     }
 

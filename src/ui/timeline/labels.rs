@@ -84,7 +84,7 @@ pub fn rows(
         if let Subject::Rbt { rbt, .. } = row.subject {
             let id = ui.scope_id().with(("row", rbt));
             let sense = timeline.keyboard.item(ui, id, index + 1, rect.left(), Sense::click());
-            name(ui, &painter, look, (row, rbt), (seen, id, sense), rect, bindings, commands);
+            name(ui, &painter, look, (row, rbt), (rect, seen, id, sense), bindings, commands);
         } else {
             let place = RowPlace { row, index: index + 1, rect, seen };
             timeline.keys.label(ui, &painter, look, place, &mut timeline.keyboard, commands);
@@ -102,8 +102,7 @@ fn name(
     painter: &Painter,
     look: &Look<'_>,
     (row, rbt): (&Row, RbtIndex),
-    (seen, id, sense): (Rect, egui::Id, Sense),
-    rect: Rect,
+    (rect, seen, id, sense): (Rect, Rect, egui::Id, Sense),
     bindings: &[Binding],
     commands: &mut Vec<Command>,
 ) {
