@@ -2,6 +2,7 @@
 
 mod common;
 
+use std::fmt::Write as _;
 use std::path::Path;
 
 use common::{apply, editor, editor_with};
@@ -188,7 +189,7 @@ fn texts_can_be_compared_with() {
     for _ in 0..6 {
         for rbt in editor.scene().rest_pose().iter() {
             let [x, y, z] = rbt.translation.to_array();
-            rows += &format!("{x} {y} {z} 1 0 0 0\n");
+            let _ = writeln!(rows, "{x} {y} {z} 1 0 0 0");
         }
         rows += "\n";
     }

@@ -1,3 +1,5 @@
+//! What presses, drags and clicks mean, with each eye.
+
 use std::time::Duration;
 
 use super::*;
