@@ -150,7 +150,7 @@ fn a_node_returns_to_rest_in_part_or_whole() {
 #[test]
 fn what_cannot_be_done_is_said() {
     let mut editor = editor();
-    let pick = "No node is chosen. Choose one first: p and a click, Ctrl+click, or the list of nodes.";
+    let pick = "No node is chosen. Choose one first: a click on a part, p and a click, or the list of nodes.";
     for (line, said) in [
         ("mirror", pick),
         ("reset-node", pick),
