@@ -482,6 +482,14 @@ fn the_menu_of_a_node_mirrors_and_resets_it() {
     app.get_by_label_contains("Return rotation to rest").click();
     app.run();
     assert_eq!(right(&app), Quat::IDENTITY);
+    // What is not chosen is chosen first, so that it is in sight.
+    app.get_by_label("robot1/right_shoulder").click_secondary();
+    app.run();
+    let title = texts::COMMAND_SHOW_CHOSEN.english();
+    app.get_by_label_contains(title).click();
+    app.run();
+    assert_eq!(*app.state().editor.session().chosen, [RbtIndex::new(3)]);
+    assert!(app.state().commands.contains(&Command::View(ViewCommand::ShowChosen)));
 }
 
 #[test]

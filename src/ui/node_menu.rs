@@ -84,6 +84,15 @@ pub fn items(ui: &mut Ui, editor: &Editor, bindings: &[Binding], rbt: RbtIndex, 
         listed(ui, paste(None), paste(node));
     }
     ui.separator();
+    let in_sight = Command::View(ViewCommand::ShowChosen);
+    let binding = binding_of(bindings, &in_sight);
+    let title = binding.map_or("", |binding| Words::of(ui).say(binding.title()));
+    if item(ui, title, &binding.map(Binding::menu_key).unwrap_or_default(), true) {
+        if !chosen.contains(&rbt) {
+            commands.push(Command::View(ViewCommand::Choose(Some(rbt))));
+        }
+        commands.push(in_sight);
+    }
     let words = Words::of(ui);
     let eye = scene.eyes().iter().position(|&eye| eye == rbt);
     if let Some(eye) = eye
