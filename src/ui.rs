@@ -5,6 +5,7 @@
 
 mod about;
 pub mod angles;
+mod axis_letters;
 mod bar;
 mod changed;
 mod choices;
@@ -322,6 +323,7 @@ impl Panels {
         node_menu::show_over_scene(ui, output.viewport, editor, bindings, &mut self.scene_menu, &mut output.commands);
         overlay::show(ui, output.viewport, editor, &self.keymap, &self.log, self.statistics.as_ref());
         legend::show(ui, output.viewport, editor, &mut output.commands);
+        axis_letters::show(ui, output.viewport, editor, &self.keymap, &mut output.commands);
         self.tour.take_in(editor, self.settings.tour);
         self.tour.show(ui, output.viewport, &self.keymap, &mut output.commands);
         if let Some(name) = &self.pointed {

@@ -1,11 +1,12 @@
 //! Makes frames: of a scene in a pose, with ghosts, and of the state of an editor.
 //!
 //! Exports use [`frame_of_scene`] and [`add_ghosts`], which do not depend on the editor. The window and scripts use [`frame_of_editor`],
-//! which adds the motion path, the arcball, the handles and the comparison. Only the files `editor`, `motion_path`, `gizmo`,
-//! `limb_balls` and `comparison` may name the editor.
+//! which adds the motion path, the arcball, the handles and the comparison. Only the files `editor`, `frustum`, `motion_path`,
+//! `gizmo`, `limb_balls` and `comparison` may name the editor.
 
 mod comparison;
 mod editor;
+mod frustum;
 mod ghosts;
 mod gizmo;
 mod limb_balls;

@@ -9,7 +9,8 @@ use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use glam::{Quat, Vec3};
 use inbetween::editor::keymap::bindings;
 use inbetween::editor::{
-    Command, Edit, Editor, FileCommand, GestureCommand, PlaybackCommand, SelectionCommand, ViewCommand, WindowCommand,
+    Command, Edit, Editor, Eye, FileCommand, GestureCommand, PlaybackCommand, SelectionCommand, ViewCommand,
+    WindowCommand,
 };
 use inbetween::keyframe::KeyframeIndex;
 use inbetween::pose::RbtIndex;
@@ -142,6 +143,17 @@ fn feet_kept_by_the_menu_stay_while_the_inspector_moves_the_body() {
     type_into(&mut harness, "Translation y", "0.7");
     assert_eq!(harness.state().editor.document().live_pose.get(find("robot1")).translation.y, 0.7);
     assert!(sole(&harness).distance(before) < 1e-4, "{} is not {before}", sole(&harness));
+}
+
+#[test]
+fn a_click_on_the_letter_of_an_axis_looks_along_it() {
+    let mut harness = harness(editor(0));
+    for (letter, yaw_degrees, pitch_degrees) in [("Look from +X", 90.0, 0.0), ("Look from below", 0.0, -90.0)] {
+        click(&mut harness, letter);
+        let session = harness.state().editor.session();
+        assert_eq!(session.eye, Eye::Work);
+        assert_eq!((session.work_eye.yaw_degrees, session.work_eye.pitch_degrees), (yaw_degrees, pitch_degrees));
+    }
 }
 
 #[test]

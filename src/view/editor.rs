@@ -3,6 +3,7 @@
 use glam::Vec2;
 
 use super::comparison::{add_compared, add_comparison};
+use super::frustum::add_eyes;
 use super::ghosts::{Neighbours, add_ghosts};
 use super::gizmo::add_gizmo;
 use super::motion_path::add_path;
@@ -42,6 +43,7 @@ pub fn frame_of_displayed(editor: &Editor, pose: &Pose, size_px: Vec2) -> Frame 
             .arcball_in_world
             .map(|(centre_in_world, radius)| ArcballMark { centre_in_world, radius });
     }
+    add_eyes(&mut frame, editor, pose);
     if session.shows_motion_path {
         add_path(&mut frame, editor);
     }

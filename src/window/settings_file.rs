@@ -116,7 +116,6 @@ mod tests {
             scale_percent: 90,
             journal: false,
             reload: true,
-            recorded_eye: true,
             recent: vec!["walk.json".into()],
             ..Settings::default()
         };
