@@ -45,11 +45,6 @@ impl DecodeError {
         Self { line: number, ..self }
     }
 
-    /// Whether reading was given up because of brackets within each other.
-    fn is_too_deep(&self) -> bool {
-        self.problem == texts::decode_too_deep(USUAL_LEVELS)
-    }
-
     fn of_json(bytes: &[u8], error: &serde_json::Error, is_after_the_end: bool) -> Self {
         let lines_before = error.line().saturating_sub(1);
         let newlines = bytes.iter().enumerate().filter(|(_, byte)| **byte == b'\n');

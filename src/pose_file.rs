@@ -398,7 +398,7 @@ mod tests {
             (r#"{"format": "inbetween.scene", "version": 1}"#.to_owned(), "\"inbetween.scene\""),
             (r#"{"format": "inbetween.pose", "version": 2}"#.to_owned(), "its version is 2"),
             (file("a", "").replace("name", "names"), "unknown field \"names\""),
-            (file(" ", ""), "name \" \""),
+            (file(" ", ""), "\" \" is no name of a pose"),
             (file("a", &format!("{node}, {node}")), "node \"a\" twice"),
             (file("a", r#"{"path": "b", "turned": [0, 0, 0, 2]}"#), "node \"b\""),
             (file("a", r#"{"path": "b", "turned": [0, 0, 0, 1], "moved": [0, 2e6, 0]}"#), "node \"b\""),

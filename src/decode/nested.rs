@@ -9,7 +9,9 @@ use crate::text::{line_and_column, without_byte_order_mark};
 use crate::words::texts;
 
 /// Stack for reading brackets within each other: for each level several times what an unoptimised build needs, and some for a start.
-const STACK_BYTES_PER_LEVEL: usize = 32 << 10;
+const STACK_BYTES_PER_LEVEL: usize = 64 << 10;
+/// Brackets within each other that need no room of their own.
+const SHALLOW_LEVELS: usize = 24;
 
 /// Reads JSON whose brackets stand within each other up to `most_levels` deep, and hands it to `then`. That has room on the stack for the
 /// same depth, however small the caller's stack is.
@@ -22,13 +24,9 @@ pub fn nested_json<T: DeserializeOwned, R: Send>(
     then: impl FnOnce(T) -> R + Send,
 ) -> Result<R, DecodeError> {
     let bytes = without_byte_order_mark(bytes);
-    // What stays within serde_json's own limit needs no room and no second look.
-    let error = match super::json(bytes) {
-        Ok(read) => return Ok(then(read)),
-        Err(error) => error,
-    };
-    if !error.is_too_deep() {
-        return Err(error);
+    // What is shallow has room on any stack.
+    if deeper_than(bytes, SHALLOW_LEVELS).is_none() {
+        return super::json(bytes).map(then);
     }
     if let Some(at) = deeper_than(bytes, most_levels) {
         let (line, column) = line_and_column(bytes, at);
@@ -42,8 +40,7 @@ pub fn nested_json<T: DeserializeOwned, R: Send>(
     let room = thread::Builder::new().stack_size((most_levels + 64) * STACK_BYTES_PER_LEVEL);
     thread::scope(|scope| match room.spawn_scoped(scope, deep) {
         Ok(reader) => reader.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)),
-        // No thread can be started: the text is as deep as can be read without one.
-        Err(_) => Err(error),
+        Err(_) => Err(DecodeError { line: 1, column: 1, problem: texts::decode_too_deep(SHALLOW_LEVELS) }),
     })
 }
 

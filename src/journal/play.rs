@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use super::mark::{self, whole_lines};
 use super::nowhere::Nowhere;
-use crate::editor::{Editor, FileAccess, Host as _, Written};
+use crate::editor::{Editor, FileAccess, Host as _, Session, WorkEye, Written};
 use crate::keyframe::keyframes_to_json;
 use crate::scene::{DEFAULT_SCENE, built_in_scene, scene_to_json};
 use crate::script::{Line, Runner, Step, Windowless, parse_line};
@@ -166,11 +166,14 @@ pub fn play_alone_observed(bytes: &[u8], mut observe: impl FnMut(&Editor)) -> (E
     (runner.into_host().into_editor(), played)
 }
 
-/// A hash of what a journal must bring back: the document, what its files lack, what is chosen and seen, and what can be undone.
+/// A hash of what a journal must bring back: the document, what its files lack, what is chosen and from which eye it is
+/// seen, and what can be undone.
 #[must_use]
 pub fn fingerprint(editor: &Editor) -> String {
     use sha2::Digest as _;
     let document = editor.document();
+    // A drag of the work eye is one line, written at its end.
+    let session = Session { work_eye: WorkEye::default(), ..editor.session().clone() };
     let (interpolation, ms) = (document.interpolation, document.ms_between_keyframes);
     let keyframes = keyframes_to_json(editor.scene(), &document.keyframes, interpolation, ms);
     let rest = format!(
@@ -178,7 +181,7 @@ pub fn fingerprint(editor: &Editor) -> String {
         (
             &document.live_pose,
             document.keyframes.current(),
-            editor.session(),
+            session,
             (editor.undo_label(), editor.redo_label()),
             (editor.has_unsaved_keyframes(), editor.has_unsaved_scene()),
             editor.keyframe_file(),

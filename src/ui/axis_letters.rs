@@ -69,7 +69,7 @@ fn end(
     let command = Command::View(ViewCommand::LookFrom(side));
     let title = keymap.bindings().iter().find(|binding| binding.command == command).map(Binding::title);
     let title = title.map(|title| words.say(title)).unwrap_or_default();
-    let response = ui.interact(area, ui.scope_id().with(("axis", title)), Sense::click());
+    let response = ui.interact(area, ui.scope_id().with(("axis", title)), Sense::CLICK);
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, title));
     let strength = if towards < -0.01 { BEHIND } else { 1.0 };
     let colour = tokens.axes[axis].gamma_multiply(strength);
@@ -81,7 +81,7 @@ fn end(
     } else {
         painter.circle(at, radius - 1.0, tokens.over_scene, Stroke::new(1.5, colour));
     }
-    if response.hovered() || response.has_focus() {
+    if response.hovered() {
         painter.circle_stroke(at, radius + 1.5, Stroke::new(1.5, tokens.text));
     }
     let key = super::key_of(keymap, &command);

@@ -304,7 +304,7 @@ fn control_nodes_and_their_keys_are_scripted_and_saved() {
     assert_eq!(message(7), "spin has no key of its scale at 1 s.");
     assert_eq!(message(9), "Wrote the scene to spin.json.");
     let saved = sandbox.json("spin.json");
-    assert_eq!(saved["version"], json!(2));
+    assert_eq!(saved["version"], json!(3));
     let spin = saved["nodes"].as_array().unwrap().iter().find(|node| node["name"] == json!("spin")).unwrap();
     assert_eq!(spin["control"]["translation"], json!([[0, [0, 0, 0]], [1, [3, 0, 0]], [2, [4, 0, 0]]]));
     // The same keyframe file fits both scenes, and what is sampled in the world has moved.

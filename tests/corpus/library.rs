@@ -155,6 +155,8 @@ pub fn window_and_failures() -> String {
         texts::STORAGE_PERMISSION_DENIED.into(),
         texts::STORAGE_IN_USE.into(),
         texts::JOURNAL_NO_FILES.into(),
+        texts::refused_squeezed_limb("robot/arm"),
+        texts::refused_no_pole("robot/arm"),
         texts::POSES_NO_FOLDER.into(),
         texts::pose_file_twice(path()),
         texts::pose_file_turned(path(), 2.0),
