@@ -46,6 +46,8 @@ struct Toast {
     count: u32,
     since: f64,
     until: f64,
+    /// Whether the pointer is over it: what is being read stays, and nothing is drawn for that.
+    is_read: bool,
 }
 
 /// What was said, and which of it still shows.
@@ -106,7 +108,14 @@ impl Log {
             return;
         }
         self.toasted += 1;
-        let toast = Toast { message: message.clone(), number: self.toasted, count: 1, since: now, until: now + lasts };
+        let toast = Toast {
+            message: message.clone(),
+            number: self.toasted,
+            count: 1,
+            since: now,
+            until: now + lasts,
+            is_read: false,
+        };
         self.toasts.push(toast);
         let surplus = self.toasts.len().saturating_sub(MOST_TOASTS);
         self.toasts.drain(..surplus);
@@ -115,16 +124,16 @@ impl Log {
     /// Shows the toasts above the 3D view's bottom right corner.
     pub fn show_toasts(&mut self, ui: &Ui, viewport: Rect) {
         let now = self.latest;
-        self.toasts.retain(|toast| now < toast.until);
+        self.toasts.retain(|toast| toast.is_read || now < toast.until);
         let mut bottom = viewport.bottom() - 36.0;
         let mut dismissed = None;
         for toast in self.toasts.iter_mut().rev() {
             let corner = egui::pos2(viewport.right() - 8.0, bottom);
             let shown = show_toast(ui, toast, corner, now);
-            if shown.hovered() {
-                // What is being read stays.
+            if toast.is_read || shown.hovered() {
                 toast.until = toast.until.max(now + 1.0);
             }
+            toast.is_read = shown.hovered();
             if shown.clicked() {
                 dismissed = Some(toast.number);
             }
@@ -134,7 +143,7 @@ impl Log {
             }
         }
         self.toasts.retain(|toast| dismissed != Some(toast.number));
-        if let Some(wait) = self.toasts.iter().map(|toast| wait(toast, now)).min() {
+        if let Some(wait) = self.toasts.iter().filter_map(|toast| wait(toast, now)).min() {
             if wait.is_zero() {
                 ui.ctx().request_repaint();
             } else {
@@ -204,11 +213,14 @@ impl Log {
     }
 }
 
-/// How long a toast looks the same.
-fn wait(toast: &Toast, now: f64) -> Duration {
+/// How long a toast looks the same; `None` while it is read.
+fn wait(toast: &Toast, now: f64) -> Option<Duration> {
     let goes = toast.until - GOES;
-    let is_changing = now < toast.since + APPEARS || now >= goes;
-    if is_changing { Duration::ZERO } else { Duration::from_secs_f64((goes - now).max(0.001)) }
+    if now < toast.since + APPEARS {
+        return Some(Duration::ZERO);
+    }
+    let waits = if now >= goes { Duration::ZERO } else { Duration::from_secs_f64((goes - now).max(0.001)) };
+    (!toast.is_read).then_some(waits)
 }
 
 fn show_toast(ui: &Ui, toast: &Toast, corner: Pos2, now: f64) -> egui::Response {
@@ -282,9 +294,11 @@ mod tests {
     #[test]
     fn a_toast_wakes_the_window_only_while_it_changes() {
         let message = texts::foreign("Wrote it.").with_severity(Severity::Outcome);
-        let toast = Toast { message, number: 1, count: 1, since: 10.0, until: 14.0 };
-        assert!(wait(&toast, 10.05).is_zero());
-        assert!((wait(&toast, 10.2).as_secs_f64() - 3.55).abs() < 1e-9);
-        assert!(wait(&toast, 13.8).is_zero());
+        let toast = Toast { message, number: 1, count: 1, since: 10.0, until: 14.0, is_read: false };
+        assert_eq!(wait(&toast, 10.05), Some(Duration::ZERO));
+        assert!((wait(&toast, 10.2).unwrap().as_secs_f64() - 3.55).abs() < 1e-9);
+        assert_eq!(wait(&toast, 13.8), Some(Duration::ZERO));
+        let read = Toast { is_read: true, ..toast };
+        assert_eq!((wait(&read, 10.05), wait(&read, 10.2), wait(&read, 13.8)), (Some(Duration::ZERO), None, None));
     }
 }
