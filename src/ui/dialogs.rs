@@ -132,12 +132,16 @@ fn unsaved(ui: &mut Ui, is_quitting: bool, shown: PanelInput<'_>, output: &mut U
 }
 
 /// The button that is meant to be pressed. Says whether it was: by a click, or by Enter anywhere in the dialog but on another button.
-/// It stands after all fields, which give the keyboard back at Enter.
+/// It stands after all fields, which give the keyboard back at Enter. Where nothing else has the keyboard it has it, so that Tab goes on
+/// from there.
 pub fn default_button(ui: &mut Ui, label: &str, is_enabled: bool) -> bool {
     let tokens = Tokens::of(ui);
     let stroke = egui::Stroke::new(1.0, tokens.accent);
     let button = egui::Button::new(label.to_owned()).fill(tokens.accent_fill).stroke(stroke);
-    let is_clicked = ui.add_enabled(is_enabled, button).clicked();
-    let enter = ui.input(|input| input.key_pressed(Key::Enter)) && ui.memory(|memory| memory.focused().is_none());
-    is_clicked || (is_enabled && enter)
+    let response = ui.add_enabled(is_enabled, button);
+    let is_free = is_enabled && ui.memory(|memory| memory.focused().is_none());
+    if is_free {
+        response.request_focus();
+    }
+    response.clicked() || (is_free && ui.input(|input| input.key_pressed(Key::Enter)))
 }
