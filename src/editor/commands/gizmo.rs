@@ -175,7 +175,7 @@ fn shown() -> Vec<Row> {
     let next = binding("gizmo-axes-next", ViewCommand::NextGizmoAxes);
     let of = |id, axes| binding(id, ViewCommand::SetGizmoAxes(axes)).section(6);
     vec![
-        Row::listed(Changes::Session, gizmo.hotkeys(&["Alt+A"]).ticked(|editor, _| editor.session.shows_gizmo)),
+        Row::listed(Changes::Session, gizmo.hotkeys(&["Shift+H"]).ticked(|editor, _| editor.session.shows_gizmo)),
         Row::listed(Changes::Session, next.repeating_hotkeys(&["Shift+X"])),
         Row::of(Changes::Session, "gizmo-axes", |command| {
             matches!(command, Command::View(ViewCommand::SetGizmoAxes(_)))
