@@ -423,9 +423,9 @@ fn kills_at_random_moments_lose_nothing_that_was_done() {
 }
 
 /// The buttons at the right end of the bar, in pixels.
-const RESTORE: &str = "864";
-const LATER: &str = "921";
-const DISCARD: &str = "978";
+const RESTORE: &str = "736";
+const LATER: &str = "793";
+const DISCARD: &str = "850";
 
 #[test]
 fn what_was_not_saved_is_offered_at_the_next_start_and_restored() {

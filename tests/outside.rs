@@ -225,7 +225,7 @@ fn a_window_that_comes_to_the_front_offers_to_read_what_was_changed() {
     assert!(window.journal().contains("do keyframe-next"));
     assert_eq!(window.imports(), 1);
     // The buttons are at the right end of the bar: reload, what differs, later.
-    window.click_until(["837", "41"], || window.imports() == 2);
+    window.click_until(["709", "41"], || window.imports() == 2);
     window.settle();
     assert!(window.journal().ends_with("go 1\n"), "the same keyframe stays current");
     window.press(&["n", "w"]);

@@ -395,7 +395,9 @@ fn tab_reaches_every_control() {
         }
     }
     let is_triangle = |name: &str| name.starts_with("Fold the row of ") || name.starts_with("Unfold the row of ");
-    for name in wanted.into_iter().filter(|name| !is_triangle(name)) {
+    // Digits look along the axes.
+    let is_axis = |name: &str| name.starts_with("Look from ") || name == "Look along";
+    for name in wanted.into_iter().filter(|name| !is_triangle(name) && !is_axis(name)) {
         assert!(reached.contains(&name), "Tab does not reach {name}");
     }
 }

@@ -199,7 +199,7 @@ fn what_cannot_be_is_refused_with_a_sentence_and_changes_nothing() {
         (SceneEdit::PutControlAbove("x".into()), "The scene has no node \"x\"."),
         (
             SceneEdit::PutControlAboveChosen,
-            "No node is chosen. Choose one first: p and a click, Ctrl+click, or the list of nodes.",
+            "No node is chosen. Choose one first: a click on a part, p and a click, or the list of nodes.",
         ),
         (SceneEdit::RemoveControl("sky".into()), "node \"sky\" is not a control node"),
         (SceneEdit::DeleteKeys(vec![key(Channel::Scale, 1.0)]), "cylinder has no key of its scale at 1 s."),
