@@ -75,6 +75,12 @@ impl Window {
         assert!(is_there, "{what} does not come; the last that was printed: {last:?}");
     }
 
+    /// Waits until so many commands are in the journal that the window began. Its first line is the choice of the window's eye.
+    #[track_caller]
+    fn wait_for_commands(&self, commands: usize) {
+        self.wait_for_lines(commands + 1);
+    }
+
     /// Waits until the journal has so many lines.
     #[track_caller]
     fn wait_for_lines(&self, lines: usize) {
@@ -135,7 +141,7 @@ fn each_signal_ends_the_window_with_everything_in_the_journal() {
     for (signal, number) in [(Signal::TERM, 15), (Signal::HUP, 1), (Signal::INT, 2)] {
         let mut window = Window::open(&display, &[]);
         type_keys(&display, &["n", "n", "n"]);
-        window.wait_for_lines(3);
+        window.wait_for_commands(3);
         kill(&window, signal);
         let (status, said) = window.end();
         assert_eq!(status, Some(128 + number), "{said}");
@@ -160,7 +166,7 @@ fn a_display_that_goes_away_leaves_everything_in_the_journal() {
         let (mut server, display) = display(&[]);
         let mut window = Window::open(&display, &[]);
         type_keys(&display, &["n", "n"]);
-        window.wait_for_lines(2);
+        window.wait_for_commands(2);
         server.0.kill().unwrap();
         let (status, said) = window.end();
         assert_eq!(status, Some(1), "{said}");
@@ -189,7 +195,7 @@ fn the_second_signal_ends_a_window_at_once() {
     let (_server, display) = display(&[]);
     let mut window = Window::open(&display, &[]);
     type_keys(&display, &["n"]);
-    window.wait_for_lines(1);
+    window.wait_for_commands(1);
     kill(&window, Signal::INT);
     kill(&window, Signal::TERM);
     let (status, said) = window.end();
@@ -299,7 +305,7 @@ fn two_windows_have_a_journal_each_and_one_in_use_is_not_offered() {
     let (_server, display) = display(&[]);
     let mut first = Window::open(&display, &[]);
     type_keys(&display, &["n", "n"]);
-    first.wait_for_lines(2);
+    first.wait_for_commands(2);
     let of_first = first.journal();
     let mut command = inbetween(&display, first.folder.path());
     command.env("XDG_CONFIG_HOME", first.folder.path().join("other"));
@@ -324,7 +330,7 @@ fn a_panic_in_a_command_is_said_and_the_window_goes_on() {
     let (_server, display) = display(&[]);
     let mut window = Window::open(&display, &["--window-panic-at", "3"]);
     type_keys(&display, &["n", "n", "n", "n"]);
-    window.wait_for_lines(4);
+    window.wait_for_commands(4);
     kill(&window, Signal::TERM);
     let (status, said) = window.end();
     assert_eq!(status, Some(143), "{said}");
@@ -432,14 +438,14 @@ fn what_was_not_saved_is_offered_at_the_next_start_and_restored() {
     let (_server, display) = display(&[]);
     let mut window = Window::open(&display, &[]);
     type_keys(&display, &["n", "n", "n"]);
-    window.wait_for_lines(3);
+    window.wait_for_commands(3);
     window.process.0.kill().unwrap();
     window.process.0.wait().unwrap();
     let old = window.journal();
     let mut window = Window::open_in(window.folder, &display, &[]);
     // Hotkeys work beside the bar.
     type_keys(&display, &["n"]);
-    window.wait_for_lines(1);
+    window.wait_for_commands(1);
     assert!(old.is_file());
     // The buttons are at the right end of the bar: restore, later, discard.
     let is_restored = wait_for(|| {
@@ -459,7 +465,7 @@ fn later_leaves_a_journal_for_the_next_start_and_discard_removes_it() {
     let (_server, display) = display(&[]);
     let mut window = Window::open(&display, &[]);
     type_keys(&display, &["n", "n"]);
-    window.wait_for_lines(2);
+    window.wait_for_commands(2);
     window.kill();
     let old = window.journal();
     let listed = |folder: &Path| {
