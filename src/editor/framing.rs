@@ -92,7 +92,7 @@ impl Editor {
     }
 
     /// An eye with the angles of another, so near that all shapes but planes are just in sight, and the arcballs of their nodes; of the
-    /// chosen nodes only, if wanted. `None` where there are none.
+    /// chosen nodes and what hangs below them only, if wanted. `None` where there are none.
     fn showing(&self, eye: WorkEye, only_chosen: bool) -> Option<WorkEye> {
         let scene = self.scene();
         let world_from_node = scene.world_from_nodes(&self.displayed_pose(), self.seconds());
@@ -102,7 +102,8 @@ impl Editor {
         for (id, node) in scene.nodes_with_ids() {
             let NodeKind::Shape(placed) = &node.kind else { continue };
             let rbt = scene.carrying_rbt(id);
-            let is_wanted = !only_chosen || rbt.is_some_and(|rbt| self.session.chosen.contains(&rbt));
+            let is_of = |rbt| self.session.chosen.iter().any(|&chosen| chosen == rbt || scene.is_above(chosen, rbt));
+            let is_wanted = !only_chosen || rbt.is_some_and(is_of);
             if matches!(placed.shape, Shape::Plane(_)) || !is_wanted {
                 continue;
             }
@@ -144,6 +145,20 @@ mod tests {
 
     use crate::editor::Editor;
     use crate::scene::{DEFAULT_SCENE, built_in_scene};
+
+    #[test]
+    fn a_chosen_robot_is_in_sight_with_its_limbs() {
+        let size_px = Vec2::new(800.0, 600.0);
+        let mut editor = Editor::new(Arc::new(built_in_scene(DEFAULT_SCENE).unwrap()), PathBuf::from("a.json"));
+        editor.session.chosen = editor.scene().find_rbt("robot2").into();
+        editor.show_chosen().unwrap();
+        let camera = editor.camera(size_px);
+        for end in [glam::Vec3::new(2.4, -2.0, 0.0), glam::Vec3::new(3.9, 1.75, 0.0), glam::Vec3::new(0.1, 1.75, 0.0)] {
+            let (seen_px, _) = camera.project(end).unwrap();
+            assert!(seen_px.min_element() > 0.0 && seen_px.cmplt(size_px).all(), "{end}: {seen_px}");
+        }
+        assert!(editor.session.work_eye.distance < 0.8 * editor.first_work_eye().distance);
+    }
 
     #[test]
     fn at_first_both_robots_and_the_arcball_of_every_part_are_in_sight() {
