@@ -13,15 +13,21 @@ fn outline_fragment(@builtin(position) in_pixels: vec4f) -> @location(0) vec4f {
     let last = vec2i(textureDimensions(mask)) - 1;
     let width = globals.horizon.w;
     var reached = vec2f(0.0);
-    for (var y = -3; y <= 3; y++) {
-        for (var x = -3; x <= 3; x++) {
-            let weight = saturate(width + 0.9 - length(vec2f(f32(x), f32(y))));
-            if weight > 0.0 {
+    var rim = 0.0;
+    for (var y = -4; y <= 4; y++) {
+        for (var x = -4; x <= 4; x++) {
+            let weight = width + 0.9 - length(vec2f(f32(x), f32(y)));
+            if weight > -1.0 {
                 let there = clamp(here + vec2i(x, y), vec2i(0), last);
-                reached = max(reached, weight * textureLoad(mask, there, 0).rg);
+                let covered = textureLoad(mask, there, 0).rg;
+                reached = max(reached, saturate(weight) * covered);
+                rim = max(rim, saturate(weight + 1.0) * covered.g);
             }
         }
     }
     let outside = 1.0 - textureLoad(mask, here, 0).r;
-    return finished(globals.accent.rgb, outside * max(reached.g, 0.4 * reached.r));
+    let line = max(reached.g, 0.4 * reached.r);
+    // A dark rim lets the line stand out on shapes of its own colour.
+    let opacity = max(line, 0.55 * rim);
+    return finished(globals.accent.rgb * (line / max(opacity, 1e-4)), outside * opacity);
 }

@@ -19,4 +19,4 @@ pub use ghosts::{Neighbours, add_ghosts};
 pub use gizmo::light_handle;
 pub use limb_balls::{add_limb_balls, mark_limb_ball};
 pub use motion_path::mark_dot;
-pub use scene::{frame_of_scene, outline};
+pub use scene::{frame_of_scene, light};

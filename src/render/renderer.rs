@@ -211,7 +211,7 @@ impl Renderer {
         self.draw_picture(gpu, encoder, frame, target);
         let outlined = frame.items.iter().filter(|item| item.outlined).map(Bounds::of);
         if let Some(rectangle) =
-            rectangle_px(&frame.view, outlined, [viewport.width, viewport.height], look::OUTLINE_PX + 2.0)
+            rectangle_px(&frame.view, outlined, [viewport.width, viewport.height], look::OUTLINE_PX + 3.0)
         {
             self.draw_outline(gpu, encoder, target, rectangle);
         }

@@ -18,7 +18,7 @@ use crate::pose::RbtIndex;
 use crate::render::{Gpu, GpuError, Image, Offscreen, Renderer, Target, Viewport, default_samples};
 use crate::ui::{Panels, THUMBNAIL_PX, UiOutput, theme};
 use crate::view::{
-    add_limb_balls, frame_of_displayed, light_handle, mark_dot, mark_limb_ball, outline, picture_of_editor,
+    add_limb_balls, frame_of_displayed, light, light_handle, mark_dot, mark_limb_ball, picture_of_editor,
 };
 
 /// The 3D view, in physical pixels of the window.
@@ -200,7 +200,7 @@ impl WindowSurface {
         meter.add(Work::Evaluation, start, evaluated);
         let mut frame = frame_of_displayed(editor, &pose, self.view.size_px);
         if let Some(hovered) = lit.node {
-            outline(&mut frame, editor.scene(), &[hovered]);
+            light(&mut frame, editor.scene(), hovered);
         }
         add_limb_balls(&mut frame, editor, lit.robot);
         if let Some(ball) = lit.ball {
