@@ -34,7 +34,7 @@ pub(super) fn outline(frame: &mut Frame, scene: &SceneGraph, nodes: &[RbtIndex])
 }
 
 /// How far the colours of what a click takes go towards white.
-const LIGHTER: f32 = 0.3;
+const LIGHTER: f32 = 0.15;
 
 /// Lights the shapes of a node, which a click would take. `scene` must be the frame's.
 pub fn light(frame: &mut Frame, scene: &SceneGraph, node: RbtIndex) {
