@@ -233,10 +233,4 @@ impl<'a> Arguments<'a> {
         }
         (!text.is_empty()).then_some((words, text))
     }
-
-    /// The first `N` words, and the RBT node whose path comes after them.
-    pub(super) fn then_rbt<const N: usize>(&self) -> Result<Option<([&'a str; N], RbtIndex)>, ArgumentError> {
-        let Some((words, path)) = self.then_text() else { return Ok(None) };
-        Ok(Some((words, self.rbt(path)?)))
-    }
 }

@@ -101,8 +101,9 @@ fn named() -> Vec<Row> {
                 "set-translation X Y Z PATH",
                 "places a node, in its parent's space",
                 |arguments| {
-                    let Some((words, rbt)) = arguments.then_rbt()? else { return Ok(None) };
-                    Ok(Some(Command::Edit(Edit::SetTranslation(rbt, Vec3::from(numbers::<3>(&words)?)))))
+                    let Some((words, path)) = arguments.then_text() else { return Ok(None) };
+                    let translation = Vec3::from(numbers::<3>(&words)?);
+                    Ok(Some(Command::Edit(Edit::SetTranslation(arguments.rbt(path)?, translation))))
                 },
                 |command, scene| {
                     let Some(&Edit::SetTranslation(rbt, to)) = edit_of(command) else { return None };
@@ -119,8 +120,9 @@ fn named() -> Vec<Row> {
                 "set-rotation X Y Z W PATH",
                 "turns a node: a quaternion, which is normalised",
                 |arguments| {
-                    let Some((words, rbt)) = arguments.then_rbt()? else { return Ok(None) };
-                    Ok(Some(Command::Edit(Edit::SetRotation(rbt, Quat::from_array(numbers::<4>(&words)?)))))
+                    let Some((words, path)) = arguments.then_text() else { return Ok(None) };
+                    let rotation = Quat::from_array(numbers::<4>(&words)?);
+                    Ok(Some(Command::Edit(Edit::SetRotation(arguments.rbt(path)?, rotation))))
                 },
                 |command, scene| {
                     let Some(&Edit::SetRotation(rbt, to)) = edit_of(command) else { return None };

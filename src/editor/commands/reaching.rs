@@ -20,8 +20,9 @@ fn reaching() -> Vec<Row> {
                 "reach X Y Z PATH",
                 "brings the end of a limb to a point in world space, or as near as its bones and limits allow; the path is that of the limb's last node, such as an elbow or a knee",
                 |arguments| {
-                    let Some((words, rbt)) = arguments.then_rbt()? else { return Ok(None) };
-                    Ok(Some(Command::Edit(Edit::Reach(rbt, Vec3::from(numbers::<3>(&words)?)))))
+                    let Some((words, path)) = arguments.then_text() else { return Ok(None) };
+                    let point = Vec3::from(numbers::<3>(&words)?);
+                    Ok(Some(Command::Edit(Edit::Reach(arguments.rbt(path)?, point))))
                 },
                 |command, scene| {
                     let &Command::Edit(Edit::Reach(rbt, target)) = command else { return None };
@@ -35,8 +36,9 @@ fn reaching() -> Vec<Row> {
                 "reach-by X Y Z PATH",
                 "the same, by so much from where the end is",
                 |arguments| {
-                    let Some((words, rbt)) = arguments.then_rbt()? else { return Ok(None) };
-                    Ok(Some(Command::Edit(Edit::ReachBy(rbt, Vec3::from(numbers::<3>(&words)?)))))
+                    let Some((words, path)) = arguments.then_text() else { return Ok(None) };
+                    let offset = Vec3::from(numbers::<3>(&words)?);
+                    Ok(Some(Command::Edit(Edit::ReachBy(arguments.rbt(path)?, offset))))
                 },
                 |command, scene| {
                     let &Command::Edit(Edit::ReachBy(rbt, by)) = command else { return None };
@@ -50,8 +52,9 @@ fn reaching() -> Vec<Row> {
                 "pole DEGREES PATH",
                 "turns a limb about the line from its root to its end: the elbow or knee goes around, and the end stays",
                 |arguments| {
-                    let Some(([degrees], rbt)) = arguments.then_rbt()? else { return Ok(None) };
-                    Ok(Some(Command::Edit(Edit::TurnPole(rbt, double(degrees)?))))
+                    let Some(([degrees], path)) = arguments.then_text() else { return Ok(None) };
+                    let degrees = double(degrees)?;
+                    Ok(Some(Command::Edit(Edit::TurnPole(arguments.rbt(path)?, degrees))))
                 },
                 |command, scene| {
                     let &Command::Edit(Edit::TurnPole(rbt, degrees)) = command else { return None };

@@ -216,9 +216,9 @@ fn nodes() -> Vec<Row> {
                 "set-keyframe-translation KEYFRAME X Y Z PATH",
                 "places a node in a keyframe of the list",
                 |arguments| {
-                    let Some(([index, x, y, z], rbt)) = arguments.then_rbt()? else { return Ok(None) };
+                    let Some(([index, x, y, z], path)) = arguments.then_text() else { return Ok(None) };
                     let (index, translation) = (keyframe(index)?, Vec3::from(numbers(&[x, y, z])?));
-                    Ok(Some(edit(TimelineEdit::SetTranslationInKeyframe(index, rbt, translation))))
+                    Ok(Some(edit(TimelineEdit::SetTranslationInKeyframe(index, arguments.rbt(path)?, translation))))
                 },
                 |command, scene| {
                     let Some(TimelineEdit::SetTranslationInKeyframe(index, rbt, to)) = edit_of(command) else {
@@ -238,9 +238,9 @@ fn nodes() -> Vec<Row> {
                 "set-keyframe-rotation KEYFRAME X Y Z W PATH",
                 "turns a node in a keyframe of the list",
                 |arguments| {
-                    let Some(([index, x, y, z, w], rbt)) = arguments.then_rbt()? else { return Ok(None) };
+                    let Some(([index, x, y, z, w], path)) = arguments.then_text() else { return Ok(None) };
                     let (index, rotation) = (keyframe(index)?, Quat::from_array(numbers(&[x, y, z, w])?));
-                    Ok(Some(edit(TimelineEdit::SetRotationInKeyframe(index, rbt, rotation))))
+                    Ok(Some(edit(TimelineEdit::SetRotationInKeyframe(index, arguments.rbt(path)?, rotation))))
                 },
                 |command, scene| {
                     let Some(TimelineEdit::SetRotationInKeyframe(index, rbt, to)) = edit_of(command) else {

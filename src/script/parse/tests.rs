@@ -67,6 +67,7 @@ fn what_cannot_be_understood() {
     check_problem("rename", "expected `rename KEYFRAME [NAME]`, found `rename`");
     check_problem("set-translation 1 2 3", "expected `set-translation X Y Z PATH`, found `set-translation 1 2 3`");
     check_problem("set-translation 1 2 3 robot3", "node \"robot3\" is not in the scene \"two-robots\"");
+    check_problem("reach robot1/left_elbow 1 2 3", "\"robot1/left_elbow\" is not a finite number");
     check_problem("set-rotation 1 2 3 inf robot1", "\"inf\" is not a finite number");
     check_problem("set-keyframe-rotation z 0 0 0 1 robot1", "\"z\" is not a keyframe; expected a whole number from 0");
     check_problem("drag left", "expected `drag begin|end|cancel|move X Y Z|turn AXIS DEGREES`, found `drag left`");
