@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use crate::editor::{FileOutcome, Written};
-use crate::pose_file::{LARGEST_POSE_BYTES, PoseFile, is_pose_name};
+use crate::pose_file::{LARGEST_POSE_BYTES, PoseFile, is_pose_name, shipped_poses};
 use crate::storage;
 use crate::words::texts;
 
@@ -18,11 +18,15 @@ const MOST_OWN: usize = 500;
 /// # Errors
 /// The system has no folder for settings.
 pub fn path(name: &str) -> FileOutcome<PathBuf> {
-    if name.contains(['/', '\\']) || name.ends_with(ENDING) {
+    if is_path(name) {
         return Ok(PathBuf::from(name));
     }
     let folder = storage::poses_path().ok_or(texts::POSES_NO_FOLDER)?;
     Ok(folder.join(format!("{name}{ENDING}")))
+}
+
+fn is_path(name: &str) -> bool {
+    name.contains(['/', '\\']) || name.ends_with(ENDING)
 }
 
 /// Reads the file of a pose.
@@ -30,7 +34,16 @@ pub fn path(name: &str) -> FileOutcome<PathBuf> {
 /// # Errors
 /// Why it cannot be read.
 pub fn read(name: &str) -> FileOutcome<Vec<u8>> {
-    storage::read(&path(name)?, LARGEST_POSE_BYTES).map_err(|error| error.message())
+    let path = path(name)?;
+    storage::read(&path, LARGEST_POSE_BYTES).map_err(|error| {
+        let is_missing =
+            matches!(&error, storage::StorageError::System(error) if error.kind() == std::io::ErrorKind::NotFound);
+        if is_path(name) || !is_missing {
+            return error.message();
+        }
+        let names: Vec<&str> = shipped_poses().iter().map(|pose| pose.name.as_str()).collect();
+        texts::poses_unknown(&names.join(", "))
+    })
 }
 
 /// Writes the file of a pose. What the file held before is copied beside it. The user's own folder is made where it is missing.
