@@ -239,6 +239,7 @@ fn any_view() -> impl Strategy<Value = Command> {
             },
         ),
         prop::option::of(any_node()).prop_map(ViewCommand::Choose),
+        prop::option::of(any_node()).prop_map(ViewCommand::LookFromNode),
         any_node().prop_map(ViewCommand::ChooseAlso),
         prop::sample::select(&[Pivot::Own, Pivot::Common]).prop_map(ViewCommand::SetPivot),
         any::<bool>().prop_map(ViewCommand::SetAutoKeys),

@@ -227,6 +227,11 @@ const SESSIONS: &[(&str, &str, Look)] = &[
     ("work-eye 30 10 4 0 0 0\nlook right", "90 0 4 [0, 0, 0]", work_eye),
     ("work-eye 30 10 4 0 0 0\nkey ctrl+7", "0 -90 4 [0, 0, 0]", work_eye),
     ("work-eye 30 10 4 0 0 0\nlevel-eye", "30 0 4 [0, 0, 0]", work_eye),
+    ("look-from robot1", "0 0 [5, 1, 0]", |session| {
+        let WorkEye { yaw_degrees, pitch_degrees, .. } = session.work_eye;
+        format!("{yaw_degrees} {pitch_degrees} {}", session.work_eye.world_from_eye().translation)
+    }),
+    ("select robot1/head\nlook-from", "Work", |session| format!("{:?}", session.eye)),
     ("look top", "Work", |session| format!("{:?}", session.eye)),
     ("eye work\nkey 0", "Recorded(0)", |session| format!("{:?}", session.eye)),
     ("work-eye 0 0 90 9 9 9\nshow-all", "true", |session| (session.work_eye.distance < 30.0).to_string()),

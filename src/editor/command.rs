@@ -282,6 +282,8 @@ pub enum ViewCommand {
     SetWorkEye(WorkEye),
     /// Looks from a side of the work eye's target, at the same distance.
     LookFrom(Side),
+    /// Puts the work eye at the origin of a node, looking along the node's −Z; `None`: of the primary of the chosen nodes.
+    LookFromNode(Option<RbtIndex>),
     /// Puts the work eye at the height of its target.
     LevelEye,
     /// Brings all shapes in sight of the work eye.

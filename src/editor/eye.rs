@@ -11,6 +11,8 @@ use crate::words::texts;
 
 /// How much nearer one notch of the wheel brings the work eye.
 const ZOOM_STEP: f32 = 1.15;
+/// A direction whose horizontal part is shorter than this is vertical.
+const STEEP: f32 = 1e-6;
 
 /// What one looks from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,6 +51,20 @@ impl WorkEye {
     /// Distances that it can have from its target, in scene units.
     pub const DISTANCES: std::ops::RangeInclusive<f32> = 0.125..=1e5;
 
+    /// At the origin of a frame, looking along its −Z with the horizon level, at what is so far away.
+    #[must_use]
+    pub fn at(world_from_frame: Rbt, distance: f32) -> Self {
+        let (back, up) = (world_from_frame.transform_vector(Vec3::Z), world_from_frame.transform_vector(Vec3::Y));
+        // Straight up or down, the frame's Y axis says what is at the top of the view.
+        let around = if back.x.hypot(back.z) < STEEP { up * -back.y.signum() } else { back };
+        Self {
+            yaw_degrees: around.x.atan2(around.z).to_degrees(),
+            pitch_degrees: back.y.clamp(-1.0, 1.0).asin().to_degrees(),
+            distance,
+            target_in_world: world_from_frame.translation - back * distance,
+        }
+    }
+
     /// World from eye space: −Z forward, Y up.
     #[must_use]
     pub fn world_from_eye(&self) -> Rbt {
@@ -86,7 +102,7 @@ impl WorkEye {
         let rotation = self.rotation();
         let back = rotation * motion.rotation * Vec3::Z;
         let has_turned = motion.rotation != Quat::IDENTITY;
-        let is_steep = back.x.hypot(back.z) < 1e-6;
+        let is_steep = back.x.hypot(back.z) < STEEP;
         let Vec3 { x, y, z } = motion.translation;
         Self {
             yaw_degrees: if has_turned && !is_steep { back.x.atan2(back.z).to_degrees() } else { self.yaw_degrees },
@@ -215,6 +231,22 @@ mod tests {
             assert!(world_from_eye.translation.abs_diff_eq(expected, 1e-5), "{world_from_eye:?}");
             assert!(world_from_eye.transform_vector(Vec3::Y).abs_diff_eq(up, 1e-5), "{world_from_eye:?}");
         }
+    }
+
+    #[test]
+    fn at_a_frame_it_looks_along_its_minus_z_with_the_horizon_level() {
+        let target_in_world = Vec3::new(1.0, 2.0, 3.0);
+        for (yaw_degrees, pitch_degrees) in [(0.0, 0.0), (-120.0, 40.0), (30.0, 90.0), (-60.0, -90.0)] {
+            let eye = WorkEye { yaw_degrees, pitch_degrees, distance: 4.0, target_in_world };
+            let again = WorkEye::at(eye.world_from_eye(), 4.0);
+            let (expected, found) = (eye.world_from_eye(), again.world_from_eye());
+            assert!(found.translation.abs_diff_eq(expected.translation, 1e-5), "{again:?}");
+            assert!(found.rotation.dot(expected.rotation).abs() > 0.99999, "{again:?} for {eye:?}");
+        }
+        let rolled = Rbt::new(Vec3::ONE, Quat::from_rotation_y(0.5) * Quat::from_rotation_z(1.0));
+        let eye = WorkEye::at(rolled, 2.0);
+        assert!((eye.yaw_degrees - 0.5_f32.to_degrees()).abs() < 1e-4 && eye.pitch_degrees.abs() < 1e-4, "{eye:?}");
+        assert!(eye.world_from_eye().translation.abs_diff_eq(Vec3::ONE, 1e-5));
     }
 
     #[test]

@@ -5,7 +5,9 @@ use glam::Vec3;
 use super::apply::CommandResult;
 use super::manipulate::ARCBALL_RADIUS;
 use super::{Editor, Eye, WorkEye};
+use crate::pose::RbtIndex;
 use crate::scene::{NodeKind, Shape};
+use crate::words::texts;
 
 /// Width over height of the narrowest view that shows all that is meant to be in sight.
 const ASPECT: f32 = 4.0 / 3.0;
@@ -65,6 +67,14 @@ impl Editor {
     pub(super) fn look_from_side(&mut self, side: Side) -> CommandResult {
         let [yaw_degrees, pitch_degrees] = side.angles();
         self.look_from(Some(WorkEye { yaw_degrees, pitch_degrees, ..self.session.work_eye }))
+    }
+
+    pub(super) fn look_from_node(&mut self, node: Option<RbtIndex>) -> CommandResult {
+        let meant = self.meant(node)?;
+        let rbt = meant[meant.len() - 1];
+        let world_from_node = self.scene().world_from_rbt(&self.displayed_pose(), self.seconds(), rbt);
+        self.look_from(Some(WorkEye::at(world_from_node, self.session.work_eye.distance)))?;
+        Ok(Some(texts::view_work_eye_at(self.scene().rbt_path(rbt))))
     }
 
     pub(super) fn level(&mut self) -> CommandResult {

@@ -17,6 +17,7 @@ impl Editor {
             ViewCommand::SetEye(eye) => self.set_eye(eye),
             ViewCommand::SetWorkEye(eye) => self.set_work_eye(eye),
             ViewCommand::LookFrom(side) => self.look_from_side(side),
+            ViewCommand::LookFromNode(node) => self.look_from_node(node),
             ViewCommand::LevelEye => self.level(),
             ViewCommand::ShowAll => self.show_all(),
             ViewCommand::ShowChosen => self.show_chosen(),

@@ -95,10 +95,11 @@ pub fn items(ui: &mut Ui, editor: &Editor, bindings: &[Binding], rbt: RbtIndex, 
     }
     let words = Words::of(ui);
     let eye = scene.eyes().iter().position(|&eye| eye == rbt);
-    if let Some(eye) = eye
-        && item(ui, &words.message(texts::look_from_eye(&scene.node(scene.rbt_node(rbt)).name)), "", true)
-    {
-        commands.push(Command::View(ViewCommand::SetEye(Eye::Recorded(eye))));
+    if item(ui, &words.message(texts::look_from_eye(&scene.node(scene.rbt_node(rbt)).name)), "", true) {
+        commands.push(Command::View(match eye {
+            Some(eye) => ViewCommand::SetEye(Eye::Recorded(eye)),
+            None => ViewCommand::LookFromNode(Some(rbt)),
+        }));
     }
     let is_still = !editor.is_playing();
     let id = scene.rbt_node(rbt);

@@ -29,12 +29,12 @@ fn has_nodes(editor: &Editor, command: &Command) -> bool {
 }
 
 /// The node whose path the text is; `Some(None)` for no text.
-fn node(arguments: &Arguments<'_>, path: &str) -> Result<Option<RbtIndex>, ArgumentError> {
+pub(super) fn node(arguments: &Arguments<'_>, path: &str) -> Result<Option<RbtIndex>, ArgumentError> {
     if path.is_empty() { Ok(None) } else { arguments.rbt(path).map(Some) }
 }
 
 /// A path, or nothing for the chosen nodes. A path that is one of the words that may stand before it needs quotes.
-fn node_text(node: Option<RbtIndex>, scene: &SceneGraph, words: &[&str]) -> Option<String> {
+pub(super) fn node_text(node: Option<RbtIndex>, scene: &SceneGraph, words: &[&str]) -> Option<String> {
     let Some(rbt) = node else { return Some(String::new()) };
     let path = rbt_path_text(rbt, scene)?;
     let is_word = path.split(' ').next().is_some_and(|first| words.contains(&first));

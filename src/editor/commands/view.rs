@@ -3,6 +3,7 @@
 use glam::Vec3;
 
 use super::line::{ArgumentError, Ending, Line};
+use super::poses::{node, node_text};
 use super::row::{Binding, Changes, Group, Menu, Row};
 use super::values::{numbers, numbers_text, one_of, rbt_path_text, vector_text};
 use crate::editor::{Command, Eye, Pivot, Side, ViewCommand, WorkEye};
@@ -147,6 +148,7 @@ fn looks() -> Vec<Row> {
         ));
     vec![
         sides,
+        from_node(),
         Row::listed(Changes::Session, listed("show-chosen", ViewCommand::ShowChosen, &["z"]))
             .can(|editor, _| !editor.session.chosen.is_empty())
             .word("show-chosen", "brings the chosen nodes in sight of the work eye"),
@@ -157,6 +159,28 @@ fn looks() -> Vec<Row> {
         Row::listed(Changes::Session, listed("reset-work-eye", ViewCommand::ResetWorkEye, &[]))
             .word("reset-work-eye", "puts the work eye where it was at first"),
     ]
+}
+
+fn from_node() -> Row {
+    let chosen = ViewCommand::LookFromNode(None);
+    Row::of(Changes::Session, "look-from", |command| matches!(command, Command::View(ViewCommand::LookFromNode(_))))
+        .binding(binding("look-from", chosen).section(LOOKS))
+        .can(|editor, command| {
+            let is_named = matches!(command, Command::View(ViewCommand::LookFromNode(Some(_))));
+            is_named || !editor.session.chosen.is_empty()
+        })
+        .line(
+            Line::new(
+                "look-from [PATH]",
+                "puts the work eye at a node's origin, looking along its -Z axis with the horizon level; without a path, at the chosen node",
+                |arguments| Ok(Some(Command::View(ViewCommand::LookFromNode(node(arguments, arguments.text)?)))),
+                |command, scene| {
+                    let Command::View(ViewCommand::LookFromNode(node)) = command else { return None };
+                    node_text(*node, scene, &[])
+                },
+            )
+            .ending(Ending::NodePath),
+        )
 }
 
 fn work_eye() -> Row {
