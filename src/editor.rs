@@ -97,6 +97,8 @@ pub struct Session {
     pub eye: Eye,
     /// Where the work eye stands, in force or not.
     pub work_eye: WorkEye,
+    /// The eye of the scene that was in force last, by its index: what keyframes are looked at with.
+    pub recorded_eye: usize,
     /// Whether the work eye was in force: the hotkey of the next eye then leads back to it.
     pub has_used_work_eye: bool,
     /// What the sky camera moves about.
@@ -111,6 +113,8 @@ pub struct Session {
     pub gizmo_axes: GizmoAxes,
     /// The steps of drags with Shift.
     pub snap: SnapSteps,
+    /// Whether what the recorded camera sees shows in a corner while the work eye is in force.
+    pub shows_inset: bool,
     /// Whether the path of the chosen node is drawn.
     pub shows_motion_path: bool,
     /// The blends whose poses are shown wherever a sample is, apart from the one that plays.
@@ -203,6 +207,7 @@ impl Editor {
                 pivot: Pivot::default(),
                 eye: Eye::Recorded(0),
                 work_eye: WorkEye::default(),
+                recorded_eye: 0,
                 has_used_work_eye: false,
                 sky_mode: SkyMode::default(),
                 is_picking: false,
@@ -210,6 +215,7 @@ impl Editor {
                 shows_gizmo: true,
                 gizmo_axes: GizmoAxes::default(),
                 snap: SnapSteps::default(),
+                shows_inset: true,
                 shows_motion_path: true,
                 compared_blends: Vec::new(),
                 selected: Vec::new(),

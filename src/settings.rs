@@ -102,6 +102,10 @@ pub struct Settings {
     pub snap: SnapSteps,
     /// Whether the window begins with the scene's first eye, which keyframes record, instead of the work eye.
     pub recorded_eye: bool,
+    /// Whether changes of the view show at once instead of being eased.
+    pub reduce_motion: bool,
+    /// Whether the corner with what the recorded camera sees stays while something plays.
+    pub inset_while_playing: bool,
 }
 
 impl Default for Settings {
@@ -120,6 +124,8 @@ impl Default for Settings {
             gizmo_axes: GizmoAxes::default(),
             snap: SnapSteps::default(),
             recorded_eye: false,
+            reduce_motion: false,
+            inset_while_playing: false,
         }
     }
 }
@@ -156,6 +162,10 @@ struct File {
     snap: SnapSteps,
     #[serde(default)]
     recorded_eye: bool,
+    #[serde(default)]
+    reduce_motion: bool,
+    #[serde(default)]
+    inset_while_playing: bool,
 }
 
 const fn kept() -> bool {
@@ -271,6 +281,8 @@ impl Settings {
             gizmo_axes: file.gizmo_axes,
             snap: file.snap,
             recorded_eye: file.recorded_eye,
+            reduce_motion: file.reduce_motion,
+            inset_while_playing: file.inset_while_playing,
         })
     }
 
@@ -295,6 +307,8 @@ impl Settings {
             gizmo_axes: self.gizmo_axes,
             snap: self.snap,
             recorded_eye: self.recorded_eye,
+            reduce_motion: self.reduce_motion,
+            inset_while_playing: self.inset_while_playing,
         };
         let mut text = serde_json::to_string_pretty(&file).expect("settings are plain text and numbers");
         text.push('\n');
@@ -343,6 +357,7 @@ mod tests {
             settings.used(Path::new("folder/걷기.json"));
             settings.window = Some(WindowPlace { size: [900.0, 600.0], at_px: Some([-3, 4]), is_maximized: true });
             settings.tour = false;
+            (settings.reduce_motion, settings.inset_while_playing) = (true, true);
             assert!(settings.resized("side", Some(300.2)));
             assert!(!settings.resized("side", Some(300.4)));
             let text = settings.to_json();

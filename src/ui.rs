@@ -17,6 +17,7 @@ mod gestures;
 mod help;
 mod hotkeys;
 mod icons;
+mod inset;
 mod inspector;
 mod layout;
 mod legend;
@@ -45,10 +46,10 @@ pub mod words;
 
 use std::path::{Path, PathBuf};
 
-use egui::{CentralPanel, Rect};
+use egui::{CentralPanel, Rect, TextureId};
 
 use crate::editor::keymap::{Binding, Keymap};
-use crate::editor::{Beginning, Command, Editor, FileCommand, WindowCommand};
+use crate::editor::{Beginning, Command, Editor, FileCommand, WindowCommand, WorkEye};
 use crate::film::ExportOptions;
 use crate::pose::{Pose, RbtIndex};
 use crate::pose_file::PoseFile;
@@ -197,6 +198,12 @@ pub struct Panels {
     pub statistics: Option<Statistics>,
     /// The name of what the pointer is over in the scene, where it can be chosen or dragged.
     pub pointed: Option<Message>,
+    /// Where the scene is looked at from while the picture is on its way there; `None`: from the editor's eye.
+    pub drawn_eye: Option<WorkEye>,
+    /// The picture of what the recorded camera sees, once there is one.
+    pub inset: Option<TextureId>,
+    /// Its size in pixels, where it shows.
+    inset_px: Option<[u32; 2]>,
 }
 
 impl Panels {
@@ -298,6 +305,12 @@ impl Panels {
         self.thumbnails.put(context, pose, rgba);
     }
 
+    /// The size in pixels of the picture of what the recorded camera sees, where that shows: [`Panels::inset`].
+    #[must_use]
+    pub const fn wanted_inset(&self) -> Option<[u32; 2]> {
+        self.inset_px
+    }
+
     /// Takes in the user's own poses.
     pub fn put_own_poses(&mut self, poses: Vec<PoseFile>) {
         self.poses.put_own(poses);
@@ -323,8 +336,17 @@ impl Panels {
         node_menu::show_over_scene(ui, output.viewport, editor, bindings, &mut self.scene_menu, &mut output.commands);
         overlay::show(ui, output.viewport, editor, &self.keymap, &self.log, self.statistics.as_ref());
         legend::show(ui, output.viewport, editor, &mut output.commands);
-        axis_letters::show(ui, output.viewport, editor, &self.keymap, &mut output.commands);
         self.tour.take_in(editor, self.settings.tour);
+        let is_moving = editor.wants_ticks() && !self.settings.inset_while_playing;
+        let has_inset = editor.session().shows_inset && editor.is_work_eye() && !is_moving;
+        self.inset_px = if has_inset {
+            let is_busy_above = self.tour.is_shown() || legend::is_shown(editor);
+            inset::show(ui, output.viewport, editor, self.inset, is_busy_above, &mut output.commands)
+        } else {
+            None
+        };
+        let rotation = self.drawn_eye.map(|eye| eye.rotation());
+        axis_letters::show(ui, output.viewport, editor, rotation, &self.keymap, &mut output.commands);
         self.tour.show(ui, output.viewport, &self.keymap, &mut output.commands);
         if let Some(name) = &self.pointed {
             pointed::show(ui, output.viewport, name);

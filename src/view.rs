@@ -14,7 +14,7 @@ mod motion_path;
 mod scene;
 
 pub use comparison::{BLEND_COLOURS, PoseDifference, blend_off, compared_off};
-pub use editor::{frame_of_displayed, frame_of_editor, picture_of_editor};
+pub use editor::{frame_of_displayed, frame_of_editor, frame_of_recorded_eye, picture_of_editor};
 pub use ghosts::{Neighbours, add_ghosts};
 pub use gizmo::light_handle;
 pub use limb_balls::{add_limb_balls, mark_limb_ball};

@@ -244,6 +244,7 @@ fn any_view() -> impl Strategy<Value = Command> {
         prop::sample::select(&[Pivot::Own, Pivot::Common]).prop_map(ViewCommand::SetPivot),
         any::<bool>().prop_map(ViewCommand::SetAutoKeys),
         any::<bool>().prop_map(ViewCommand::SetKeepFeet),
+        any::<bool>().prop_map(ViewCommand::SetInset),
         any::<u8>().prop_map(ViewCommand::SetGhosts),
         any::<bool>().prop_map(ViewCommand::SetGhostsOfChosen),
         prop::sample::subsequence(Blend::ALL.to_vec(), 0..=Blend::ALL.len()).prop_map(ViewCommand::CompareBlends),

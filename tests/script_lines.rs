@@ -214,6 +214,8 @@ const SESSIONS: &[(&str, &str, Look)] = &[
     ("snap 5 0.1", "5 0.1", |session| format!("{} {}", session.snap.degrees, session.snap.units)),
     ("ghosts 3", "3", |session| session.ghosts.to_string()),
     ("ghosts 3\ndo ghosts", "0", |session| session.ghosts.to_string()),
+    ("inset off", "false", |session| session.shows_inset.to_string()),
+    ("inset off\ndo inset", "true", |session| session.shows_inset.to_string()),
     ("ghosts-of chosen", "true", |session| session.ghosts_of_chosen.to_string()),
     ("ghosts-of chosen\nghosts-of all", "false", |session| session.ghosts_of_chosen.to_string()),
     ("compare-interpolations nlerp linear", "linear nlerp", |session| {

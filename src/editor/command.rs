@@ -77,6 +77,10 @@ pub enum WindowCommand {
     ToggleReload,
     /// Begins with the scene's first eye the next time, or with the work eye.
     ToggleRecordedEye,
+    /// Goes on showing what the recorded camera sees while something plays, or not.
+    ToggleInsetWhilePlaying,
+    /// Shows changes of the view at once, or eases them.
+    ToggleReduceMotion,
     /// Keeps a journal, or none.
     ToggleJournal,
     /// The panels one step larger.
@@ -316,6 +320,10 @@ pub enum ViewCommand {
     ToggleHelp,
     /// Shows or hides all panels.
     TogglePanels,
+    /// Shows or hides what the recorded camera sees, in a corner while the work eye is in force.
+    ToggleInset,
+    /// Whether that shows.
+    SetInset(bool),
     /// Shows or hides the path that the chosen node takes.
     ToggleMotionPath,
     /// Shows or hides the poses that other interpolations give, wherever a sample is shown.

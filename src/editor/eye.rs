@@ -59,7 +59,7 @@ impl WorkEye {
         let around = if back.x.hypot(back.z) < STEEP { up * -back.y.signum() } else { back };
         Self {
             yaw_degrees: around.x.atan2(around.z).to_degrees(),
-            pitch_degrees: back.y.clamp(-1.0, 1.0).asin().to_degrees(),
+            pitch_degrees: back.y.atan2(back.x.hypot(back.z)).to_degrees(),
             distance,
             target_in_world: world_from_frame.translation - back * distance,
         }
@@ -112,6 +112,19 @@ impl WorkEye {
         }
     }
 
+    /// Where it is on the way to another, at a part of it from 0 to 1: around by the shorter way, and nearer or farther evenly.
+    #[must_use]
+    pub fn towards(self, to: Self, part: f32) -> Self {
+        let around = (to.yaw_degrees - self.yaw_degrees + 180.0).rem_euclid(360.0) - 180.0;
+        let eye = Self {
+            yaw_degrees: self.yaw_degrees + around * part,
+            pitch_degrees: self.pitch_degrees + (to.pitch_degrees - self.pitch_degrees) * part,
+            distance: self.distance * (to.distance / self.distance).powf(part),
+            target_in_world: self.target_in_world.lerp(to.target_in_world, part),
+        };
+        eye.in_range().unwrap_or(to)
+    }
+
     /// It after a drag over the view: to the right by a positive x, downwards by a positive y. The scene follows the pointer; the smaller
     /// side of the view is half a turn.
     #[must_use]
@@ -154,6 +167,14 @@ impl Editor {
     #[must_use]
     pub fn eye(&self) -> Option<RbtIndex> {
         self.session.eye.recorded().map(|eye| self.scene().eyes()[eye])
+    }
+
+    /// The eye of the scene that is in force or was last, and its index.
+    #[must_use]
+    pub fn recorded_eye(&self) -> (usize, RbtIndex) {
+        let eyes = self.scene().eyes();
+        let index = self.session.recorded_eye;
+        eyes.get(index).map_or((0, eyes[0]), |&eye| (index, eye))
     }
 
     /// World from eye space, with the scene in a pose.
@@ -202,6 +223,7 @@ impl Editor {
         };
         self.commit_gesture();
         self.session.eye = eye;
+        self.session.recorded_eye = eye.recorded().unwrap_or(self.session.recorded_eye);
         self.session.has_used_work_eye |= eye == Eye::Work;
         Ok(Some(said))
     }

@@ -77,6 +77,12 @@ impl Editor {
                     if self.session.shows_motion_path { texts::VIEW_PATH_SHOWN } else { texts::VIEW_PATH_HIDDEN };
                 Ok(Some(said.into()))
             }
+            ViewCommand::ToggleInset => self.view(ViewCommand::SetInset(!self.session.shows_inset)),
+            ViewCommand::SetInset(is_on) => {
+                self.session.shows_inset = is_on;
+                let said = if is_on { texts::VIEW_INSET_SHOWN } else { texts::VIEW_INSET_HIDDEN };
+                Ok(Some(said.into()))
+            }
             ViewCommand::SetPivot(pivot) => Ok(Some(self.set_pivot(pivot))),
             ViewCommand::ToggleComparison => Ok(Some(self.toggle_comparison())),
             ViewCommand::CompareBlends(blends) => Ok(Some(self.compare_blends(&blends))),

@@ -23,6 +23,8 @@ impl Settings {
             gizmo_axes,
             snap,
             recorded_eye,
+            reduce_motion,
+            inset_while_playing,
         } = self;
         Self {
             keys: merged_map(keys, &base.keys, file.keys),
@@ -38,6 +40,8 @@ impl Settings {
             gizmo_axes: changed(gizmo_axes, &base.gizmo_axes, file.gizmo_axes),
             snap: changed(snap, &base.snap, file.snap),
             recorded_eye: changed(recorded_eye, &base.recorded_eye, file.recorded_eye),
+            reduce_motion: changed(reduce_motion, &base.reduce_motion, file.reduce_motion),
+            inset_while_playing: changed(inset_while_playing, &base.inset_while_playing, file.inset_while_playing),
         }
     }
 
@@ -115,6 +119,8 @@ mod tests {
             file.window = Some(place(800.0));
             file.tour = false;
             file.recorded_eye = true;
+            file.reduce_motion = true;
+            file.inset_while_playing = true;
             file.panels.insert("timeline".to_owned(), 200.0);
             file.keys.insert("redo".to_owned(), vec!["F2".to_owned()]);
         });
@@ -126,6 +132,8 @@ mod tests {
             expected.window = Some(place(900.0));
             expected.tour = false;
             expected.recorded_eye = true;
+            expected.reduce_motion = true;
+            expected.inset_while_playing = true;
             expected.panels = BTreeMap::from([("side".to_owned(), 300.0), ("timeline".to_owned(), 200.0)]);
             expected.keys = BTreeMap::from([("redo".to_owned(), vec!["F2".to_owned()])]);
         });

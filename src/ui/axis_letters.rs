@@ -1,7 +1,7 @@
 //! The world's axes as letters in a corner of the scene. A click on one looks along it.
 
 use egui::{Align2, Area, Color32, Id, Order, Pos2, Rect, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
-use glam::{Vec2, Vec3};
+use glam::{Quat, Vec2, Vec3};
 
 use super::icons::was_pressed;
 use super::theme::{GRID, Tokens, small_font};
@@ -29,12 +29,19 @@ const ENDS: [(Vec3, Side, usize, &str); 6] = [
     (Vec3::NEG_Z, Side::Back, 2, ""),
 ];
 
-/// Shows the letters where there is room for them.
-pub fn show(ui: &Ui, viewport: Rect, editor: &Editor, keymap: &Keymap, commands: &mut Vec<Command>) {
+/// Shows the letters where there is room for them. `rotation` is that of the eye that is drawn with, if not the editor's.
+pub fn show(
+    ui: &Ui,
+    viewport: Rect,
+    editor: &Editor,
+    rotation: Option<Quat>,
+    keymap: &Keymap,
+    commands: &mut Vec<Command>,
+) {
     if viewport.width() < 4.0 * SIDE || viewport.height() < 2.5 * SIDE {
         return;
     }
-    let eye_from_world = editor.camera(Vec2::ONE).world_from_eye.rotation.inverse();
+    let eye_from_world = rotation.unwrap_or_else(|| editor.camera(Vec2::ONE).world_from_eye.rotation).inverse();
     let mut ends = ENDS.map(|(direction, side, axis, letter)| (eye_from_world * direction, side, axis, letter));
     // The farthest first, so that what is before it is painted over it and takes the click.
     ends.sort_by(|a, b| a.0.z.total_cmp(&b.0.z));

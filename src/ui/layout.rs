@@ -106,6 +106,8 @@ impl Panels {
             reload: self.settings.reload,
             tour: self.tour.is_shown(),
             recorded_eye: self.settings.recorded_eye,
+            reduce_motion: self.settings.reduce_motion,
+            inset_while_playing: self.settings.inset_while_playing,
         };
         Panel::top("menu bar").exact_size(theme::MENU_BAR).frame(plain(tokens.panel, 4, 1)).show(ui, |ui| {
             menu::show(ui, shown, state, commands);

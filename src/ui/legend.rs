@@ -17,12 +17,17 @@ const WIDTH: f32 = 264.0;
 /// Side of a patch of colour, in points.
 const PATCH: f32 = 10.0;
 
+/// Whether something is compared, so that there is a legend.
+pub fn is_shown(editor: &Editor) -> bool {
+    !editor.session().compared_blends.is_empty() || editor.compared().is_some()
+}
+
 /// Shows the legend where something is compared.
 pub fn show(ui: &Ui, viewport: Rect, editor: &Editor, commands: &mut Vec<Command>) {
-    let compares = !editor.session().compared_blends.is_empty();
-    if !compares && editor.compared().is_none() {
+    if !is_shown(editor) {
         return;
     }
+    let compares = !editor.session().compared_blends.is_empty();
     let tokens = Tokens::of(ui);
     Area::new(Id::unique("legend"))
         .order(Order::Middle)

@@ -79,7 +79,10 @@ impl Host for Shell {
 
     fn carry_out(&mut self, command: Command) -> Result<(), Infallible> {
         self.keeper.command(&self.editor, &command);
-        match self.editor.apply(command) {
+        let eased_from = self.eased_from(&command);
+        let applied = self.editor.apply(command);
+        self.ease(eased_from);
+        match applied {
             Ok(Some(effect)) => self.perform(effect),
             Ok(None) | Err(_) => Ok(()),
         }

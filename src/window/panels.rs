@@ -4,7 +4,7 @@
 use std::time::Instant;
 
 use egui::epaint::ClippedShape;
-use egui::{ClippedPrimitive, Color32, Context, Pos2, Rect, Shape, pos2};
+use egui::{ClippedPrimitive, Color32, Context, Pos2, Rect, Shape, TextureId, pos2};
 use egui_wgpu::{RendererOptions, ScreenDescriptor};
 
 use super::damage::{self, Areas};
@@ -84,6 +84,14 @@ impl PanelPainter {
             over: Vec::new(),
             is_over_uploaded: false,
         }
+    }
+
+    /// Has panels show a texture in sRGB's own numbers, in place of one that they showed before.
+    pub fn show_texture(&mut self, gpu: &Gpu, view: &wgpu::TextureView, before: Option<TextureId>) -> TextureId {
+        let filter = wgpu::FilterMode::Linear;
+        let Some(id) = before else { return self.renderer.register_native_texture(&gpu.device, view, filter) };
+        self.renderer.update_egui_texture_from_wgpu_texture(&gpu.device, view, filter, id);
+        id
     }
 
     /// Takes in what panels consist of now, and fills what of it changed. Says when cutting it into triangles was done.

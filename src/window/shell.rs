@@ -12,9 +12,11 @@ use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoopProxy};
 use winit::keyboard::ModifiersState;
 use winit::window::WindowId;
 
+use super::easing::Easing;
 use super::export::Export;
 use super::handle::HandleDrag;
 use super::hotkeys::{KeyInput, SpaceBar};
+use super::inset::Inset;
 use super::keeper::Keeper;
 use super::limb_handling::Limbs;
 use super::meter::{Meter, Work};
@@ -69,6 +71,10 @@ pub struct Shell {
     pub(super) hovered_handle: Option<Handle>,
     /// The node that lights up under the pointer.
     pub(super) hovered_part: Option<RbtIndex>,
+    /// The picture's way to where the work eye is.
+    pub(super) easing: Option<Easing>,
+    /// When the picture of the recorded camera is made anew.
+    pub(super) inset: Inset,
     /// Where the pointer is, in the window's pixels.
     pub(super) pointer_px: Vec2,
     clock: AnimationClock,
@@ -124,6 +130,8 @@ impl Shell {
             pressed_handle: None,
             hovered_handle: None,
             hovered_part: None,
+            easing: None,
+            inset: Inset::default(),
             pointer_px: Vec2::ZERO,
             clock: AnimationClock::new(),
             last_tick: None,
@@ -186,6 +194,7 @@ impl Shell {
     /// Recreates all GPU objects after a device loss, in the same window.
     fn reopen(&mut self, event_loop: &ActiveEventLoop) {
         let Some(mut lost) = self.stage.take() else { return };
+        self.lose_inset();
         let reader = lost.input.accesskit.take();
         let window = Arc::clone(&lost.window);
         drop(lost);
@@ -212,6 +221,7 @@ impl Shell {
         let cursor = self.cursor();
         let hovered = self.hovered();
         self.ui.pointed = self.name_of_lit(hovered);
+        self.ui.drawn_eye = self.drawn_eye();
         let Some(stage) = &mut self.stage else { return };
         let start = now();
         let Some(mut laid_out) = stage.lay_out(&mut self.ui, &self.editor, cursor) else { return };
@@ -241,6 +251,7 @@ impl Shell {
         }
         assert!(!self.keeper.panics_in_drawing(), "a test asked for this panic in drawing");
         let dot = self.hovered_dot.and_then(|keyframe| self.editor.path_dot(keyframe));
+        let eye = self.drawn_eye();
         let lit = Lit {
             node: hovered,
             dot,
@@ -257,9 +268,9 @@ impl Shell {
             self.quit_answered(answer);
         }
         if let Some(stage) = &mut self.stage {
-            stage.paint(&self.editor, lit, laid_out, &mut self.meter);
+            stage.paint(&self.editor, eye, lit, laid_out, &mut self.meter);
             self.keeper.drawn();
-            if again {
+            if again || eye.is_some() {
                 stage.window.request_redraw();
             }
         }
@@ -268,6 +279,7 @@ impl Shell {
             *shown = statistics;
         }
         self.plan_thumbnail();
+        self.plan_inset();
         self.read_wanted_folder();
     }
 
@@ -438,11 +450,13 @@ impl ApplicationHandler<UserEvent> for Shell {
             self.request_redraw();
         }
         self.make_thumbnail(at);
+        self.make_inset(at);
         self.update_title();
         if self.is_quitting {
             event_loop.exit();
         }
-        let due = [next_tick, next_look, self.show_again, self.thumbnail_due].into_iter().flatten().min();
+        let due =
+            [next_tick, next_look, self.show_again, self.thumbnail_due, self.inset.due].into_iter().flatten().min();
         event_loop.set_control_flow(due.map_or(ControlFlow::Wait, ControlFlow::WaitUntil));
     }
 }

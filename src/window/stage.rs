@@ -7,12 +7,14 @@ use glam::Vec2;
 use winit::event_loop::{ActiveEventLoop, EventLoopProxy};
 use winit::window::Window;
 
+use super::inset::InsetPainter;
 use super::meter::{Meter, Work};
 use super::panels::{PanelPainter, WindowLayout};
 use super::screen::Screen;
 use super::{UserEvent, WindowError, now};
+use crate::camera::Camera;
 use crate::editor::gizmo::Handle;
-use crate::editor::{Editor, LimbBall, PathDot};
+use crate::editor::{Editor, LimbBall, PathDot, WorkEye};
 use crate::frame::Frame;
 use crate::pose::RbtIndex;
 use crate::render::{Gpu, GpuError, Image, Offscreen, Renderer, Target, Viewport, default_samples};
@@ -82,6 +84,8 @@ pub struct WindowSurface {
     panel_painter: PanelPainter,
     /// What small pictures are made with, once one was wanted.
     thumbnails: Option<(Renderer, Offscreen)>,
+    /// What the recorded camera's picture is drawn with, once one was wanted.
+    inset: Option<InsetPainter>,
 }
 
 /// Panels that were laid out and wait to be painted over the scene. All of them must be painted.
@@ -155,6 +159,7 @@ impl WindowSurface {
             renderer,
             panel_painter,
             thumbnails: None,
+            inset: None,
         })
     }
 
@@ -192,13 +197,16 @@ impl WindowSurface {
         })
     }
 
-    /// Paints the scene as it is now, with what the pointer lights up, and panels over it.
-    pub fn paint(&mut self, editor: &Editor, lit: Lit, mut laid_out: LaidOut, meter: &mut Meter) {
+    /// Paints the scene as it is now, with what the pointer lights up, and panels over it. `eye` is where it is looked at from, if not from
+    /// the editor's eye.
+    pub fn paint(&mut self, editor: &Editor, eye: Option<WorkEye>, lit: Lit, mut laid_out: LaidOut, meter: &mut Meter) {
         let start = now();
         let pose = editor.displayed_pose();
         let evaluated = now();
         meter.add(Work::Evaluation, start, evaluated);
-        let mut frame = frame_of_displayed(editor, &pose, self.view.size_px);
+        let camera = editor.camera(self.view.size_px);
+        let camera = eye.map_or(camera, |eye| Camera { world_from_eye: eye.world_from_eye(), ..camera });
+        let mut frame = frame_of_displayed(editor, &pose, &camera);
         if let Some(hovered) = lit.node {
             light(&mut frame, editor.scene(), hovered);
         }
@@ -209,7 +217,7 @@ impl WindowSurface {
         if let Some(dot) = lit.dot {
             mark_dot(&mut frame, dot);
         }
-        if let Some((gizmo, handle)) = editor.gizmo(&editor.camera(self.view.size_px)).zip(lit.handle) {
+        if let Some((gizmo, handle)) = editor.gizmo(&camera).zip(lit.handle) {
             light_handle(&mut frame, editor, &gizmo, handle);
         }
         frame.scale_strokes(laid_out.pixels_per_point);
@@ -255,6 +263,12 @@ impl WindowSurface {
         }
         let (renderer, offscreen) = self.thumbnails.as_mut().expect("it was just made");
         offscreen.render(&self.gpu, renderer, frame)
+    }
+
+    /// Draws what the recorded camera sees, in a size in pixels, into a texture that panels can show.
+    pub fn draw_inset(&mut self, frame: &Frame, size_px: [u32; 2]) -> egui::TextureId {
+        let painter = self.inset.get_or_insert_with(|| InsetPainter::new(&self.gpu));
+        painter.draw(&self.gpu, &mut self.panel_painter, frame, size_px)
     }
 
     /// A picture of the scene alone, as large as the 3D view.

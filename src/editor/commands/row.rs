@@ -100,6 +100,10 @@ pub struct WindowState {
     pub tour: bool,
     /// Whether the window begins with the scene's first eye.
     pub recorded_eye: bool,
+    /// Whether changes of the view show at once.
+    pub reduce_motion: bool,
+    /// Whether the corner with what the recorded camera sees stays while something plays.
+    pub inset_while_playing: bool,
 }
 
 /// The section of a menu that most items stand in.

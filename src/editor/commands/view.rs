@@ -216,11 +216,27 @@ fn work_eye() -> Row {
 fn shown() -> Vec<Row> {
     let arcball = binding("arcball", ViewCommand::ToggleArcball);
     let path = binding("motion-path", ViewCommand::ToggleMotionPath);
+    let inset = binding("inset", ViewCommand::ToggleInset);
     let ghosts = binding("ghosts-next", ViewCommand::NextGhosts);
     vec![
         Row::listed(Changes::Session, arcball.hotkeys(&["a"]).ticked(|editor, _| editor.session.shows_arcball)),
         Row::listed(Changes::Session, path.hotkeys(&["Alt+P"]).ticked(|editor, _| editor.session.shows_motion_path)),
         Row::listed(Changes::Session, ghosts.repeating_hotkeys(&["Shift+G"])),
+        Row::listed(Changes::Session, inset.section(LOOKS).ticked(|editor, _| editor.session.shows_inset)),
+        Row::of(Changes::Session, "inset-set", |command| matches!(command, Command::View(ViewCommand::SetInset(_))))
+            .line(Line::new(
+                "inset on|off",
+                "whether the window shows what the recorded camera sees in a corner, while the work eye is in force",
+                |arguments| {
+                    let &[word] = arguments.words else { return Ok(None) };
+                    let is_on = one_of(word, "a state", [(true, "on"), (false, "off")].into_iter())?;
+                    Ok(Some(Command::View(ViewCommand::SetInset(is_on))))
+                },
+                |command, _| {
+                    let Command::View(ViewCommand::SetInset(is_on)) = command else { return None };
+                    Some(if *is_on { "on" } else { "off" }.to_owned())
+                },
+            )),
     ]
 }
 
