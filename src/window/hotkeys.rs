@@ -146,6 +146,15 @@ fn on_us_layout(physical: KeyCode, shift: bool) -> Option<Key> {
         KeyCode::Digit8 if !shift => '8',
         KeyCode::Digit9 if !shift => '9',
         KeyCode::Numpad0 => '0',
+        KeyCode::Numpad1 => '1',
+        KeyCode::Numpad2 => '2',
+        KeyCode::Numpad3 => '3',
+        KeyCode::Numpad4 => '4',
+        KeyCode::Numpad5 => '5',
+        KeyCode::Numpad6 => '6',
+        KeyCode::Numpad7 => '7',
+        KeyCode::Numpad8 => '8',
+        KeyCode::Numpad9 => '9',
         KeyCode::Comma => with_shift(',', '<'),
         KeyCode::Period => with_shift('.', '>'),
         KeyCode::Equal => with_shift('=', '+'),
@@ -247,6 +256,11 @@ mod tests {
         check("=", KeyCode::Equal, PLAIN, Some("Faster"));
         check("+", KeyCode::Equal, SHIFT, Some("Faster"));
         check("-", KeyCode::Minus, PLAIN, Some("Slower"));
+        check("1", KeyCode::Digit1, PLAIN, Some("Look from the front"));
+        check("1", KeyCode::Numpad1, PLAIN, Some("Look from the front"));
+        check("3", KeyCode::Numpad3, CTRL, Some("Look from -X"));
+        check("7", KeyCode::Numpad7, PLAIN, Some("Look from above"));
+        check("0", KeyCode::Numpad0, PLAIN, Some("Recorded camera"));
         check("+", KeyCode::NumpadAdd, PLAIN, Some("Faster"));
         check("-", KeyCode::NumpadSubtract, PLAIN, Some("Slower"));
         check("p", KeyCode::KeyP, PLAIN, Some("Pick a node"));
@@ -297,6 +311,8 @@ mod tests {
         assert_eq!(name(&named(NamedKey::F11, KeyCode::F11)), Some("Panels"));
         assert_eq!(name(&named(NamedKey::Space, KeyCode::Space)), Some("Display keyframe"));
         assert_eq!(name(&named(NamedKey::Home, KeyCode::Home)), Some("Restart timed keys"));
+        // Without the lock of numbers.
+        assert_eq!(name(&named(NamedKey::PageDown, KeyCode::Numpad3)), Some("Look from +X"));
         assert_eq!(name(&named(NamedKey::Tab, KeyCode::Tab)), None);
         assert!(named(NamedKey::Space, KeyCode::Space).is_space());
     }
