@@ -31,6 +31,7 @@ mod settings_file;
 mod shared;
 mod shell;
 mod stage;
+mod wheel;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;

@@ -1,9 +1,9 @@
-//! Handles keyboard and mouse events: hotkeys, drags, clicks, the wheel.
+//! Handles keyboard and mouse events: hotkeys, drags, clicks.
 
 use egui::{CursorIcon, Order};
 use glam::Vec2;
 use winit::dpi::PhysicalPosition;
-use winit::event::{ElementState, MouseButton, MouseScrollDelta};
+use winit::event::{ElementState, MouseButton};
 
 use super::hotkeys::KeyInput;
 use super::motion_path::{PathDrag, REACH};
@@ -11,15 +11,10 @@ use super::now;
 use super::pointer::{Action, Button, Click, Drag, Held, Press, Target};
 use super::shell::Shell;
 use crate::editor::keymap::{Key, binding_for};
-use crate::editor::{CLICK_REACH, Command, DragKind, Edit, GestureCommand, ViewCommand};
+use crate::editor::{CLICK_REACH, Command, DragKind, GestureCommand, ViewCommand};
 use crate::keyframe::KeyframeIndex;
 use crate::pose::RbtIndex;
 use crate::words::{Message, texts};
-
-/// Pixels of a touchpad's scrolling that are as much as one notch of a wheel.
-const PIXELS_PER_NOTCH: f64 = 50.0;
-/// Notches of a wheel that are as much as fingers that move apart by their whole distance.
-const NOTCHES_PER_PINCH: f32 = 7.0;
 
 impl Shell {
     /// The pointer's shape over the scene: what a drag does, or that a click chooses.
@@ -285,54 +280,5 @@ impl Shell {
             Action::Commit => self.apply(Command::Gesture(GestureCommand::Commit)),
         }
         self.request_redraw();
-    }
-
-    /// Brings the work eye nearer to what is under the pointer, by notches of the wheel.
-    fn zoom(&mut self, notches: f32) {
-        let Some(stage) = &self.stage else { return };
-        let camera = self.editor.camera(stage.view.size_px);
-        let eye = self.editor.session().work_eye.zoomed(notches, self.in_view(self.pointer_px), &camera);
-        self.apply(Command::View(ViewCommand::SetWorkEye(eye)));
-    }
-
-    /// Two fingers on a touchpad moved apart, or together: by so much of their distance.
-    pub(super) fn pinch(&mut self, by: f64) {
-        if self.editor.is_work_eye() && self.is_over_scene(self.pointer_px) {
-            #[expect(clippy::cast_possible_truncation, reason = "fingers are short")]
-            self.zoom(by as f32 * NOTCHES_PER_PINCH);
-            self.request_redraw();
-        }
-    }
-
-    pub(super) fn wheel(&mut self, delta: MouseScrollDelta) {
-        if !self.is_over_scene(self.pointer_px) {
-            return;
-        }
-        #[expect(clippy::cast_possible_truncation, reason = "scrolling is small")]
-        let (notches, by_px) = match delta {
-            MouseScrollDelta::LineDelta(_, lines) => (lines, None),
-            MouseScrollDelta::PixelDelta(by) => {
-                ((by.y / PIXELS_PER_NOTCH) as f32, Some(Vec2::new(by.x as f32, by.y as f32)))
-            }
-        };
-        if self.wheel_limb(notches) {
-            return;
-        }
-        let Some(stage) = &self.stage else { return };
-        let camera = self.editor.camera(stage.view.size_px);
-        if self.editor.is_work_eye() {
-            match by_px {
-                Some(by_px) if !self.modifiers.control_key() => {
-                    let eye = self.editor.session().work_eye.panned(by_px, &camera);
-                    self.apply(Command::View(ViewCommand::SetWorkEye(eye)));
-                }
-                _ => self.zoom(notches),
-            }
-            self.request_redraw();
-        } else if notches != 0.0 {
-            let motion = self.editor.manipulation(&camera).wheel(notches);
-            self.apply(Command::Edit(Edit::Wheel(motion)));
-            self.request_redraw();
-        }
     }
 }
