@@ -286,7 +286,7 @@ fn writes(_: &Window) -> u64 {
 fn an_idle_window_draws_nothing_and_writes_nothing() {
     for settings in ["", ", \"reload\": true"] {
         let window = Window::open(settings);
-        window.press(&["n", "w", "n"]);
+        window.press(&["n", "w", "n", "7"]);
         // What was said fades, and is drawn until it is gone.
         std::thread::sleep(Duration::from_secs(9));
         window.settle();
@@ -297,4 +297,18 @@ fn an_idle_window_draws_nothing_and_writes_nothing() {
         assert_eq!((before.0, before.1), (after.0, after.1), "pictures and writes with {settings:?}");
         assert!(before.2 == after.2, "a file was written with {settings:?}");
     }
+}
+
+#[test]
+fn a_change_of_the_view_takes_several_pictures_unless_motion_is_reduced() {
+    let pictures = [", \"reduce_motion\": true", ""].map(|settings| {
+        let window = Window::open(settings);
+        window.press(&["1"]);
+        let before = window.pictures();
+        window.press(&["3", "7", "1", "3"]);
+        assert!(window.journal().contains("look right"));
+        window.pictures() - before
+    });
+    let [at_once, eased] = pictures;
+    assert!(at_once >= 1 && eased > at_once, "{pictures:?} pictures");
 }
