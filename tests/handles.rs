@@ -6,6 +6,7 @@ use common::editor;
 use glam::{Quat, Vec2, Vec3};
 use inbetween::editor::gizmo::{Axis, DragKey, Gizmo, GizmoAxes, Handle, HandleKind, SnapSteps, Steps};
 use inbetween::editor::{Command, Edit, Editor, GestureCommand, ViewCommand};
+use inbetween::frame::Line;
 use inbetween::pose::RbtIndex;
 use inbetween::rbt::Rbt;
 use inbetween::view::{frame_of_editor, light_handle};
@@ -127,7 +128,15 @@ fn the_handle_that_is_held_is_drawn_in_full_and_the_others_faint() {
     let frame = frame_of_editor(&editor, SIZE_PX);
     let in_full: Vec<_> = frame.lines.iter().filter(|line| line.colour.w > 0.99).collect();
     assert!(in_full.len() > 30 && in_full.iter().all(|line| line.colour.x > line.colour.y), "{in_full:?}");
-    assert!(frame.lines.iter().all(|line| line.colour.w > 0.99 || line.colour.w < 0.34));
+    let (edges, coloured): (Vec<&Line>, Vec<&Line>) =
+        frame.lines.iter().partition(|line| line.colour.truncate().max_element() < 0.05);
+    assert!(coloured.iter().all(|line| line.colour.w > 0.99 || line.colour.w < 0.34));
+    // A dark edge lies under each of them, and under none of the faint ones.
+    assert_eq!(edges.len(), in_full.len());
+    for (edge, line) in edges.iter().zip(&in_full) {
+        assert_eq!((edge.from_in_world, edge.to_in_world), (line.from_in_world, line.to_in_world));
+        assert!(edge.width_px > line.width_px && edge.colour.w < line.colour.w, "{edge:?}");
+    }
 }
 
 #[test]

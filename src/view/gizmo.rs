@@ -25,12 +25,17 @@ const HEAD_WIDTHS_PX: [f32; 5] = [11.0, 9.0, 7.0, 5.0, 3.0];
 const HEAD: f32 = 0.4;
 /// The lines that fill a square that is lit.
 const FILLING: usize = 8;
+/// How far the dark edge of a line reaches to each side, in pixels, and its share of the line's opacity: a red line shows on an orange
+/// robot too.
+const EDGE_PX: f32 = 1.0;
+const EDGE: f32 = 0.5;
 /// How much of white a handle has that a press would take.
 const LIGHTER: f32 = 0.35;
 
 /// Linear-light colours, computed once.
 static AXES: LazyLock<[Vec3; 3]> = LazyLock::new(|| Colour::AXES.map(Colour::to_linear));
 static ARCBALL: LazyLock<Vec3> = LazyLock::new(|| Colour::ARCBALL.to_linear());
+static EDGES: LazyLock<Vec3> = LazyLock::new(|| Colour::BACKDROP.to_linear());
 static IN_VIEW: LazyLock<Vec3> = LazyLock::new(|| Colour::TEXT.to_linear());
 
 /// Adds the handles of the chosen node where they are shown, the one that is held in full and the others faint. Among them the arcball is
@@ -47,6 +52,7 @@ pub(super) fn add_gizmo(frame: &mut Frame, editor: &Editor, gizmo: &Gizmo) {
         let guide = Stroke { strength: BESIDE, width_px: WIDTH_PX, lighter: 0.0 };
         frame.lines.push(guide.line(gizmo, held, gizmo.guide(held)));
     }
+    let first = frame.lines.len();
     for handle in gizmo.handles().filter(|handle| Some(*handle) != held) {
         let strength = if held.is_some() { BESIDE } else { AT_REST };
         add_handle(frame, gizmo, handle, Stroke { strength, width_px: WIDTH_PX, lighter: 0.0 });
@@ -54,13 +60,27 @@ pub(super) fn add_gizmo(frame: &mut Frame, editor: &Editor, gizmo: &Gizmo) {
     if let Some(held) = held {
         add_handle(frame, gizmo, held, Stroke { strength: AT_HAND, width_px: WIDTH_PX, lighter: 0.0 });
     }
+    edge(frame, first);
+}
+
+/// Lays a dark edge under the lines from `first` on, but for faint ones: it would be stronger than they.
+fn edge(frame: &mut Frame, first: usize) {
+    let under = |line: &Line| Line {
+        colour: EDGES.extend(EDGE * line.colour.w),
+        width_px: line.width_px + 2.0 * EDGE_PX,
+        ..*line
+    };
+    let edges: Vec<Line> = frame.lines[first..].iter().filter(|line| line.colour.w > 0.5).map(under).collect();
+    frame.lines.splice(first..first, edges);
 }
 
 /// Lights the handle that a press would take.
 pub fn light_handle(frame: &mut Frame, editor: &Editor, gizmo: &Gizmo, handle: Handle) {
     if editor.shows_gizmo() {
         let stroke = Stroke { strength: AT_HAND, width_px: LIT_WIDTH_PX, lighter: LIGHTER };
+        let first = frame.lines.len();
         add_handle(frame, gizmo, handle, stroke);
+        edge(frame, first);
         if handle.kind == HandleKind::Plane {
             fill_square(frame, gizmo, handle, stroke);
         }
