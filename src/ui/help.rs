@@ -24,6 +24,8 @@ const GAP: f32 = 16.0;
 const LINE: f32 = 19.0;
 /// Room around the help in the window, in points.
 const AROUND: f32 = 16.0;
+/// The part of a column that keys may take before what they do.
+const MOST_KEYS: f32 = 0.42;
 
 /// What is searched for.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -89,7 +91,7 @@ impl Help {
                 for part in in_columns(sections, count) {
                     ui.vertical(|ui| {
                         ui.set_width(column);
-                        let keys = keys_width(ui, &part).clamp(100.0_f32.min(column / 2.0), column / 2.0);
+                        let keys = keys_width(ui, &part, column * MOST_KEYS);
                         for section in part {
                             show_section(ui, &section, keys, column);
                         }
@@ -169,10 +171,17 @@ fn in_columns(sections: Vec<Section>, count: usize) -> Vec<Vec<Section>> {
     columns
 }
 
-/// Room for the keys of some sections, in points.
-fn keys_width(ui: &Ui, sections: &[Section]) -> f32 {
+/// Room for the keys of some sections, in points: for the widest of them that is not wider than `most`. What is wider has a line of its
+/// own.
+fn keys_width(ui: &Ui, sections: &[Section], most: f32) -> f32 {
     let rows = sections.iter().flat_map(|section| &section.rows);
-    rows.map(|(keys, _)| keys.iter().map(|key| cap_width(ui, key) + GRID).sum::<f32>()).fold(0.0, f32::max) + GRID
+    let widths = rows.map(|(keys, _)| caps_width(ui, keys) + GRID);
+    widths.filter(|width| *width <= most).fold(0.0, f32::max)
+}
+
+/// The width of a row's keys, with a gap after each, in points.
+fn caps_width(ui: &Ui, keys: &[String]) -> f32 {
+    keys.iter().map(|key| cap_width(ui, key) + GRID).sum()
 }
 
 fn cap_width(ui: &Ui, key: &str) -> f32 {
@@ -191,11 +200,10 @@ fn show_section(ui: &mut Ui, section: &Section, keys: f32, column: f32) {
 
 fn row(ui: &mut Ui, keys: &[String], meaning: &str, keys_width: f32, column: f32) {
     let tokens = Tokens::of(ui);
-    let caps: f32 = keys.iter().map(|key| cap_width(ui, key) + GRID).sum();
-    let begin = keys_width.max(caps + GRID);
+    let above = if caps_width(ui, keys) + GRID > keys_width { LINE } else { 0.0 };
     let font = egui::FontId::proportional(12.0);
-    let galley = ui.painter().layout(meaning.to_owned(), font, tokens.text, (column - begin).max(60.0));
-    let (rect, response) = ui.allocate_exact_size(vec2(column, galley.size().y.max(LINE)), Sense::hover());
+    let galley = ui.painter().layout(meaning.to_owned(), font, tokens.text, (column - keys_width).max(60.0));
+    let (rect, response) = ui.allocate_exact_size(vec2(column, above + galley.size().y.max(LINE)), Sense::hover());
     let either = keys.iter().map(Argument::from).reduce(|one, other| texts::key_or_key(one, other).into());
     let label = Words::of(ui).message(texts::key_does(either.unwrap_or_else(|| "".into()), meaning));
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &label));
@@ -209,6 +217,6 @@ fn row(ui: &mut Ui, keys: &[String], meaning: &str, keys_width: f32, column: f32
     }
     // The first line stands on the keys' line.
     let first = galley.rows.first().map_or(LINE, |row| row.height());
-    let top = rect.top() + ((LINE - first) / 2.0).max(0.0);
-    ui.painter().galley(pos2(rect.left() + begin, top), galley, tokens.text);
+    let top = rect.top() + above + ((LINE - first) / 2.0).max(0.0);
+    ui.painter().galley(pos2(rect.left() + keys_width, top), galley, tokens.text);
 }
