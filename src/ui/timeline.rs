@@ -226,10 +226,11 @@ impl Timeline {
             marks::half_turns(&painter, look, rows);
             dragging::stretch_box(&painter, look, self.drag.as_ref());
             missing(ui, look, bindings);
+            paint::playhead(&painter, look);
         } else {
+            paint::playhead(&painter, look);
             self.graphs.paint(&painter, look);
         }
-        paint::playhead(&painter, look);
         if let (Some(drag), Some(at)) = (&self.drag, ui.input(|input| input.pointer.latest_pos())) {
             dragging::show(&painter, look, drag, self.box_at(look.target, at), at);
         }

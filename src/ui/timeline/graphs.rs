@@ -402,10 +402,14 @@ fn scale_of_values(painter: &Painter, look: &Look<'_>, lane: &Lane) {
     }
     let (high, low) = (format!("{:.decimals$}{unit}", lane.high), format!("{:.decimals$}{unit}", lane.low));
     let at = pos2(left, area.top() - HEADING / 2.0);
+    let under = painter.add(egui::Shape::Noop);
     let name = look.words.say(lane.quantity.name());
     let name = painter.text(at, Align2::LEFT_CENTER, name, FontId::proportional(10.0), tokens.dim);
     let at = pos2(name.right() + 8.0, at.y);
-    painter.text(at, Align2::LEFT_CENTER, format!("{low} … {high}"), font, tokens.dim);
+    let values = painter.text(at, Align2::LEFT_CENTER, format!("{low} … {high}"), font, tokens.dim);
+    // The playhead goes behind the words.
+    let ground = name.union(values).expand2(vec2(3.0, 0.0));
+    painter.set(under, egui::Shape::rect_filled(ground, CORNER, tokens.panel));
 }
 
 /// The intervals in sight that turn by nearly half a turn: where their middles stand, where they begin, and by how many degrees.
