@@ -91,10 +91,17 @@ fn type_into(harness: &mut Harness<'_, App>, label: &str, text: &str) {
 #[test]
 fn every_menu_shows_its_commands_with_their_keys() {
     let mut seen = Vec::new();
-    for menu in ["File", "Edit", "View", "Animation", "Help"] {
+    let submenus = ["Look", "Axes of the handles"].map(|submenu| ("View", Some(submenu)));
+    let menus = ["File", "Edit", "View", "Animation", "Help"].map(|menu| (menu, None));
+    for (menu, submenu) in menus.into_iter().chain(submenus) {
         let mut harness = harness(editor(5));
         harness.get_all_by_label(menu).next().expect("the menu stands in the bar").click();
         harness.run();
+        if let Some(submenu) = submenu {
+            let is_it = |label: &str| label == submenu || label.strip_prefix(submenu) == Some(" ⏵");
+            harness.get_by(|node| is_it(&node.label().unwrap_or_default())).click();
+            harness.run();
+        }
         for binding in bindings() {
             let key = binding.menu_key();
             let name = |node: &egui_kittest::Node<'_>| node.accesskit_node().label().unwrap_or_default();

@@ -22,7 +22,7 @@ mod window;
 use std::sync::LazyLock;
 
 pub use line::{ArgumentError, Arguments, Ending, Line};
-pub use row::{Binding, Changes, Group, Menu, Row, WindowState};
+pub use row::{Binding, Changes, Group, Menu, Row, Submenu, WindowState};
 #[cfg(test)]
 pub(crate) use values::radians;
 pub(crate) use values::{quoted_prefix, split_option, tokens};

@@ -3,17 +3,17 @@
 use egui::accesskit::HasPopup;
 use egui::text::LayoutJob;
 use egui::{
-    Align, Button, Key, Label, Layout, MenuBar, Modifiers, Popup, Response, RichText, Sense, Stroke, TextFormat, Ui,
-    vec2,
+    Align, Button, Key, Label, Layout, MenuBar, Modifiers, Popup, Response, RichText, ScrollArea, Sense, Stroke,
+    TextFormat, Ui, vec2,
 };
 
 use super::PanelInput;
 use super::choices::{Choice, Topic, choices};
 use super::icons::{self, Icon, was_pressed};
-use super::theme::{ROW, Tokens, text_font};
+use super::theme::{GRID, ROW, Tokens, text_font};
 use super::words::Words;
-use crate::editor::commands::{Binding, Menu, WindowState};
-use crate::editor::{Command, Editor, FileCommand, PlaybackCommand, WindowCommand};
+use crate::editor::commands::{Binding, Menu, Submenu, WindowState};
+use crate::editor::{Command, Editor, Eye, FileCommand, PlaybackCommand, ViewCommand, WindowCommand};
 use crate::words::texts;
 
 /// The name of a menu.
@@ -82,26 +82,7 @@ pub fn show(ui: &mut Ui, shown: PanelInput<'_>, window: WindowState, commands: &
     MenuBar::new().ui(ui, |ui| {
         for menu in Menu::ALL {
             let shown_menu = ui.menu_button(title(ui, menu), |ui| {
-                ui.set_min_width(240.0);
-                ui.spacing_mut().button_padding.x = INSET;
-                ui.spacing_mut().item_spacing.y = 0.0;
-                let items = shown.keymap.bindings().iter();
-                let mut items: Vec<&Binding> = items.filter(|binding| binding.menu == menu).collect();
-                items.sort_by_key(|binding| binding.section);
-                let mut section = items.first().map_or(0, |binding| binding.section);
-                for binding in items {
-                    if binding.section > section {
-                        ui.separator();
-                    }
-                    section = binding.section;
-                    item(ui, shown.editor, binding, window, commands);
-                    if binding.command == Command::File(FileCommand::ChooseOpen) {
-                        recent(ui, shown, commands);
-                        let all = choices(shown.editor, shown.settings, Words::of(ui));
-                        submenu(ui, Topic::Example, shown, &all, commands);
-                    }
-                }
-                more_items(ui, menu, shown, commands);
+                scrolled(ui, |ui| items_of(ui, menu, shown, window, commands));
             });
             let button = shown_menu.response;
             let is_open = shown_menu.inner.is_some();
@@ -117,6 +98,42 @@ pub fn show(ui: &mut Ui, shown: PanelInput<'_>, window: WindowState, commands: &
         }
         file_name(ui, shown);
     });
+}
+
+/// A menu that is higher than the window scrolls.
+fn scrolled(ui: &mut Ui, items: impl FnOnce(&mut Ui)) {
+    let height = ui.ctx().content_rect().bottom() - ui.max_rect().top() - 2.0 * GRID;
+    ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, items);
+}
+
+fn items_of(ui: &mut Ui, menu: Menu, shown: PanelInput<'_>, window: WindowState, commands: &mut Vec<Command>) {
+    ui.set_min_width(240.0);
+    ui.spacing_mut().button_padding.x = INSET;
+    ui.spacing_mut().item_spacing.y = 0.0;
+    let items = shown.keymap.bindings().iter();
+    let mut items: Vec<&Binding> = items.filter(|binding| binding.menu == menu).collect();
+    items.sort_by_key(|binding| binding.section);
+    let mut section = items.first().map_or(0, |binding| binding.section);
+    let mut within = None;
+    for &binding in &items {
+        if binding.section > section {
+            ui.separator();
+        }
+        section = binding.section;
+        if let Some(folded) = binding.submenu {
+            if within.replace(folded) != Some(folded) {
+                of_submenu(ui, folded, &items, shown, window, commands);
+            }
+            continue;
+        }
+        item(ui, shown.editor, binding, window, commands);
+        if binding.command == Command::File(FileCommand::ChooseOpen) {
+            recent(ui, shown, commands);
+            let all = choices(shown.editor, shown.settings, Words::of(ui));
+            submenu(ui, Topic::Example, shown, &all, commands);
+        }
+    }
+    more_items(ui, menu, shown, commands);
 }
 
 fn item(ui: &mut Ui, editor: &Editor, binding: &Binding, window: WindowState, commands: &mut Vec<Command>) {
@@ -175,6 +192,39 @@ fn submenu(ui: &mut Ui, topic: Topic, shown: PanelInput<'_>, all: &[Choice], com
     });
 }
 
+/// A menu in a menu, of the table's items and what the table has no rows for.
+fn of_submenu(
+    ui: &mut Ui,
+    submenu: Submenu,
+    items: &[&Binding],
+    shown: PanelInput<'_>,
+    window: WindowState,
+    commands: &mut Vec<Command>,
+) {
+    let words = Words::of(ui);
+    ui.menu_button(words.say(submenu.title()), |ui| {
+        ui.set_min_width(220.0);
+        ui.spacing_mut().button_padding.x = INSET;
+        ui.spacing_mut().item_spacing.y = 0.0;
+        for binding in items.iter().filter(|binding| binding.submenu == Some(submenu)) {
+            item(ui, shown.editor, binding, window, commands);
+        }
+        if submenu == Submenu::Look {
+            ui.separator();
+            let all = choices(shown.editor, shown.settings, words);
+            for one in all.iter().filter(|one| one.topic == Topic::Eye) {
+                let label = match &one.command {
+                    Command::View(ViewCommand::SetEye(Eye::Work)) => {
+                        words.say(texts::LOOK_FROM_THE_WORK_EYE).to_owned()
+                    }
+                    _ => words.message(texts::look_from_eye(&one.label)),
+                };
+                choice(ui, shown.editor, one, &label, commands);
+            }
+        }
+    });
+}
+
 fn recent(ui: &mut Ui, shown: PanelInput<'_>, commands: &mut Vec<Command>) {
     let words = Words::of(ui);
     let has_some = !shown.settings.recent.is_empty();
@@ -213,10 +263,6 @@ fn more_items(ui: &mut Ui, menu: Menu, shown: PanelInput<'_>, commands: &mut Vec
         Menu::View => {
             for topic in [Topic::Scale, Topic::Theme, Topic::Language] {
                 submenu(ui, topic, shown, &all, commands);
-            }
-            ui.separator();
-            for one in all.iter().filter(|one| one.topic == Topic::Eye) {
-                choice(ui, shown.editor, one, &words.message(texts::look_from_eye(&one.label)), commands);
             }
         }
         Menu::Animation => {

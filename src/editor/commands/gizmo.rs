@@ -1,7 +1,7 @@
 //! Commands of the handles around the chosen node: turns and moves by axes, and what is held in a drag.
 
 use super::line::{ArgumentError, Line};
-use super::row::{Binding, Changes, Group, Menu, Row};
+use super::row::{Binding, Changes, Group, Menu, Row, Submenu};
 use super::values::{double, number_text, one_of};
 use crate::editor::gizmo::{Axis, GizmoAxes, Handle, HandleKind, Pull, SnapSteps};
 use crate::editor::{Command, Edit, GestureCommand, ViewCommand};
@@ -15,6 +15,9 @@ fn axis(word: &str) -> Result<Axis, ArgumentError> {
 fn axes(word: &str) -> Result<GizmoAxes, ArgumentError> {
     one_of(word, "a kind of axes", GizmoAxes::ALL.into_iter().map(|axes| (axes, axes.name())))
 }
+
+/// The section of the menu with the axes of the handles.
+const AXES: u8 = 6;
 
 const KINDS: [(HandleKind, &str); 3] =
     [(HandleKind::Turn, "turn"), (HandleKind::Move, "move"), (HandleKind::Plane, "plane")];
@@ -173,10 +176,10 @@ fn shown() -> Vec<Row> {
     let binding = |id, command| Binding::new(Group::View, id, Command::View(command));
     let gizmo = binding("gizmo", ViewCommand::ToggleGizmo);
     let next = binding("gizmo-axes-next", ViewCommand::NextGizmoAxes);
-    let of = |id, axes| binding(id, ViewCommand::SetGizmoAxes(axes)).section(6);
+    let of = |id, axes| binding(id, ViewCommand::SetGizmoAxes(axes)).within(Submenu::Axes, AXES);
     vec![
         Row::listed(Changes::Session, gizmo.hotkeys(&["Shift+H"]).ticked(|editor, _| editor.session.shows_gizmo)),
-        Row::listed(Changes::Session, next.repeating_hotkeys(&["Shift+X"])),
+        Row::listed(Changes::Session, next.repeating_hotkeys(&["Shift+X"]).within(Submenu::Axes, AXES)),
         Row::of(Changes::Session, "gizmo-axes", |command| {
             matches!(command, Command::View(ViewCommand::SetGizmoAxes(_)))
         })

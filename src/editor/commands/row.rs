@@ -106,6 +106,26 @@ pub struct WindowState {
     pub inset_while_playing: bool,
 }
 
+/// A menu in a menu.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Submenu {
+    /// Where one looks from, and what is in sight.
+    Look,
+    /// Whose axes handles go by.
+    Axes,
+}
+
+impl Submenu {
+    /// Its name.
+    #[must_use]
+    pub const fn title(self) -> Phrase {
+        match self {
+            Self::Look => texts::LOOK,
+            Self::Axes => texts::AXES_OF_HANDLES,
+        }
+    }
+}
+
 /// The section of a menu that most items stand in.
 const USUAL_SECTION: u8 = 5;
 
@@ -126,6 +146,8 @@ pub struct Binding {
     pub menu: Menu,
     /// Its section there: smaller ones stand first, with a separator between different ones.
     pub section: u8,
+    /// The menu in that menu that it stands in, if it does. All items of one stand in one section.
+    pub submenu: Option<Submenu>,
     /// Whether menus tick it.
     pub is_on: fn(&Editor, WindowState) -> bool,
 }
@@ -140,6 +162,7 @@ impl Binding {
             repeats: false,
             menu: group.menu(),
             section: USUAL_SECTION,
+            submenu: None,
             is_on: |_, _| false,
         }
     }
@@ -180,6 +203,11 @@ impl Binding {
 
     pub(super) fn section(self, section: u8) -> Self {
         Self { section, ..self }
+    }
+
+    /// Puts it in a menu in its menu, in a section with the others there.
+    pub(super) fn within(self, submenu: Submenu, section: u8) -> Self {
+        Self { submenu: Some(submenu), section, ..self }
     }
 
     pub(super) fn ticked(self, is_on: fn(&Editor, WindowState) -> bool) -> Self {

@@ -4,7 +4,7 @@ use glam::Vec3;
 
 use super::line::{ArgumentError, Ending, Line};
 use super::poses::{node, node_text};
-use super::row::{Binding, Changes, Group, Menu, Row};
+use super::row::{Binding, Changes, Group, Menu, Row, Submenu};
 use super::values::{numbers, numbers_text, one_of, rbt_path_text, vector_text};
 use crate::editor::{Command, Eye, Pivot, Side, ViewCommand, WorkEye};
 use crate::text::listed;
@@ -25,9 +25,9 @@ fn eyes() -> Vec<Row> {
     let pick = binding("pick", ViewCommand::StartPicking);
     let sky = binding("sky-mode", ViewCommand::ToggleSkyMode);
     vec![
-        Row::listed(Changes::Session, next.hotkeys(&["v"])),
+        Row::listed(Changes::Session, next.hotkeys(&["v"]).within(Submenu::Look, LOOKS)),
         Row::of(Changes::Session, "eye", |command| matches!(command, Command::View(ViewCommand::SetEye(_))))
-        .binding(binding("eye-recorded", ViewCommand::SetEye(Eye::Recorded(0))).hotkeys(&["0"]).section(LOOKS))
+        .binding(binding("eye-recorded", ViewCommand::SetEye(Eye::Recorded(0))).hotkeys(&["0"]).within(Submenu::Look, LOOKS))
         .line(
             Line::new(
                 "eye PATH|work",
@@ -124,8 +124,8 @@ fn pivots() -> Row {
 
 /// Where the work eye goes.
 fn looks() -> Vec<Row> {
-    let side = |id, side, key| binding(id, ViewCommand::LookFrom(side)).hotkeys(&[key]).section(LOOKS);
-    let listed = |id, command, keys: &[&str]| binding(id, command).hotkeys(keys).section(LOOKS);
+    let side = |id, side, key| binding(id, ViewCommand::LookFrom(side)).hotkeys(&[key]).within(Submenu::Look, LOOKS);
+    let listed = |id, command, keys: &[&str]| binding(id, command).hotkeys(keys).within(Submenu::Look, LOOKS);
     let sides = Row::of(Changes::Session, "look", |command| matches!(command, Command::View(ViewCommand::LookFrom(_))))
         .binding(side("look-front", Side::Front, "1"))
         .binding(side("look-back", Side::Back, "Ctrl+1"))
