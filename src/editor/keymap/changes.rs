@@ -156,11 +156,13 @@ impl Keymap {
     }
 }
 
-/// Replaces English names, which older settings have, by ids. If a map has both, the id wins. A name without a
+/// Replaces English names, which older settings have, by ids; so does a name that differs from an id in case alone. If a map has both, the id wins. A name without a
 /// binding is kept as it is.
 #[must_use]
 pub fn by_id(changes: &BTreeMap<String, Vec<String>>) -> BTreeMap<String, Vec<String>> {
-    let id_of = |name: &str| table().find(|binding| binding.title().english() == name).map(|binding| binding.id);
+    let is_meant = |id: &str, name: &str| id != name && id.eq_ignore_ascii_case(name);
+    let named = |binding: &Binding, name: &str| binding.title().english() == name || is_meant(binding.id, name);
+    let id_of = |name: &str| table().find(|binding| named(binding, name)).map(|binding| binding.id);
     let mut renamed = BTreeMap::new();
     for (name, chords) in changes {
         if let Some(id) = id_of(name) {
