@@ -335,7 +335,7 @@ impl Panels {
         let bindings = self.keymap.bindings();
         node_menu::show_over_scene(ui, output.viewport, editor, bindings, &mut self.scene_menu, &mut output.commands);
         overlay::show(ui, output.viewport, editor, &self.keymap, &self.log, self.statistics.as_ref());
-        legend::show(ui, output.viewport, editor, &mut output.commands);
+        let below_legend = legend::show(ui, output.viewport, editor, &mut output.commands);
         self.tour.take_in(editor, self.settings.tour);
         let is_moving = editor.wants_ticks() && !self.settings.inset_while_playing;
         let has_inset = editor.session().shows_inset && editor.is_work_eye() && !is_moving;
@@ -347,7 +347,7 @@ impl Panels {
         };
         let rotation = self.drawn_eye.map(|eye| eye.rotation());
         axis_letters::show(ui, output.viewport, editor, rotation, &self.keymap, &mut output.commands);
-        self.tour.show(ui, output.viewport, &self.keymap, &mut output.commands);
+        self.tour.show(ui, below_legend, &self.keymap, &mut output.commands);
         if let Some(name) = &self.pointed {
             pointed::show(ui, output.viewport, name);
         }

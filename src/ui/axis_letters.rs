@@ -29,6 +29,11 @@ const ENDS: [(Vec3, Side, usize, &str); 6] = [
     (Vec3::NEG_Z, Side::Back, 2, ""),
 ];
 
+/// The width that the letters take at the top right of the 3D view, in points; 0 where there is no room for them.
+pub fn width(viewport: Rect) -> f32 {
+    if viewport.width() < 4.0 * SIDE || viewport.height() < 2.5 * SIDE { 0.0 } else { SIDE + GRID }
+}
+
 /// Shows the letters where there is room for them. `rotation` is that of the eye that is drawn with, if not the editor's.
 pub fn show(
     ui: &Ui,
@@ -38,14 +43,14 @@ pub fn show(
     keymap: &Keymap,
     commands: &mut Vec<Command>,
 ) {
-    if viewport.width() < 4.0 * SIDE || viewport.height() < 2.5 * SIDE {
+    if width(viewport) == 0.0 {
         return;
     }
     let eye_from_world = rotation.unwrap_or_else(|| editor.camera(Vec2::ONE).world_from_eye.rotation).inverse();
     let mut ends = ENDS.map(|(direction, side, axis, letter)| (eye_from_world * direction, side, axis, letter));
     // The farthest first, so that what is before it is painted over it and takes the click.
     ends.sort_by(|a, b| a.0.z.total_cmp(&b.0.z));
-    let place = Rect::from_min_size(viewport.right_top() + vec2(-SIDE - GRID, GRID), vec2(SIDE, SIDE));
+    let place = Rect::from_min_size(viewport.right_top() + vec2(-width(viewport), GRID), vec2(SIDE, SIDE));
     Area::new(Id::unique("axis letters")).order(Order::Middle).fixed_pos(place.min).fade_in(false).show(
         ui.ctx(),
         |ui| {

@@ -4,10 +4,11 @@ use std::path::{Path, PathBuf};
 
 use egui::{
     Align, Align2, Area, Button, ComboBox, DragValue, Frame, Grid, Id, Label, Layout, Margin, Order, ProgressBar,
-    Response, RichText, Role, TextEdit, Ui, WidgetInfo, vec2,
+    Response, RichText, Role, ScrollArea, TextEdit, Ui, WidgetInfo, vec2,
 };
 
 use super::PanelInput;
+use super::axis_letters;
 use super::dialogs::default_button;
 use super::export_shape;
 use super::icons::was_pressed;
@@ -21,6 +22,8 @@ use crate::words::texts;
 
 /// Width of the dialog, in points.
 const WIDTH: f32 = 460.0;
+/// What of the window's height the fields leave to the rest of the dialog, in points.
+const AROUND: f32 = 208.0;
 /// Width of the labels before the fields, in points.
 const LABELS: f32 = 108.0;
 /// Width of what shows how far an export is, in points.
@@ -77,39 +80,51 @@ impl ExportDialog {
         ui.set_width(WIDTH);
         ui.heading(words.say(texts::EXPORT_A_FILM));
         ui.add_space(2.0 * GRID);
-        Grid::new("export").num_columns(2).min_col_width(LABELS).spacing(vec2(2.0 * GRID, 1.5 * GRID)).show(ui, |ui| {
-            row(ui, words.say(texts::FORMAT), |ui| format(ui, options, typed, words));
-            let is_folder = options.format.is_still();
-            let label = if is_folder { words.say(texts::FOLDER) } else { words.say(texts::FILE) };
-            row(ui, label, |ui| {
-                let browse = Button::new(words.say(texts::BROWSE));
-                ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                    if was_pressed(&ui.add(browse)) {
-                        let proposed = PathBuf::from(typed.trim());
-                        commands.push(Command::File(FileCommand::ChooseExport { proposed, is_folder }));
-                    }
-                    let field = ui.add(TextEdit::singleline(typed).desired_width(f32::INFINITY));
-                    named(&field, Role::TextInput, words.say(texts::PATH));
-                    if !std::mem::replace(has_begun, true) {
-                        field.request_focus();
-                    }
-                });
-            });
-            row(ui, words.say(texts::SIZE), |ui| size(ui, options, words));
-            row(ui, words.say(texts::SHAPE), |ui| export_shape::show(ui, options.size, shown.view));
-            row(ui, words.say(texts::FRAMES_A_SECOND), |ui| {
-                let most = options.format.most_frames_per_second;
-                number(ui, &mut options.fps, 1..=most, words.say(texts::FRAMES_A_SECOND));
-            });
-            row(ui, words.say(texts::KEY_TIMES), |ui| range(ui, options, shown.editor, words));
-            row(ui, words.say(texts::CAMERA), |ui| camera(ui, options, shown.editor, words));
-            row(ui, words.say(texts::GHOSTS), |ui| {
-                let hint = words.say(texts::NEIGHBOURING_KEYFRAMES_ON_EACH_SIDE_TRANSLUCENT);
-                number(ui, &mut options.ghosts, 0..=MOST_GHOSTS, words.say(texts::GHOSTS)).on_hover_text(hint);
-            });
-            row(ui, words.say(texts::BACKGROUND), |ui| background(ui, options, words));
-            row(ui, words.say(texts::SAMPLES_A_PIXEL), |ui| samples(ui, options, words));
-        });
+        let height = (ui.ctx().content_rect().height() - AROUND).max(3.0 * ROW);
+        ScrollArea::vertical().max_height(height).min_scrolled_height(height).auto_shrink([false, true]).show(
+            ui,
+            |ui| {
+                Grid::new("export").num_columns(2).min_col_width(LABELS).spacing(vec2(2.0 * GRID, 1.5 * GRID)).show(
+                    ui,
+                    |ui| {
+                        row(ui, words.say(texts::FORMAT), |ui| format(ui, options, typed, words));
+                        let is_folder = options.format.is_still();
+                        let label = if is_folder { words.say(texts::FOLDER) } else { words.say(texts::FILE) };
+                        row(ui, label, |ui| {
+                            let browse = Button::new(words.say(texts::BROWSE));
+                            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                                if was_pressed(&ui.add(browse)) {
+                                    let proposed = PathBuf::from(typed.trim());
+                                    commands.push(Command::File(FileCommand::ChooseExport { proposed, is_folder }));
+                                }
+                                let field = ui.add(TextEdit::singleline(typed).desired_width(f32::INFINITY));
+                                named(&field, Role::TextInput, words.say(texts::PATH));
+                                if !std::mem::replace(has_begun, true) {
+                                    field.request_focus();
+                                }
+                            });
+                        });
+                        row(ui, words.say(texts::SIZE), |ui| size(ui, options, words));
+                        high_row(ui, export_shape::ROOM.y, words.say(texts::SHAPE), |ui| {
+                            export_shape::show(ui, options.size, shown.view);
+                        });
+                        row(ui, words.say(texts::FRAMES_A_SECOND), |ui| {
+                            let most = options.format.most_frames_per_second;
+                            number(ui, &mut options.fps, 1..=most, words.say(texts::FRAMES_A_SECOND));
+                        });
+                        row(ui, words.say(texts::KEY_TIMES), |ui| range(ui, options, shown.editor, words));
+                        row(ui, words.say(texts::CAMERA), |ui| camera(ui, options, shown.editor, words));
+                        row(ui, words.say(texts::GHOSTS), |ui| {
+                            let hint = words.say(texts::NEIGHBOURING_KEYFRAMES_ON_EACH_SIDE_TRANSLUCENT);
+                            number(ui, &mut options.ghosts, 0..=MOST_GHOSTS, words.say(texts::GHOSTS))
+                                .on_hover_text(hint);
+                        });
+                        row(ui, words.say(texts::BACKGROUND), |ui| background(ui, options, words));
+                        row(ui, words.say(texts::SAMPLES_A_PIXEL), |ui| samples(ui, options, words));
+                    },
+                );
+            },
+        );
         ui.add_space(2.0 * GRID);
         let problem = problem(options, shown.editor, is_busy, words);
         let said = problem.clone().unwrap_or_else(|| summary(options, shown.editor, words));
@@ -145,9 +160,15 @@ fn proposed(last: Option<(PathBuf, ExportOptions)>, keyframe_file: &Path) -> Exp
 
 /// A label and its fields.
 fn row(ui: &mut Ui, label: &str, fields: impl FnOnce(&mut Ui)) {
+    high_row(ui, ROW, label, fields);
+}
+
+/// A label and fields of this height, in points.
+fn high_row(ui: &mut Ui, height: f32, label: &str, fields: impl FnOnce(&mut Ui)) {
     ui.label(RichText::new(label).color(Tokens::of(ui).dim));
-    ui.horizontal(|ui| {
-        ui.set_min_width(WIDTH - LABELS - 2.0 * GRID);
+    let size = vec2(WIDTH - LABELS - 2.0 * GRID, height);
+    ui.allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
+        ui.set_min_size(size);
         fields(ui);
     });
     ui.end_row();
@@ -302,13 +323,13 @@ fn summary(options: &ExportOptions, editor: &Editor, words: Words) -> String {
     words.message(texts::export_length(frames.to_string(), format!("{seconds:.2}")))
 }
 
-/// A notice at the top right of the 3D view.
+/// A notice at the top right of the 3D view, beside the axes' letters.
 fn notice<R>(ui: &Ui, viewport: egui::Rect, contents: impl FnOnce(&mut Ui) -> R) -> R {
     let tokens = Tokens::of(ui);
     let area = Area::new(Id::unique("exporting"))
         .order(Order::Middle)
         .pivot(Align2::RIGHT_TOP)
-        .fixed_pos(viewport.right_top() + vec2(-2.0 * GRID, 2.0 * GRID))
+        .fixed_pos(viewport.right_top() + vec2(-2.0 * GRID - axis_letters::width(viewport), 2.0 * GRID))
         .fade_in(false);
     let shown = area.show(ui.ctx(), |ui| {
         let frame = Frame::new()

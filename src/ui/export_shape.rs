@@ -7,7 +7,7 @@ use super::words::Words;
 use crate::words::{Message, texts};
 
 /// The room of the drawing, in points.
-const ROOM: Vec2 = vec2(96.0, 40.0);
+pub(super) const ROOM: Vec2 = vec2(96.0, 40.0);
 /// Shapes whose sides differ by less than this part are the same to the eye.
 const SAME: f32 = 0.02;
 

@@ -22,14 +22,14 @@ pub fn is_shown(editor: &Editor) -> bool {
     !editor.session().compared_blends.is_empty() || editor.compared().is_some()
 }
 
-/// Shows the legend where something is compared.
-pub fn show(ui: &Ui, viewport: Rect, editor: &Editor, commands: &mut Vec<Command>) {
+/// Shows the legend at the top left, where something is compared. Returns what is left of the view below it.
+pub fn show(ui: &Ui, viewport: Rect, editor: &Editor, commands: &mut Vec<Command>) -> Rect {
     if !is_shown(editor) {
-        return;
+        return viewport;
     }
     let compares = !editor.session().compared_blends.is_empty();
     let tokens = Tokens::of(ui);
-    Area::new(Id::unique("legend"))
+    let shown = Area::new(Id::unique("legend"))
         .order(Order::Middle)
         .fixed_pos(viewport.left_top() + vec2(2.0 * GRID, 2.0 * GRID))
         .fade_in(false)
@@ -47,6 +47,7 @@ pub fn show(ui: &Ui, viewport: Rect, editor: &Editor, commands: &mut Vec<Command
                 }
             });
         });
+    viewport.with_min_y(shown.response.rect.bottom())
 }
 
 fn blends(ui: &mut Ui, editor: &Editor, commands: &mut Vec<Command>) {

@@ -39,8 +39,7 @@ pub fn show(ui: &Ui, viewport: Rect, editor: &Editor, keymap: &Keymap, log: &Log
         add(&words.message(message), colour);
     }
     if let Some(statistics) = statistics.filter(|_| !editor.session().shows_panels) {
-        let at = viewport.left_top() + vec2(margin.x, -margin.y);
-        tag(painter, at, Align2::LEFT_TOP, &statistics.sentence(words), tokens.text, tokens);
+        add(&statistics.sentence(words), tokens.text);
     }
     let key = key_of(keymap, &Command::View(ViewCommand::ToggleHelp));
     if !key.is_empty() {

@@ -7,6 +7,7 @@ use egui::{
 };
 use glam::{Quat, Vec3};
 
+use super::axis_letters;
 use super::icons::was_pressed;
 use super::theme::{CORNER, GRID, ROW, Tokens, small_font};
 use super::thumbnails::{THUMBNAIL_PX, Thumbnails};
@@ -76,8 +77,8 @@ impl Poses {
             .fade_in(false)
             .fade_out(false)
             .default_size(vec2(432.0, 340.0))
-            .default_pos(viewport.right_top() + vec2(-464.0, 16.0))
-            .constrain_to(viewport)
+            .default_pos(viewport.right_top() + vec2(-464.0 - axis_letters::width(viewport), 16.0))
+            .constrain_to(context.content_rect())
             .show(context, |ui| self.list(ui, editor, thumbnails, commands));
         if !is_open {
             commands.push(Command::Window(WindowCommand::TogglePoses));

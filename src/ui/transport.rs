@@ -20,6 +20,7 @@ struct Fits {
     speed_and_ghosts: bool,
     interpolation: bool,
     pace: bool,
+    readout: bool,
 }
 
 impl Fits {
@@ -30,6 +31,7 @@ impl Fits {
             speed_and_ghosts: width >= 812.0,
             interpolation: width >= 664.0,
             pace: width >= 500.0,
+            readout: width >= 400.0,
         }
     }
 }
@@ -40,12 +42,16 @@ pub fn show(ui: &mut Ui, editor: &Editor, bindings: &[Binding], commands: &mut V
     ui.horizontal_centered(|ui| {
         ui.spacing_mut().item_spacing.x = 2.0;
         playing(ui, editor, bindings, commands);
-        divider(ui);
+        if fits.readout {
+            divider(ui);
+        }
         if fits.keyframes {
             keyframes(ui, editor, bindings, commands);
             divider(ui);
         }
-        readout(ui, editor);
+        if fits.readout {
+            readout(ui, editor);
+        }
         if fits.pace {
             divider(ui);
             pace(ui, editor, bindings, commands);
