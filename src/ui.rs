@@ -29,6 +29,7 @@ mod overlay;
 mod overwrite;
 mod palette;
 mod path_dialog;
+mod path_purpose;
 mod pointed;
 mod poses;
 mod program;
@@ -49,7 +50,7 @@ use std::path::{Path, PathBuf};
 use egui::{CentralPanel, Rect, TextureId};
 
 use crate::editor::keymap::{Binding, Keymap};
-use crate::editor::{Beginning, Command, Editor, FileCommand, WindowCommand, WorkEye};
+use crate::editor::{Command, Editor, FileCommand, WorkEye};
 use crate::film::ExportOptions;
 use crate::pose::{Pose, RbtIndex};
 use crate::pose_file::PoseFile;
@@ -61,6 +62,7 @@ pub use export::Exporting;
 pub use overwrite::{OverwriteAnswer, OverwriteQuestion, OverwriteReason};
 use path_dialog::PathDialog;
 pub use path_dialog::{FolderEntry, Listing};
+pub use path_purpose::PathPurpose;
 pub use recovery::{RecoveryAnswer, RecoveryOffer};
 pub use statistics::Statistics;
 pub use thumbnails::THUMBNAIL_PX;
@@ -74,35 +76,6 @@ pub enum QuitAnswer {
     Save,
     /// Quit.
     Discard,
-}
-
-/// What a path is asked for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PathPurpose {
-    /// To open it.
-    Open,
-    /// To show its animation beside the document's.
-    Compare,
-    /// To write to it.
-    SaveAs,
-    /// To write the scene to it.
-    SaveSceneAs,
-    /// To begin with the scene in it.
-    OpenScene,
-}
-
-impl PathPurpose {
-    /// The command that a path answers with.
-    #[must_use]
-    pub const fn command(self, path: PathBuf) -> Command {
-        match self {
-            Self::Open => Command::File(FileCommand::Open(path)),
-            Self::Compare => Command::File(FileCommand::CompareWith(path)),
-            Self::SaveAs => Command::File(FileCommand::SaveAs(path)),
-            Self::SaveSceneAs => Command::File(FileCommand::SaveSceneAs(path)),
-            Self::OpenScene => Command::Window(WindowCommand::Begin(Beginning::SceneFile(path))),
-        }
-    }
 }
 
 /// What came of showing the panels once.
@@ -213,9 +186,17 @@ impl Panels {
         Self::default()
     }
 
-    /// Asks for a path in a field of our own, for want of a system's dialog. The answer is a command.
+    /// Asks for a path in a dialog of our own, for want of a system's. The answer is a command, or goes into the export dialog, which
+    /// comes back: where that is closed, it is not asked any more.
     pub fn ask_for_path(&mut self, purpose: PathPurpose, proposed: &Path) {
-        self.dialog = Some(Dialog::Path(Box::new(PathDialog::new(purpose, proposed))));
+        let asks = PathDialog::new(purpose, proposed);
+        self.dialog = match (self.dialog.take(), purpose) {
+            (Some(Dialog::Export(export)), PathPurpose::Film | PathPurpose::FilmFolder) => {
+                Some(Dialog::Path(Box::new(asks.for_export(export))))
+            }
+            (other, PathPurpose::Film | PathPurpose::FilmFolder) => other,
+            _ => Some(Dialog::Path(Box::new(asks))),
+        };
     }
 
     /// A folder whose contents the dialog for a path shows, where they have to be read: hand them to [`Panels::put_folder`].
@@ -263,11 +244,14 @@ impl Panels {
         }
     }
 
-    /// Takes in where an export is to go, as the system's dialog was answered, if that is still asked.
-    pub fn choose_export_path(&mut self, path: &Path) {
-        if let Some(Dialog::Export(dialog)) = &mut self.dialog {
-            dialog.choose(path);
+    /// Takes in a path that the system's dialog was answered with. One for an export goes into its dialog, if that is still open; any
+    /// other is a command.
+    pub fn path_chosen(&mut self, purpose: PathPurpose, path: PathBuf) -> Option<Command> {
+        match (&mut self.dialog, purpose) {
+            (Some(Dialog::Export(export)), PathPurpose::Film | PathPurpose::FilmFolder) => export.choose(&path),
+            _ => return purpose.command(path),
         }
+        None
     }
 
     /// Whether a dialog waits for an answer: no hotkey fires then, and the scene takes no drags.

@@ -44,7 +44,7 @@ use winit::event_loop::EventLoop;
 use crate::editor::{Command, Editor};
 use crate::film::ExportEnd;
 use crate::render::GpuError;
-use dialog::Question;
+use crate::ui::PathPurpose;
 pub use ending::Signals;
 use shell::Shell;
 
@@ -116,7 +116,9 @@ pub(crate) enum UserEvent {
     /// The system's dialog was answered, or is not there.
     PathChosen {
         /// What for.
-        question: Question,
+        purpose: PathPurpose,
+        /// What was proposed.
+        proposed: PathBuf,
         /// Which; `None`: cancelled, or no dialog.
         path: Option<PathBuf>,
         /// How long it took.

@@ -69,7 +69,10 @@ pub fn show(ui: &Ui, dialog: &mut Option<Dialog>, shown: PanelInput<'_>, output:
         Dialog::Path(_) | Dialog::Unsaved { .. } | Dialog::Overwrite(_) | Dialog::Export(_) => false,
     };
     if response.inner == DialogState::IsOver || is_left || (escape && response.inner != DialogState::TookEscape) {
-        *dialog = None;
+        *dialog = match dialog.take() {
+            Some(Dialog::Path(path)) => path.after(),
+            _ => None,
+        };
     }
 }
 

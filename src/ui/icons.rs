@@ -61,6 +61,14 @@ pub enum Icon {
     FitSelection,
     /// Something may go wrong.
     Warning,
+    /// A folder.
+    Folder,
+    /// The folder above.
+    FolderAbove,
+    /// The user's own folder.
+    Home,
+    /// A file.
+    File,
 }
 
 /// Draws an icon about a centre.
@@ -210,6 +218,24 @@ pub fn paint(painter: &Painter, icon: Icon, centre: Pos2, colour: Color32) {
             line(at(0.0, -1.8), at(0.0, 1.4));
             painter.circle_filled(at(0.0, 3.3), 0.9, colour);
         }
+        Icon::Folder => folder(painter, centre, stroke),
+        Icon::FolderAbove => {
+            folder(painter, centre, stroke);
+            line(at(0.0, 3.5), at(0.0, -1.0));
+            line(at(-2.3, 0.8), at(0.0, -1.5));
+            line(at(2.3, 0.8), at(0.0, -1.5));
+        }
+        Icon::Home => {
+            let walls = [at(-4.5, -0.5), at(-4.5, 5.5), at(4.5, 5.5), at(4.5, -0.5)];
+            painter.line(walls.to_vec(), stroke);
+            painter.line(vec![at(-6.5, 0.5), at(0.0, -5.5), at(6.5, 0.5)], stroke);
+            bar(-1.2, 2.0, 2.4, 3.5);
+        }
+        Icon::File => {
+            let sheet = [at(1.0, -6.0), at(-4.5, -6.0), at(-4.5, 6.0), at(4.5, 6.0), at(4.5, -2.5)];
+            painter.add(Shape::closed_line(sheet.to_vec(), stroke));
+            painter.line(vec![at(1.0, -6.0), at(1.0, -2.5), at(4.5, -2.5)], stroke);
+        }
         Icon::Tick => {
             line(at(-3.5, 0.0), at(-1.0, 3.0));
             line(at(-1.0, 3.0), at(4.0, -3.5));
@@ -230,6 +256,11 @@ pub fn paint(painter: &Painter, icon: Icon, centre: Pos2, colour: Color32) {
             painter.circle_filled(centre, 1.8, colour);
         }
     }
+}
+
+fn folder(painter: &Painter, centre: Pos2, stroke: Stroke) {
+    let corners = [(-6.0, -4.5), (-1.5, -4.5), (0.0, -2.5), (6.0, -2.5), (6.0, 5.0), (-6.0, 5.0)];
+    painter.add(Shape::closed_line(corners.map(|(x, y)| centre + vec2(x, y)).to_vec(), stroke));
 }
 
 /// Draws a keyframe's diamond.

@@ -8,7 +8,8 @@ use egui::{
     WidgetInfo, vec2,
 };
 
-use super::dialogs::default_button;
+use super::dialogs::{Dialog, default_button};
+use super::export::ExportDialog;
 use super::icons::{self, Icon};
 use super::theme::{CORNER, GRID, ROW, Tokens, text_font};
 use super::words::Words;
@@ -51,6 +52,8 @@ pub struct Listing {
 #[derive(Clone, Debug, PartialEq)]
 pub struct PathDialog {
     purpose: PathPurpose,
+    /// The dialog that the path is for, which comes back afterwards.
+    export: Option<Box<ExportDialog>>,
     /// What is in the field.
     typed: String,
     /// The row that the arrows have marked.
@@ -68,7 +71,17 @@ impl PathDialog {
     /// Asks for a path, and proposes one.
     pub fn new(purpose: PathPurpose, proposed: &Path) -> Self {
         let typed = proposed.to_string_lossy().into_owned();
-        Self { purpose, typed, at: None, has_moved: false, listing: None, is_new: true, to_end: false }
+        Self { purpose, export: None, typed, at: None, has_moved: false, listing: None, is_new: true, to_end: false }
+    }
+
+    /// The same question, asked by the export dialog.
+    pub fn for_export(self, export: Box<ExportDialog>) -> Self {
+        Self { export: Some(export), ..self }
+    }
+
+    /// The dialog that comes back when this one is over.
+    pub fn after(self) -> Option<Dialog> {
+        self.export.map(Dialog::Export)
     }
 
     /// The folder whose contents are shown, if it has to be read.
@@ -106,29 +119,21 @@ impl PathDialog {
         let Some(Listing { entries: Ok(entries), .. }) = &self.listing else { return Vec::new() };
         let name = self.name().to_lowercase();
         let is_whole = entries.iter().any(|entry| entry.name == self.name());
-        let is_saving = matches!(self.purpose, PathPurpose::SaveAs | PathPurpose::SaveSceneAs);
+        let is_saving = self.purpose.is_saving();
         let fits = |entry: &&FolderEntry| {
             let lower = entry.name.to_lowercase();
             let is_hidden = lower.starts_with('.') && !name.starts_with('.');
             let is_wanted = is_saving || is_whole || lower.starts_with(&name);
-            !is_hidden && is_wanted && (entry.is_folder || self.can_be(&lower))
+            !is_hidden && is_wanted && (entry.is_folder || self.purpose.fits(&entry.name))
         };
         entries.iter().filter(fits).cloned().collect()
-    }
-
-    fn can_be(&self, name: &str) -> bool {
-        let endings: &[&str] = match self.purpose {
-            PathPurpose::Open | PathPurpose::Compare => &["json", "txt", "csv"],
-            PathPurpose::SaveAs | PathPurpose::SaveSceneAs | PathPurpose::OpenScene => &["json"],
-        };
-        endings.iter().any(|ending| name.strip_suffix(ending).is_some_and(|stem| stem.ends_with('.')))
     }
 
     /// What Tab makes of the typed name: as much as all entries that begin so have in common; after a folder, its separator.
     fn completed(&self) -> Option<String> {
         let Some(Listing { entries: Ok(entries), .. }) = &self.listing else { return None };
         let fitting = |entry: &&FolderEntry| {
-            entry.name.starts_with(self.name()) && (entry.is_folder || self.can_be(&entry.name.to_lowercase()))
+            entry.name.starts_with(self.name()) && (entry.is_folder || self.purpose.fits(&entry.name))
         };
         let mut fitting = entries.iter().filter(fitting);
         let first = fitting.next()?;
@@ -157,8 +162,7 @@ impl PathDialog {
 
     /// Goes to a folder. A name that is to be saved stays.
     fn go_to(&mut self, folder: &Path) {
-        let is_saving = matches!(self.purpose, PathPurpose::SaveAs | PathPurpose::SaveSceneAs);
-        let name = if is_saving { self.name().to_owned() } else { String::new() };
+        let name = if self.purpose.is_saving() { self.name().to_owned() } else { String::new() };
         let folder = folder.to_string_lossy();
         let end = if folder.ends_with(['/', MAIN_SEPARATOR]) { "" } else { "/" };
         self.set(format!("{folder}{end}{name}"));
@@ -168,13 +172,7 @@ impl PathDialog {
     pub(super) fn show(&mut self, ui: &mut Ui, settings: &Settings, output: &mut UiOutput) -> bool {
         ui.set_width(WIDTH.min(ui.ctx().content_rect().width() - 64.0));
         let words = Words::of(ui);
-        let (heading, verb) = match self.purpose {
-            PathPurpose::Open => (texts::OPEN_A_KEYFRAME_FILE, texts::OPEN),
-            PathPurpose::Compare => (texts::COMPARE_WITH_A_FILE, texts::COMPARE),
-            PathPurpose::SaveAs => (texts::SAVE_THE_KEYFRAMES_AS, texts::SAVE),
-            PathPurpose::SaveSceneAs => (texts::SAVE_THE_SCENE_AS, texts::SAVE),
-            PathPurpose::OpenScene => (texts::OPEN_A_SCENE_FILE, texts::OPEN),
-        };
+        let (heading, verb) = self.purpose.words();
         ui.heading(words.say(heading));
         ui.add_space(2.0 * GRID);
         let shown = self.shown();
@@ -195,7 +193,8 @@ impl PathDialog {
             });
         });
         ui.add_space(3.0 * GRID);
-        let can = !self.name().trim().is_empty();
+        let needed = if self.purpose.is_folder() { &self.typed } else { self.name() };
+        let can = !needed.trim().is_empty();
         let mut is_cancelled = false;
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let is_pressed = default_button(ui, words.say(verb), can);
@@ -206,7 +205,11 @@ impl PathDialog {
             });
         });
         if is_confirmed {
-            output.commands.push(self.purpose.command(PathBuf::from(self.typed.trim())));
+            let path = PathBuf::from(self.typed.trim());
+            if let Some(export) = &mut self.export {
+                export.choose(&path);
+            }
+            output.commands.extend(self.purpose.command(path));
         }
         is_confirmed || is_cancelled
     }
@@ -241,8 +244,7 @@ impl PathDialog {
     }
 
     fn field(&mut self, ui: &mut Ui) {
-        let is_scene = matches!(self.purpose, PathPurpose::SaveSceneAs | PathPurpose::OpenScene);
-        let hint = if is_scene { "scene.json" } else { crate::editor::NEW_FILE };
+        let hint = self.purpose.hint();
         let says = Words::of(ui).say(texts::PATH_OF_THE_FILE);
         let can_complete = self.completed().is_some();
         let edit = TextEdit::singleline(&mut self.typed).desired_width(f32::INFINITY).hint_text(hint);
@@ -266,21 +268,20 @@ impl PathDialog {
     /// The folder above, the user's own, and those of recent files.
     fn places(&mut self, ui: &mut Ui, settings: &Settings, height: f32) {
         let words = Words::of(ui);
-        let mut places: Vec<(String, PathBuf)> =
-            vec![(words.say(texts::FOLDER_ABOVE).to_owned(), above(&self.folder()))];
+        let mut places = vec![(Icon::FolderAbove, words.say(texts::FOLDER_ABOVE).to_owned(), above(&self.folder()))];
         if let Some(home) = self.listing.as_ref().and_then(|listing| listing.home.clone()) {
-            places.push((words.say(texts::HOME_FOLDER).to_owned(), home));
+            places.push((Icon::Home, words.say(texts::HOME_FOLDER).to_owned(), home));
         }
         for folder in settings.recent.iter().filter_map(|file| file.parent()) {
-            if places.len() < MOST_RECENT + 2 && places.iter().all(|(_, place)| place != folder) {
+            if places.len() < MOST_RECENT + 2 && places.iter().all(|(_, _, place)| place != folder) {
                 let name = folder.file_name().unwrap_or(folder.as_os_str()).to_string_lossy().into_owned();
-                places.push((name, folder.to_owned()));
+                places.push((Icon::Folder, name, folder.to_owned()));
             }
         }
         ScrollArea::vertical().id_salt("places").max_height(height).min_scrolled_height(height).show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 0.0;
-            for (name, place) in places {
-                let response = row(ui, Icon::Body, &name, false).on_hover_text(place.display().to_string());
+            for (icon, name, place) in places {
+                let response = row(ui, icon, &name, false).on_hover_text(place.display().to_string());
                 if response.clicked() {
                     self.go_to(&place);
                 }
@@ -308,7 +309,7 @@ impl PathDialog {
             .show(ui, |ui| {
                 ui.spacing_mut().item_spacing.y = 0.0;
                 for (index, entry) in shown.iter().enumerate() {
-                    let icon = if entry.is_folder { Icon::Body } else { Icon::NewKeyframe };
+                    let icon = if entry.is_folder { Icon::Folder } else { Icon::File };
                     let end = if entry.is_folder { "/" } else { "" };
                     let is_at = self.at == Some(index);
                     let response = row(ui, icon, &format!("{}{end}", entry.name), is_at);
@@ -356,64 +357,4 @@ fn row(ui: &mut Ui, icon: Icon, name: &str, is_at: bool) -> Response {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn dialog(purpose: PathPurpose, typed: &str) -> PathDialog {
-        let mut dialog = PathDialog::new(purpose, Path::new(typed));
-        dialog.typed = typed.to_owned();
-        let entry = |name: &str, is_folder| FolderEntry { name: name.to_owned(), is_folder };
-        let entries = vec![
-            entry("walk.json", false),
-            entry("walk-2.json", false),
-            entry("notes.pdf", false),
-            entry("Lessons", true),
-            entry(".git", true),
-            entry("걷기.json", false),
-        ];
-        dialog.put(Listing { folder: dialog.folder(), entries: Ok(entries), home: None });
-        dialog
-    }
-
-    fn names(dialog: &PathDialog) -> Vec<String> {
-        dialog.shown().into_iter().map(|entry| entry.name).collect()
-    }
-
-    #[test]
-    fn what_is_typed_names_a_folder_and_narrows_it() {
-        let open = |typed| dialog(PathPurpose::Open, typed);
-        assert_eq!(open("walk").folder(), Path::new("."));
-        assert_eq!(open("a/b/walk").folder(), Path::new("a/b/"));
-        assert_eq!(open("/").folder(), Path::new("/"));
-        assert_eq!(names(&open("a/")), ["Lessons", "walk-2.json", "walk.json", "걷기.json"]);
-        assert_eq!(names(&open("a/WA")), ["walk-2.json", "walk.json"]);
-        assert_eq!(names(&open("a/.")), [".git"]);
-        // A file that is named whole hides no others, and neither does a name that is to be saved.
-        assert_eq!(names(&open("a/walk.json")).len(), 4);
-        assert_eq!(names(&dialog(PathPurpose::SaveAs, "a/new.json")).len(), 4);
-    }
-
-    #[test]
-    fn tab_completes_what_is_common() {
-        let completed = |typed| dialog(PathPurpose::Open, typed).completed();
-        assert_eq!(completed("a/w").as_deref(), Some("a/walk"));
-        assert_eq!(completed("a/walk"), None);
-        assert_eq!(completed("a/walk-").as_deref(), Some("a/walk-2.json"));
-        assert_eq!(completed("L").as_deref(), Some("Lessons/"));
-        assert_eq!(completed("걷").as_deref(), Some("걷기.json"));
-        assert_eq!(completed("notes"), None);
-    }
-
-    #[test]
-    fn places_keep_the_name_that_is_to_be_saved() {
-        let mut save = dialog(PathPurpose::SaveAs, "a/new.json");
-        save.go_to(Path::new("/home/me"));
-        assert_eq!(save.typed, "/home/me/new.json");
-        let mut open = dialog(PathPurpose::Open, "a/walk.json");
-        open.go_to(&above(Path::new("a/")));
-        assert_eq!(open.typed, "./");
-        for (folder, expected) in [("/a/b/", "/a"), ("/", "/"), (".", ".."), ("../", "../.."), ("a/b", "a")] {
-            assert_eq!(above(Path::new(folder)), Path::new(expected), "{folder}");
-        }
-    }
-}
+mod tests;

@@ -5,7 +5,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 
 use super::desktop;
-use super::dialog::{self, Question};
+use super::dialog;
 use super::shell::Shell;
 use crate::editor::{
     Command, CommandError, Edit, Editor, FileAccess, FileCommand, FileOutcome, Host, PathQuestion, Severity,
@@ -91,14 +91,10 @@ impl Host for Shell {
 
 impl WindowHost for Shell {
     fn ask_for_path(&mut self, question: PathQuestion) {
+        let purpose = PathPurpose::of(&question);
         match question {
-            PathQuestion::Open => self.choose_keyframes(PathPurpose::Open),
-            PathQuestion::Compare => self.choose_keyframes(PathPurpose::Compare),
-            PathQuestion::SaveAs => self.choose_keyframes(PathPurpose::SaveAs),
-            PathQuestion::SaveSceneAs => self.choose_keyframes(PathPurpose::SaveSceneAs),
-            PathQuestion::Export { proposed, is_folder } => {
-                self.choose_path(if is_folder { Question::Folder } else { Question::Film }, &proposed);
-            }
+            PathQuestion::Export { proposed, .. } => self.choose_path(purpose, proposed),
+            _ => self.choose_named(purpose),
         }
     }
 
@@ -187,7 +183,7 @@ impl Shell {
 
     fn window_command(&mut self, command: &WindowCommand) {
         match command {
-            WindowCommand::ChooseOpenScene => self.choose_keyframes(PathPurpose::OpenScene),
+            WindowCommand::ChooseOpenScene => self.choose_named(PathPurpose::OpenScene),
             WindowCommand::Begin(beginning) => self.begin(beginning),
             WindowCommand::ShowFolder(path) => desktop::show_folder(path),
             _ => {}
@@ -233,15 +229,19 @@ impl Shell {
         storage::write(path, &png).map_err(|error| error.message())
     }
 
-    fn choose_path(&mut self, question: Question, proposed: &Path) {
+    fn choose_path(&mut self, purpose: PathPurpose, proposed: PathBuf) {
         if !std::mem::replace(&mut self.is_choosing_path, true) {
             let words = Words::new(self.settings_file.settings.language);
-            dialog::ask(question, proposed, words, self.proxy.clone());
+            dialog::ask(purpose, proposed, words, self.proxy.clone());
         }
     }
 
-    fn choose_keyframes(&mut self, purpose: PathPurpose) {
-        self.choose_path(Question::Keyframes(purpose), &self.proposed(purpose));
+    /// Asks for a path, and proposes the document's own.
+    fn choose_named(&mut self, purpose: PathPurpose) {
+        let is_scene = matches!(purpose, PathPurpose::SaveSceneAs | PathPurpose::OpenScene);
+        let file = self.editor.keyframe_file();
+        let proposed = if is_scene { self.editor.proposed_scene_path() } else { file.to_owned() };
+        self.choose_path(purpose, proposed);
     }
 
     /// Reads the folder that our own dialog for a path shows.
@@ -254,29 +254,23 @@ impl Shell {
         self.request_redraw();
     }
 
-    /// The path that a dialog begins with.
-    fn proposed(&self, purpose: PathPurpose) -> PathBuf {
-        match purpose {
-            PathPurpose::Open | PathPurpose::Compare | PathPurpose::SaveAs => self.editor.keyframe_file().to_owned(),
-            PathPurpose::SaveSceneAs | PathPurpose::OpenScene => self.editor.proposed_scene_path(),
-        }
-    }
-
-    /// The system's dialog was answered, or there is none: then a field of our own asks.
-    pub(super) fn path_chosen(&mut self, question: Question, path: Option<PathBuf>, took: std::time::Duration) {
+    /// The system's dialog was answered, or there is none: then a dialog of our own asks.
+    pub(super) fn path_chosen(
+        &mut self,
+        purpose: PathPurpose,
+        proposed: &Path,
+        path: Option<PathBuf>,
+        took: std::time::Duration,
+    ) {
         self.is_choosing_path = false;
-        let has_dialog = took >= dialog::TOO_FAST_FOR_A_USER;
-        match (path, question) {
-            (Some(path), Question::Keyframes(purpose)) => self.apply(purpose.command(path)),
-            (Some(path), Question::Film | Question::Folder) => self.ui.choose_export_path(&path),
-            (None, _) if has_dialog => {}
-            (None, Question::Keyframes(purpose)) => {
-                let proposed = self.proposed(purpose);
-                self.ui.ask_for_path(purpose, &proposed);
+        match path {
+            Some(path) => {
+                if let Some(command) = self.ui.path_chosen(purpose, path) {
+                    self.apply(command);
+                }
             }
-            (None, Question::Film | Question::Folder) => {
-                self.editor.say(Message::from(texts::FILE_NO_DIALOG).with_severity(Severity::Error));
-            }
+            None if took < dialog::TOO_FAST_FOR_A_USER => self.ui.ask_for_path(purpose, proposed),
+            None => {}
         }
     }
 

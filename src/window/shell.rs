@@ -403,7 +403,9 @@ impl ApplicationHandler<UserEvent> for Shell {
 
     fn user_event(&mut self, event_loop: &ActiveEventLoop, event: UserEvent) {
         match event {
-            UserEvent::PathChosen { question, path, took } => self.path_chosen(question, path, took),
+            UserEvent::PathChosen { purpose, proposed, path, took } => {
+                self.path_chosen(purpose, &proposed, path, took);
+            }
             UserEvent::ExportAt { done, count } => self.export_at(done, count),
             UserEvent::ExportEnded(end) => self.export_ended(end),
             UserEvent::DesktopTheme(theme) => {

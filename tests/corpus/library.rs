@@ -145,7 +145,6 @@ pub fn window_and_failures() -> String {
     let messages = [
         texts::FILE_EXPORT_BEGUN_ALREADY.into(),
         texts::reach_ball("robot1/left_hip/left_knee"),
-        texts::FILE_NO_DIALOG.into(),
         texts::HOTKEYS_RESET.into(),
         texts::hotkeys_removed("Play or stop"),
         texts::settings_not_understood(path(), reason()),

@@ -5,11 +5,11 @@ use std::path::{Path, PathBuf};
 use egui::{Key, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use inbetween::editor::{Command, FileCommand};
+use inbetween::editor::{Command, FileCommand, WindowCommand};
 use inbetween::ui::{FolderEntry, Listing, PathPurpose};
 use inbetween::words::texts;
 
-use crate::{App, click, editor, harness, harness_of, press, type_text};
+use crate::{App, click, does, editor, harness, harness_of, press, type_text};
 
 /// Reads what the dialog wants to know of folders that exist only here.
 fn read(harness: &mut Harness<'_, App>) {
@@ -108,4 +108,77 @@ fn it_fits_a_small_window() {
         let rect = harness.get_by_label(label).rect();
         assert!(rect.bottom() <= 480.0 && rect.right() <= 720.0, "{label}: {rect}");
     }
+}
+
+/// The export dialog, whose "Browse" no dialog of the system answers.
+fn browsing(format: &str) -> Harness<'static, App> {
+    let mut harness = harness(editor(5));
+    does(&mut harness, Command::Window(WindowCommand::ShowExport));
+    if format != "GIF" {
+        harness.get_by_role_and_label(egui::Role::ComboBox, "Format").click();
+        harness.run();
+        click(&mut harness, format);
+    }
+    click(&mut harness, "Browse…");
+    let Some(Command::File(FileCommand::ChooseExport { proposed, is_folder })) =
+        harness.state().commands.last().cloned()
+    else {
+        panic!("{:?}", harness.state().commands)
+    };
+    let purpose = if is_folder { PathPurpose::FilmFolder } else { PathPurpose::Film };
+    harness.state_mut().ui.ask_for_path(purpose, &proposed);
+    harness.run();
+    read(&mut harness);
+    harness
+}
+
+fn exported(harness: &Harness<'static, App>) -> PathBuf {
+    match harness.state().commands.last() {
+        Some(Command::File(FileCommand::Export(options))) => options.path.clone(),
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn browsing_for_an_export_comes_back_to_it() {
+    let mut harness = browsing("GIF");
+    harness.get_by_label("Export to a file");
+    click(&mut harness, "Home");
+    read(&mut harness);
+    assert!(harness.query_by_label("mine.json").is_none(), "it is no film");
+    click(&mut harness, "Choose");
+    harness.get_by_label("Export a film");
+    click(&mut harness, "Export");
+    assert_eq!(exported(&harness), Path::new("/home/me/wave.gif"));
+    assert!(!harness.state().ui.has_dialog());
+}
+
+#[test]
+fn browsing_for_a_folder_lists_folders() {
+    let mut harness = browsing("PNG frames in a folder");
+    harness.get_by_label("Export into a folder");
+    click(&mut harness, "Home");
+    read(&mut harness);
+    assert!(harness.query_by_label("mine.json").is_none(), "it is no folder");
+    click(&mut harness, "Choose");
+    click(&mut harness, "Export");
+    assert_eq!(exported(&harness), Path::new("/home/me/"));
+}
+
+#[test]
+fn a_cancelled_browse_leaves_the_path() {
+    let mut harness = browsing("GIF");
+    click(&mut harness, "Home");
+    press(&mut harness, Key::Escape);
+    harness.get_by_label("Export a film");
+    click(&mut harness, "Export");
+    assert_eq!(exported(&harness), Path::new("folder/wave.gif"));
+}
+
+#[test]
+fn a_browse_that_is_over_opens_nothing() {
+    let mut harness = harness(editor(5));
+    harness.state_mut().ui.ask_for_path(PathPurpose::Film, Path::new("wave.gif"));
+    harness.run();
+    assert!(!harness.state().ui.has_dialog());
 }
