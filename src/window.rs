@@ -133,6 +133,8 @@ pub(crate) enum UserEvent {
     },
     /// The export is over.
     ExportEnded(ExportEnd),
+    /// No file manager shows this folder.
+    NoFileManager(PathBuf),
     /// The desktop prefers these colours.
     DesktopTheme(egui::Theme),
     /// The device is gone: everything on it is made again.

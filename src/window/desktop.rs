@@ -21,8 +21,9 @@ pub fn ask_theme(proxy: EventLoopProxy<UserEvent>) {
     });
 }
 
-/// Shows the folder of a file in the system's file manager, or the folder itself. Where there is none, nothing is shown.
-pub fn show_folder(path: &Path) {
+/// Shows the folder of a file in the system's file manager, or the folder itself. Where there is none that starts, comes
+/// [`UserEvent::NoFileManager`].
+pub fn show_folder(path: &Path, proxy: EventLoopProxy<UserEvent>) {
     let path = crate::storage::absolute(path);
     let folder = if crate::storage::is_folder(&path) { path } else { path.parent().unwrap_or(&path).to_owned() };
     let program = if cfg!(windows) {
@@ -34,7 +35,13 @@ pub fn show_folder(path: &Path) {
     };
     thread::spawn(move || {
         let mut command = Command::new(program);
-        let _ = command.arg(folder).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).status();
+        command.arg(&folder).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
+        // Windows' explorer says 1 where all is well.
+        let is_shown = command.status().is_ok_and(|status| status.success() || cfg!(windows));
+        if !is_shown {
+            // Where the window is gone, nobody asks any more.
+            let _ = proxy.send_event(UserEvent::NoFileManager(folder));
+        }
     });
 }
 

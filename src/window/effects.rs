@@ -185,7 +185,7 @@ impl Shell {
         match command {
             WindowCommand::ChooseOpenScene => self.choose_named(PathPurpose::OpenScene),
             WindowCommand::Begin(beginning) => self.begin(beginning),
-            WindowCommand::ShowFolder(path) => desktop::show_folder(path),
+            WindowCommand::ShowFolder(path) => desktop::show_folder(path, self.proxy.clone()),
             _ => {}
         }
         let before = self.settings_file.settings.clone();

@@ -36,6 +36,7 @@ use crate::pose::RbtIndex;
 use crate::render::GpuError;
 use crate::script::Restore;
 use crate::ui::Panels;
+use crate::words::texts;
 
 /// The longest time that one tick call may catch up. After a longer stall, playback continues from where it stopped.
 const LONGEST_STALL: Duration = Duration::from_millis(250);
@@ -408,6 +409,10 @@ impl ApplicationHandler<UserEvent> for Shell {
             }
             UserEvent::ExportAt { done, count } => self.export_at(done, count),
             UserEvent::ExportEnded(end) => self.export_ended(end),
+            UserEvent::NoFileManager(folder) => {
+                let said = texts::no_file_manager(folder.display().to_string());
+                self.editor.say(said.with_severity(Severity::Error));
+            }
             UserEvent::DesktopTheme(theme) => {
                 if let Some(stage) = &self.stage {
                     stage.context.options_mut(|options| options.fallback_theme = theme);

@@ -145,6 +145,7 @@ pub fn window_and_failures() -> String {
     let messages = [
         texts::FILE_EXPORT_BEGUN_ALREADY.into(),
         texts::reach_ball("robot1/left_hip/left_knee"),
+        texts::no_file_manager("/home/me/films"),
         texts::HOTKEYS_RESET.into(),
         texts::hotkeys_removed("Play or stop"),
         texts::settings_not_understood(path(), reason()),
