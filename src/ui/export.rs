@@ -81,6 +81,8 @@ impl ExportDialog {
         ui.heading(words.say(texts::EXPORT_A_FILM));
         ui.add_space(2.0 * GRID);
         let height = (ui.ctx().content_rect().height() - AROUND).max(3.0 * ROW);
+        // The bar stands in the dialog's margin.
+        ui.spacing_mut().scroll.bar_outer_margin = -3.0 * GRID;
         ScrollArea::vertical().max_height(height).min_scrolled_height(height).auto_shrink([false, true]).show(
             ui,
             |ui| {

@@ -10,7 +10,7 @@ use egui::{
 use super::PanelInput;
 use super::choices::{Choice, Topic, choices};
 use super::icons::{self, Icon, was_pressed};
-use super::theme::{GRID, ROW, Tokens, text_font};
+use super::theme::{GRID, MENU_BAR, ROW, Tokens, text_font};
 use super::words::Words;
 use crate::editor::commands::{Binding, Menu, Submenu, WindowState};
 use crate::editor::{Command, Editor, Eye, FileCommand, PlaybackCommand, ViewCommand, WindowCommand};
@@ -100,9 +100,9 @@ pub fn show(ui: &mut Ui, shown: PanelInput<'_>, window: WindowState, commands: &
     });
 }
 
-/// A menu that is higher than the window scrolls.
+/// A menu that is higher than the window below the menu bar scrolls.
 fn scrolled(ui: &mut Ui, items: impl FnOnce(&mut Ui)) {
-    let height = ui.ctx().content_rect().bottom() - ui.max_rect().top() - 2.0 * GRID;
+    let height = ui.ctx().content_rect().height() - MENU_BAR - 6.0 * GRID;
     ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, items);
 }
 

@@ -3,7 +3,9 @@
 use egui::{Rect, pos2, vec2};
 use egui_kittest::kittest::Queryable as _;
 
-use crate::{App, drag, editor, harness_of};
+use inbetween::editor::{Command, Side, ViewCommand, WindowCommand};
+
+use crate::{App, click, does, drag, editor, harness_of, press};
 
 /// Panels in a window of this size and scale, with the timeline as high as this.
 fn panels(size: egui::Vec2, percent: u16, timeline: Option<f32>) -> egui_kittest::Harness<'static, App> {
@@ -86,4 +88,33 @@ fn the_divider_of_the_right_panel_moves_and_goes_back() {
     harness.run();
     assert!((top(&harness) - before).abs() <= 1.0);
     assert_eq!(harness.state().output.panels.last(), Some(&("inspector", None)));
+}
+
+#[test]
+fn the_export_dialog_and_menus_fit_a_low_window() {
+    // What a display of 1366x768 leaves a window at 200 %.
+    let mut harness = panels(vec2(1229.0, 691.0) / 2.0, 100, None);
+    let window = Rect::from_min_size(pos2(0.0, 0.0), harness.ctx.content_rect().size());
+    does(&mut harness, Command::Window(WindowCommand::ShowExport));
+    for label in ["Export a film", "Cancel", "Export"] {
+        let rect = harness.get_by_label(label).rect();
+        assert!(window.contains_rect(rect), "{label}: {rect}");
+    }
+    press(&mut harness, egui::Key::Escape);
+    click(&mut harness, "Edit");
+    let (edit, item) = (harness.get_by_label("Edit").rect(), harness.get_by_label("Display keyframe Space").rect());
+    assert!(item.top() >= edit.bottom() && item.left() <= edit.right(), "{item} below {edit}");
+}
+
+#[test]
+fn what_is_said_of_a_film_leaves_the_letters_of_the_axes_free() {
+    let mut harness = panels(vec2(1280.0, 800.0), 100, None);
+    harness.state_mut().ui.made = Some("/films/walk.gif".into());
+    harness.run();
+    let letter = harness.get_by_label("Look from +X").rect();
+    let close = harness.get_by_label("Close").rect();
+    assert!(close.right() < harness.state().viewport.right() - 84.0, "{close}");
+    assert!(!close.intersects(letter), "{close} and {letter}");
+    click(&mut harness, "Look from +X");
+    assert_eq!(harness.state().commands, [Command::View(ViewCommand::LookFrom(Side::Right))]);
 }
