@@ -164,7 +164,7 @@ fn looks() -> Vec<Row> {
 fn from_node() -> Row {
     let chosen = ViewCommand::LookFromNode(None);
     Row::of(Changes::Session, "look-from", |command| matches!(command, Command::View(ViewCommand::LookFromNode(_))))
-        .binding(binding("look-from", chosen).section(LOOKS))
+        .binding(binding("look-from", chosen).within(Submenu::Look, LOOKS))
         .can(|editor, command| {
             let is_named = matches!(command, Command::View(ViewCommand::LookFromNode(Some(_))));
             is_named || !editor.session.chosen.is_empty()
