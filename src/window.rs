@@ -1,7 +1,8 @@
 //! The window: events in, commands to the editor, pictures out, and the effects that the editor asks for.
 //!
 //! Only here are winit's names known and, for the window, the clock on the wall read. What can be decided without a window is
-//! plain data with tables of tests: [`hotkeys`], [`motion_path`], [`limb_drag`] and [`mod@pointer`].
+//! plain data with tables of tests: [`hotkeys`], [`motion_path`], [`limb_drag`] and [`mod@pointer`]. What the pointer does over the scene is in
+//! [`hands`], which tests drive without a window.
 
 mod beginning;
 mod damage;
@@ -14,12 +15,12 @@ mod ending;
 mod export;
 pub mod handle;
 mod handling;
+pub mod hands;
 pub mod hotkeys;
 mod idle;
 mod inset;
 mod keeper;
 pub mod limb_drag;
-mod limb_handling;
 mod meter;
 pub mod motion_path;
 mod outside;
@@ -31,7 +32,6 @@ mod settings_file;
 mod shared;
 mod shell;
 mod stage;
-mod wheel;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;

@@ -56,8 +56,7 @@ impl Shell {
                 editor.begin_history();
                 self.editor = editor;
                 self.outside = Outside::new(files::known_at_start(&self.editor));
-                self.path_drag = None;
-                self.hovered_dot = None;
+                self.hands.forget_scene();
                 self.ui.begin_anew();
                 self.keeper.begin_anew(&self.editor);
             }

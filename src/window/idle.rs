@@ -19,8 +19,7 @@ const REST: Duration = Duration::from_millis(40);
 impl Shell {
     /// When the next picture is due: none while something moves, is held, or is not wanted.
     pub(super) fn plan_thumbnail(&mut self) {
-        let is_held = self.pointer.is_held() || self.path_drag.is_some() || self.limbs.drag.is_some();
-        let is_busy = self.editor.is_playing() || self.editor.is_dragging() || is_held;
+        let is_busy = self.editor.is_playing() || self.editor.is_dragging() || self.hands.is_held();
         let is_wanted = !is_busy && self.ui.wanted_thumbnail().is_some();
         // While timed keys run, the window is never idle. A thumbnail that is due stays due.
         let kept = self.thumbnail_due.filter(|_| self.editor.wants_ticks());

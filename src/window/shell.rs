@@ -9,30 +9,23 @@ use glam::Vec2;
 use winit::application::ApplicationHandler;
 use winit::event::WindowEvent;
 use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoopProxy};
-use winit::keyboard::ModifiersState;
 use winit::window::WindowId;
 
 use super::easing::Easing;
 use super::export::Export;
-use super::handle::HandleDrag;
-use super::hotkeys::{KeyInput, SpaceBar};
+use super::hands::Hands;
+use super::hotkeys::KeyInput;
 use super::inset::Inset;
 use super::keeper::Keeper;
-use super::limb_handling::Limbs;
 use super::meter::{Meter, Work};
-use super::motion_path::PathDrag;
 use super::outside::Outside;
-use super::pointer::Pointer;
 use super::settings_file::SettingsFile;
 use super::stage::{Lit, WindowSurface};
 use super::{ForTests, UserEvent, WindowError, desktop, display, ending, now, place};
 use crate::clock::AnimationClock;
-use crate::editor::gizmo::Handle;
 use crate::editor::{Command, Editor, Eye, FileCommand, Severity, ViewCommand};
 use crate::files;
 use crate::journal::Ending;
-use crate::keyframe::KeyframeIndex;
-use crate::pose::RbtIndex;
 use crate::render::GpuError;
 use crate::script::Restore;
 use crate::ui::Panels;
@@ -55,29 +48,11 @@ pub struct Shell {
     pub(super) keeper: Keeper,
     pub(super) outside: Outside,
     pub(super) export: Option<Export>,
-    pub(super) modifiers: ModifiersState,
-    pub(super) space: SpaceBar,
-    pub(super) pointer: Pointer,
-    /// The dot of the motion path that is held.
-    pub(super) path_drag: Option<PathDrag>,
-    /// The keyframe whose dot the pointer is over.
-    pub(super) hovered_dot: Option<KeyframeIndex>,
-    /// The balls at limbs' ends that the pointer is over or holds.
-    pub(super) limbs: Limbs,
-    /// The drag that goes on, where it has handles.
-    pub(super) handle_drag: Option<HandleDrag>,
-    /// The handle that the left button was pressed on, until the pointer moves.
-    pub(super) pressed_handle: Option<Handle>,
-    /// The handle that the pointer is over.
-    pub(super) hovered_handle: Option<Handle>,
-    /// The node that lights up under the pointer.
-    pub(super) hovered_part: Option<RbtIndex>,
     /// The picture's way to where the work eye is.
     pub(super) easing: Option<Easing>,
     /// When the picture of the recorded camera is made anew.
     pub(super) inset: Inset,
-    /// Where the pointer is, in the window's pixels.
-    pub(super) pointer_px: Vec2,
+    pub(super) hands: Hands,
     clock: AnimationClock,
     /// Time of the last `tick`; `None` while the editor needs no ticks.
     last_tick: Option<Instant>,
@@ -121,19 +96,9 @@ impl Shell {
             keeper,
             outside,
             export: None,
-            modifiers: ModifiersState::empty(),
-            space: SpaceBar::default(),
-            pointer: Pointer::default(),
-            path_drag: None,
-            hovered_dot: None,
-            limbs: Limbs::default(),
-            handle_drag: None,
-            pressed_handle: None,
-            hovered_handle: None,
-            hovered_part: None,
             easing: None,
             inset: Inset::default(),
-            pointer_px: Vec2::ZERO,
+            hands: Hands::default(),
             clock: AnimationClock::new(),
             last_tick: None,
             show_again: None,
@@ -219,9 +184,9 @@ impl Shell {
 
     /// Shows the panels, applies their commands, and draws the scene after the commands, so a drag appears in the same picture.
     fn redraw(&mut self) {
-        let cursor = self.cursor();
-        let hovered = self.hovered();
-        self.ui.pointed = self.name_of_lit(hovered);
+        let cursor = self.hands.cursor(self);
+        let hovered = self.hands.hovered(self);
+        self.ui.pointed = self.hands.name_of_lit(&self.editor, hovered);
         self.ui.drawn_eye = self.drawn_eye();
         let Some(stage) = &mut self.stage else { return };
         let start = now();
@@ -251,14 +216,15 @@ impl Shell {
             let _ = self.proxy.send_event(UserEvent::DeviceLost);
         }
         assert!(!self.keeper.panics_in_drawing(), "a test asked for this panic in drawing");
-        let dot = self.hovered_dot.and_then(|keyframe| self.editor.path_dot(keyframe));
         let eye = self.drawn_eye();
+        let hands = &self.hands;
+        let dot = hands.hovered_dot.and_then(|keyframe| self.editor.path_dot(keyframe));
         let lit = Lit {
             node: hovered,
             dot,
-            handle: self.hovered_handle,
-            ball: self.lit_ball(),
-            robot: self.robot_with_balls(),
+            handle: hands.hovered_handle,
+            ball: hands.lit_ball(&self.editor),
+            robot: hands.robot_with_balls(&self.editor),
         };
         for (panel, size) in panels {
             if self.settings_file.settings.resized(panel, size) {
@@ -331,34 +297,31 @@ impl Shell {
                 shows = true;
             }
             WindowEvent::DroppedFile(path) => self.apply(Command::File(FileCommand::Open(path))),
-            WindowEvent::ModifiersChanged(modifiers) => self.modifiers = modifiers.state(),
-            WindowEvent::PinchGesture { delta, .. } => self.pinch(delta),
+            WindowEvent::ModifiersChanged(modifiers) => self.hands.modifiers = modifiers.state(),
+            WindowEvent::PinchGesture { delta, .. } => self.by_hand(|hands, shell| hands.pinch(shell, delta)),
             WindowEvent::KeyboardInput { event, is_synthetic, .. } => {
-                self.key(&KeyInput::new(&event, is_synthetic, self.modifiers));
+                self.key(&KeyInput::new(&event, is_synthetic, self.hands.modifiers));
             }
             WindowEvent::CursorMoved { position, .. } => {
-                let changes = self.moved(position);
+                #[expect(clippy::cast_possible_truncation, reason = "windows are small")]
+                let at_px = Vec2::new(position.x as f32, position.y as f32);
+                let changes = self.by_hand(|hands, shell| hands.moved(shell, at_px));
                 if !changes && let Some(stage) = &mut self.stage {
                     // The panels need not hear of movements over the scene, which change nothing of theirs.
                     stage.input.egui_input_mut().events.pop_if(|event| matches!(event, egui::Event::PointerMoved(_)));
                 }
                 shows = changes;
             }
-            WindowEvent::MouseInput { state, button, .. } => self.button(state, button),
-            WindowEvent::MouseWheel { delta, .. } => self.wheel(delta),
+            WindowEvent::MouseInput { state, button, .. } => {
+                self.by_hand(|hands, shell| hands.button(shell, state, button));
+            }
+            WindowEvent::MouseWheel { delta, .. } => self.by_hand(|hands, shell| hands.wheel(shell, delta)),
             // What the desktop prefers may have been changed meanwhile, and files as well.
             WindowEvent::Focused(true) => {
                 desktop::ask_theme(self.proxy.clone());
                 self.look_outside();
             }
-            WindowEvent::Focused(false) => {
-                self.space.release();
-                self.let_go_of_dot();
-                self.let_go_of_limb();
-                if let Some(action) = self.pointer.let_go() {
-                    self.act(action);
-                }
-            }
+            WindowEvent::Focused(false) => self.by_hand(|hands, shell| hands.let_go(shell)),
             _ => {}
         }
         if shows {

@@ -3,7 +3,7 @@
 use glam::Vec2;
 use winit::event::MouseScrollDelta;
 
-use super::shell::Shell;
+use super::{Desk, Hands};
 use crate::camera::Camera;
 use crate::editor::{Command, Edit, ViewCommand, WorkEye};
 
@@ -50,34 +50,35 @@ impl Scroll {
     }
 }
 
-impl Shell {
+impl Hands {
     /// Two fingers on a touchpad moved apart, or together: by so much of their distance.
-    pub(super) fn pinch(&mut self, by: f64) {
-        if self.editor.is_work_eye() && self.is_over_scene(self.pointer_px) {
+    pub fn pinch(&self, desk: &mut dyn Desk, by: f64) {
+        if desk.editor().is_work_eye() && desk.is_over_scene(self.pointer_px) {
             #[expect(clippy::cast_possible_truncation, reason = "fingers are short")]
-            self.scroll(Scroll::Pinch(by as f32));
+            self.scroll(desk, Scroll::Pinch(by as f32));
         }
     }
 
-    pub(super) fn wheel(&mut self, delta: MouseScrollDelta) {
+    /// The wheel turns, or two fingers scroll.
+    pub fn wheel(&mut self, desk: &mut dyn Desk, delta: MouseScrollDelta) {
         let scroll = Scroll::of(delta);
-        if self.is_over_scene(self.pointer_px) && !self.wheel_limb(scroll.notches()) {
-            self.scroll(scroll);
+        if desk.is_over_scene(self.pointer_px) && !self.wheel_limb(desk, scroll.notches()) {
+            self.scroll(desk, scroll);
         }
     }
 
-    fn scroll(&mut self, scroll: Scroll) {
-        let Some(stage) = &self.stage else { return };
-        let camera = self.editor.camera(stage.view.size_px);
-        if self.editor.is_work_eye() {
-            let (eye, at_px) = (self.editor.session().work_eye, self.in_view(self.pointer_px));
+    fn scroll(&self, desk: &mut dyn Desk, scroll: Scroll) {
+        let Some(view) = desk.view() else { return };
+        let camera = view.camera(desk.editor());
+        if desk.editor().is_work_eye() {
+            let (eye, at_px) = (desk.editor().session().work_eye, view.inside(self.pointer_px));
             let eye = scroll.moved(eye, self.modifiers.control_key(), at_px, &camera);
-            self.apply(Command::View(ViewCommand::SetWorkEye(eye)));
+            desk.apply(Command::View(ViewCommand::SetWorkEye(eye)));
         } else if scroll.notches() != 0.0 {
-            let motion = self.editor.manipulation(&camera).wheel(scroll.notches());
-            self.apply(Command::Edit(Edit::Wheel(motion)));
+            let motion = desk.editor().manipulation(&camera).wheel(scroll.notches());
+            desk.apply(Command::Edit(Edit::Wheel(motion)));
         }
-        self.request_redraw();
+        desk.request_redraw();
     }
 }
 
