@@ -152,7 +152,13 @@ impl Editor {
                 Style::Orbit => Rbt::from_rotation(world_from_eye.rotation),
                 Style::Ego => world_from_object,
             };
-            (rbt, self.moved_by(pose, rbt, motion, world_from_auxiliary))
+            let (before, after) = (pose.get(rbt), self.moved_by(pose, rbt, motion, world_from_auxiliary));
+            // What a motion leaves alone keeps its bits: a drag is hundreds of motions, whose roundings would add up.
+            let turns_in_place =
+                motion.translation == Vec3::ZERO && world_from_auxiliary.translation == world_from_object.translation;
+            let translation = if turns_in_place { before.translation } else { after.translation };
+            let rotation = if motion.rotation == Quat::IDENTITY { before.rotation } else { after.rotation };
+            (rbt, Rbt { translation, rotation })
         };
         nodes.into_iter().map(moved).collect()
     }
