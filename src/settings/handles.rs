@@ -57,6 +57,11 @@ impl SnapSteps {
     /// The range of steps of moves, in units.
     pub const UNITS: RangeInclusive<f64> = 0.001..=1000.0;
 
+    /// Steps of turns that menus offer, in degrees.
+    pub const OFFERED_DEGREES: [f64; 7] = [1.0, 5.0, 10.0, 15.0, 30.0, 45.0, 90.0];
+    /// Steps of moves that menus offer, in units.
+    pub const OFFERED_UNITS: [f64; 5] = [0.05, 0.1, 0.25, 0.5, 1.0];
+
     /// The steps with each kept within its range. What is not a number is taken from others.
     #[must_use]
     pub fn in_range_or(self, others: Self) -> Self {

@@ -1,6 +1,8 @@
-//! Choices with a value: recent files, eyes, interpolations, colours, languages, sizes. Menus and the command list show the same.
+//! Choices with a value: recent files, eyes, interpolations, colours, languages, sizes, steps that
+//! drags snap to. Menus and the command list show the same.
 
 use super::words::Words;
+use crate::editor::gizmo::SnapSteps;
 use crate::editor::{Beginning, Command, Edit, Editor, Eye, FileCommand, ViewCommand, WindowCommand};
 use crate::interpolation::Interpolation;
 use crate::scene::{BUILT_IN_ANIMATIONS, built_in_scene_names};
@@ -24,6 +26,10 @@ pub enum Topic {
     Language,
     /// How large the panels are.
     Scale,
+    /// The steps of turns that snap.
+    SnapTurns,
+    /// The steps of moves that snap.
+    SnapMoves,
 }
 
 impl Topic {
@@ -37,6 +43,8 @@ impl Topic {
             Self::Theme => words.say(texts::THEME),
             Self::Language => words.say(texts::LANGUAGE),
             Self::Scale => words.say(texts::SCALE),
+            Self::SnapTurns => words.say(texts::SNAP_TURNS),
+            Self::SnapMoves => words.say(texts::SNAP_MOVES),
         }
     }
 }
@@ -100,5 +108,22 @@ pub fn choices(editor: &Editor, settings: &Settings, words: Words) -> Vec<Choice
         let command = Command::Window(WindowCommand::SetScale(scale));
         add(Topic::Scale, format!("{scale} %"), command, settings.scale_percent == scale);
     }
+    let snap = editor.session().snap;
+    let mut snaps = |topic, label, steps| {
+        add(topic, label, Command::View(ViewCommand::SetSnapSteps(steps)), steps == snap);
+    };
+    for degrees in with(&SnapSteps::OFFERED_DEGREES, snap.degrees) {
+        snaps(Topic::SnapTurns, format!("{degrees}°"), SnapSteps { degrees, ..snap });
+    }
+    for units in with(&SnapSteps::OFFERED_UNITS, snap.units) {
+        snaps(Topic::SnapMoves, units.to_string(), SnapSteps { units, ..snap });
+    }
     all
+}
+
+/// The steps that are offered, and the one in force wherever it belongs among them.
+fn with(offered: &[f64], in_force: f64) -> Vec<f64> {
+    let mut steps: Vec<f64> = offered.iter().copied().filter(|&step| step != in_force).chain([in_force]).collect();
+    steps.sort_by(f64::total_cmp);
+    steps
 }

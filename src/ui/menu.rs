@@ -261,7 +261,7 @@ fn more_items(ui: &mut Ui, menu: Menu, shown: PanelInput<'_>, commands: &mut Vec
     let all = choices(shown.editor, shown.settings, words);
     match menu {
         Menu::View => {
-            for topic in [Topic::Scale, Topic::Theme, Topic::Language] {
+            for topic in [Topic::SnapTurns, Topic::SnapMoves, Topic::Scale, Topic::Theme, Topic::Language] {
                 submenu(ui, topic, shown, &all, commands);
             }
         }
