@@ -4,6 +4,7 @@
 //! typed live in [`Panels`]. Nothing here knows the window, the GPU, files or the clock.
 
 mod about;
+mod access;
 pub mod angles;
 mod axis_letters;
 mod bar;

@@ -4,6 +4,7 @@
 use egui::{Align2, Key, Layout, Modifiers, Response, Role, ScrollArea, Sense, TextEdit, Ui, WidgetInfo, vec2};
 
 use super::PanelInput;
+use super::access;
 use super::choices::choices;
 use super::theme::{CORNER, GRID, Tokens, number_font, small_font, text_font};
 use super::words::Words;
@@ -100,7 +101,7 @@ impl Palette {
 fn row(ui: &mut Ui, entry: &Entry, is_at: bool) -> Response {
     let tokens = Tokens::of(ui);
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), LINE), Sense::click());
-    response.widget_info(|| WidgetInfo::selected(Role::ListBoxOption, entry.is_enabled, is_at, &entry.name));
+    access::item(&response, Role::ListBoxOption, entry.is_enabled, is_at, &entry.name);
     if !ui.is_rect_visible(rect) {
         return response;
     }

@@ -8,6 +8,7 @@ use egui::{
     WidgetInfo, vec2,
 };
 
+use super::access;
 use super::dialogs::{Dialog, default_button};
 use super::export::ExportDialog;
 use super::icons::{self, Icon};
@@ -342,7 +343,7 @@ fn above(folder: &Path) -> PathBuf {
 fn row(ui: &mut Ui, icon: Icon, name: &str, is_at: bool) -> Response {
     let tokens = Tokens::of(ui);
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::click());
-    response.widget_info(|| WidgetInfo::selected(Role::ListBoxOption, true, is_at, name));
+    access::item(&response, Role::ListBoxOption, true, is_at, name);
     if is_at || response.hovered() {
         ui.painter().rect_filled(rect, CORNER, if is_at { tokens.accent_fill } else { tokens.raised });
     }

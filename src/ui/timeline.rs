@@ -27,6 +27,7 @@ mod tips;
 
 use egui::{Align2, FontId, Key, Rect, Response, RichText, Role, Sense, Ui, WidgetInfo, pos2, vec2};
 
+use super::access;
 use super::binding_of;
 use super::theme::{ROW, Tokens};
 use super::thumbnails::Thumbnails;
@@ -419,14 +420,8 @@ fn diamonds(timeline: &mut Timeline, ui: &Ui, look: &Look<'_>, commands: &mut Ve
         entry = entry.or(is_current.then_some(id));
         let sense = timeline.keyboard.item(ui, id, 0, centre.x, Sense::empty());
         let response = ui.interact(area, id, sense);
-        response.widget_info(|| {
-            WidgetInfo::selected(
-                Role::ListBoxOption,
-                true,
-                is_current,
-                look.words.message(texts::keyframe_number(index.to_string())),
-            )
-        });
+        let name = look.words.message(texts::keyframe_number(index.to_string()));
+        access::item(&response, Role::ListBoxOption, true, is_current, name);
         let is_asked = ui.input(|input| input.has_accesskit_action_request(id, egui::accesskit::Action::Click));
         if is_asked {
             timeline.pick(index, editor, egui::Modifiers::NONE, commands);

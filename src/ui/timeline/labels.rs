@@ -10,6 +10,7 @@ use super::{Ask, Tab, Timeline};
 use crate::editor::keymap::Binding;
 use crate::editor::{Command, WindowCommand};
 use crate::pose::RbtIndex;
+use crate::ui::access;
 use crate::ui::binding_of;
 use crate::ui::icons::{Icon, button_at, was_pressed};
 use crate::ui::node_menu;
@@ -30,7 +31,7 @@ pub fn header(timeline: &mut Timeline, ui: &Ui, layout: &Layout, bindings: &[Bin
         let area = Rect::from_min_size(pos2(left, middle - ROW / 2.0), vec2(galley.size().x + 12.0, ROW));
         left = area.right() + 2.0;
         let response = ui.interact(area, ui.scope_id().with(tab), Sense::click());
-        response.widget_info(|| WidgetInfo::selected(Role::Tab, true, is_shown, name));
+        access::item(&response, Role::Tab, true, is_shown, name);
         let colour = if is_shown || response.hovered() { tokens.text } else { tokens.dim };
         if response.has_focus() {
             ui.painter().rect_stroke(area, CORNER, Stroke::new(1.0, tokens.accent), egui::StrokeKind::Inside);
@@ -111,9 +112,7 @@ fn name(
     let is_chosen = look.editor.session().chosen.contains(&rbt);
     let response = ui.interact(seen.shrink2(vec2(1.0, 0.0)), id, sense);
     let path = scene.rbt_path(rbt);
-    response.widget_info(|| {
-        WidgetInfo::selected(Role::ListBoxOption, true, is_chosen, look.words.message(texts::row_of(path)))
-    });
+    access::item(&response, Role::ListBoxOption, true, is_chosen, look.words.message(texts::row_of(path)));
     let fill = if is_chosen {
         Some(tokens.accent_fill)
     } else if response.hovered() {

@@ -13,6 +13,7 @@ use super::timed_keys::{Keys, add, pick, scene};
 use super::tips::tip;
 use crate::editor::{Command, KeyAt, SceneEdit, SelectionCommand};
 use crate::scene::{Channel, KeyValue};
+use crate::ui::access;
 use crate::ui::angles::degrees_from_rotation;
 use crate::ui::icons::{Icon, button_id, button_sensing, diamond, was_pressed};
 use crate::ui::theme::{CORNER, ROW, Tokens, small_font, text_font};
@@ -169,7 +170,7 @@ impl Keys {
                     let is_selected = view.editor.session().selected_keys.contains(&key);
                     let channel = channel_name(words, track.channel);
                     let says = words.message(texts::channel_of_at(channel, path, seconds.to_string()));
-                    response.widget_info(|| WidgetInfo::selected(Role::ListBoxOption, true, is_selected, &says));
+                    access::item(&response, Role::ListBoxOption, true, is_selected, &says);
                     if !response.has_focus() {
                         continue;
                     }
