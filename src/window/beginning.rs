@@ -53,6 +53,7 @@ impl Shell {
             Ok(mut editor) => {
                 editor.go_on_saying(&self.editor);
                 editor.set_keymap(self.ui.keymap().clone());
+                editor.set_handles(self.settings_file.settings.gizmo_axes, self.settings_file.settings.snap);
                 editor.begin_history();
                 self.editor = editor;
                 self.outside = Outside::new(files::known_at_start(&self.editor));

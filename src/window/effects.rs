@@ -126,9 +126,13 @@ impl Shell {
     /// The same, whatever is unsaved.
     pub(super) fn apply_now(&mut self, command: Command) {
         let is_new = command == Command::Edit(Edit::BeginAnew);
+        let is_new_scene = matches!(command, Command::Window(WindowCommand::Begin(_)));
         self.guarded(|shell| shell.carry_out(command));
         if is_new && self.editor.message().is_some_and(|message| message.severity() != Severity::Error) {
             self.name_new_animation();
+        }
+        if is_new_scene && self.editor.message().is_none_or(|message| message.severity() != Severity::Error) {
+            self.look_as_at_first();
         }
         let (session, settings) = (self.editor.session(), &mut self.settings_file.settings);
         if (settings.gizmo_axes, settings.snap) != (session.gizmo_axes, session.snap) {

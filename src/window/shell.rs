@@ -145,15 +145,20 @@ impl Shell {
         }
         ending::watch_display(event_loop, self.keeper.whereabouts().clone());
         desktop::ask_theme(self.proxy.clone());
-        if !self.settings_file.settings.recorded_eye {
-            self.apply(Command::View(ViewCommand::SetEye(Eye::Work)));
-        }
+        self.look_as_at_first();
         for command in std::mem::take(&mut self.at_start) {
             self.apply(command);
         }
         if self.editor.undo_label().is_some() {
             self.keeper.restored(&Restore::Ground);
             self.editor.begin_history();
+        }
+    }
+
+    /// Looks from the work eye, unless the settings say that windows begin with the scene's first eye.
+    pub(super) fn look_as_at_first(&mut self) {
+        if !self.settings_file.settings.recorded_eye {
+            self.apply(Command::View(ViewCommand::SetEye(Eye::Work)));
         }
     }
 
