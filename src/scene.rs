@@ -30,7 +30,7 @@ pub use graph::{Node, NodeId, NodeKind, SceneGraph};
 pub use joint::{Hinge, Joint};
 pub use keys::{LATEST_SECONDS, moved_seconds};
 pub use limbs::{LimbError, LimbNodes, PosedLimb};
-pub use pick::{Pick, Picker, Ray};
+pub use pick::{Part, Pick, Picker, Ray};
 pub use shape::{MeshKind, PlacedShape, Placement, Shape};
 pub use size::LARGEST_SCENE_BYTES;
 pub use tracks::Tracks;

@@ -2,10 +2,10 @@
 
 use glam::Vec2;
 
-use super::{Editor, Eye};
+use super::{Command, Editor, Eye, KeyAt, SelectionCommand};
 use crate::camera::Camera;
 use crate::pose::RbtIndex;
-use crate::scene::NodeKind;
+use crate::scene::{Channel, NodeId, NodeKind, Part, Pick};
 
 /// How far from a part a click may miss it, in points.
 pub const CLICK_REACH: f32 = 8.0;
@@ -35,17 +35,23 @@ impl Editor {
         seen.min_by(|a, b| a.1.total_cmp(&b.1))
     }
 
-    /// The node whose part is nearest to a pixel, at most `reach_px` away: what a click there chooses. The ground is no part; the tip of
-    /// an eye's wires is one.
+    /// The node that poses record whose part is nearest to a pixel, at most `reach_px` away: what a click there chooses. The ground is no
+    /// part; the tip of an eye's wires is one.
     #[must_use]
     pub fn part_near(&self, camera: &Camera, at_px: Vec2, reach_px: f32) -> Option<RbtIndex> {
+        self.taken_near(camera, at_px, reach_px)?.rbt()
+    }
+
+    /// What a click at a pixel takes: the nearest part, at most `reach_px` away.
+    #[must_use]
+    pub fn taken_near(&self, camera: &Camera, at_px: Vec2, reach_px: f32) -> Option<Part> {
         let picker = self.scene().picker(&self.displayed_pose(), self.seconds(), self.eye());
         // Distances of rays through pixels are depths.
         let direct = picker.nearest(camera.ray_through(at_px)).map(|hit| hit.distance);
         if let Some((eye, depth)) = self.bare_eye_near(camera, at_px, reach_px)
             && direct.is_none_or(|hit| hit > depth)
         {
-            return Some(eye);
+            return Some(Part::Rbt(eye));
         }
         let rings = (1..=RINGS).flat_map(|ring| {
             let radius = reach_px * f32::from(ring) / f32::from(RINGS);
@@ -54,7 +60,37 @@ impl Editor {
                 Vec2::from_angle(angle) * radius
             })
         });
-        std::iter::once(Vec2::ZERO).chain(rings).find_map(|by| picker.nearest(camera.ray_through(at_px + by))?.rbt)
+        std::iter::once(Vec2::ZERO)
+            .chain(rings)
+            .find_map(|by| self.part_of(picker.nearest(camera.ray_through(at_px + by))?))
+    }
+
+    fn part_of(&self, hit: Pick) -> Option<Part> {
+        match hit.rbt {
+            Some(rbt) => Some(Part::Rbt(rbt)),
+            None if hit.is_ground => None,
+            None => self.keyed_node(hit.shape).map(Part::Keyed),
+        }
+    }
+
+    /// The nearest node, this one or one above it, that has keys at their own times.
+    fn keyed_node(&self, id: NodeId) -> Option<NodeId> {
+        let scene = self.scene();
+        let has_keys =
+            |id: &NodeId| Channel::ALL.into_iter().any(|channel| !scene.key_seconds(*id, channel).is_empty());
+        std::iter::successors(Some(id), |&id| scene.node(id).parent).find(has_keys)
+    }
+
+    /// What a click on a node does that no choice can move: selects its keys, or those of the nearest node above it that has any.
+    #[must_use]
+    pub fn selecting_keys_of(&self, id: NodeId) -> Command {
+        let scene = self.scene();
+        let keys = self.keyed_node(id).map_or_else(Vec::new, |id| {
+            let path = &scene.node(id).path;
+            let of = |channel| scene.key_seconds(id, channel).iter().map(move |&at| KeyAt::new(path, channel, at));
+            Channel::ALL.into_iter().flat_map(of).collect()
+        });
+        Command::Selection(SelectionCommand::TimedKeys(keys))
     }
 
     /// The node after the primary one, among those whose parts lie behind each other at a pixel, and the nearest after the farthest.

@@ -22,8 +22,30 @@ pub struct Pick {
     pub shape: NodeId,
     /// The RBT node that carries it; `None` for a plane, which is ground, and for a shape with no RBT node above it.
     pub rbt: Option<RbtIndex>,
+    /// Whether the shape is a plane.
+    pub is_ground: bool,
     /// How far along the ray, in lengths of its direction; above 0.
     pub distance: f32,
+}
+
+/// What a click takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// A node that poses record: it is chosen.
+    Rbt(RbtIndex),
+    /// A node that only keys at their own times move or colour: its keys are selected.
+    Keyed(NodeId),
+}
+
+impl Part {
+    /// The node that poses record.
+    #[must_use]
+    pub const fn rbt(self) -> Option<RbtIndex> {
+        match self {
+            Self::Rbt(rbt) => Some(rbt),
+            Self::Keyed(_) => None,
+        }
+    }
 }
 
 /// The scene as it stands, for the rays of one look at it.
@@ -44,7 +66,7 @@ impl Picker<'_> {
             let direction = shape_from_world.transform_vector3(ray.direction_in_world);
             let distance = placed.shape.enter(origin, direction)?;
             let is_ground = matches!(placed.shape, Shape::Plane(_));
-            Some(Pick { shape, rbt: self.scene.carrying_rbt(shape).filter(|_| !is_ground), distance })
+            Some(Pick { shape, rbt: self.scene.carrying_rbt(shape).filter(|_| !is_ground), is_ground, distance })
         })
     }
 

@@ -7,14 +7,15 @@ use egui::{
     Align2, Color32, Pos2, Rect, Response, RichText, Role, Sense, Shape, Stroke, TextEdit, Ui, WidgetInfo, pos2, vec2,
 };
 
+use super::access;
 use super::icons::{Icon, button_at, paint, was_pressed};
 use super::theme::{CORNER, ROW, Tokens, text_font};
 use super::words::Words;
 use super::{key_of, node_menu, tip};
 use crate::editor::keymap::Keymap;
-use crate::editor::{Command, Editor, Eye, KeyAt, SelectionCommand, ViewCommand};
+use crate::editor::{Command, Editor, Eye, ViewCommand};
 use crate::pose::RbtIndex;
-use crate::scene::{Channel, Node, NodeId, NodeKind, SceneGraph};
+use crate::scene::{Node, NodeId, NodeKind, SceneGraph};
 use crate::words::texts;
 
 /// Which nodes are folded, and the filter.
@@ -28,6 +29,7 @@ pub struct Tree {
 
 /// One row, as it is drawn.
 struct Row<'a> {
+    id: NodeId,
     node: &'a Node,
     /// The node that a click chooses: itself, or the one that carries the shape or control node. `None`: a click chooses nothing.
     rbt: Option<RbtIndex>,
@@ -54,6 +56,7 @@ impl Tree {
         for &id in &shown {
             let node = scene.node(id);
             let row = Row {
+                id,
                 node,
                 rbt: scene.carrying_rbt(id),
                 depth: node.depth,
@@ -140,7 +143,7 @@ impl Tree {
         let words = Words::of(ui);
         let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::click());
         let is_chosen = row.is_rbt() && row.rbt.is_some_and(|rbt| editor.session().chosen.contains(&rbt));
-        response.widget_info(|| WidgetInfo::selected(Role::ListBoxOption, true, is_chosen, row.node.path.as_str()));
+        access::item(&response, Role::ListBoxOption, true, is_chosen, &row.node.path);
         highlight(ui, rect, &response, is_chosen);
         let left = rect.left() + 6.0 + 14.0 * points(row.depth);
         let middle = rect.center().y;
@@ -157,7 +160,7 @@ impl Tree {
         let Some(rbt) = row.rbt else {
             let response = response.on_hover_text(words.say(texts::KEYS_MOVE_IT));
             if was_pressed(&response) {
-                commands.push(keys_of(editor.scene(), row.node));
+                commands.push(editor.selecting_keys_of(row.id));
             }
             return;
         };
@@ -199,15 +202,6 @@ impl Tree {
             self.folded.insert(path);
         }
     }
-}
-
-/// Selects all keys of a node that no choice can move.
-fn keys_of(scene: &SceneGraph, node: &Node) -> Command {
-    let seconds = |channel| scene.find(&node.path).map(|id| scene.key_seconds(id, channel)).unwrap_or_default();
-    let keys = Channel::ALL
-        .into_iter()
-        .flat_map(|channel| seconds(channel).iter().map(move |&at| KeyAt::new(&node.path, channel, at)));
-    Command::Selection(SelectionCommand::TimedKeys(keys.collect()))
 }
 
 fn icon(row: &Row<'_>) -> Icon {

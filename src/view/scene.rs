@@ -5,7 +5,7 @@ use glam::{Affine3A, Vec3};
 use crate::camera::Camera;
 use crate::frame::{DrawItem, Frame, View};
 use crate::pose::{Pose, RbtIndex};
-use crate::scene::{NodeKind, PlacedShape, SceneGraph};
+use crate::scene::{NodeKind, Part, PlacedShape, SceneGraph};
 
 /// The picture of a scene in a pose, `seconds` into the timed keys, looked at from the node `from`: of its own shapes only the shadow
 /// shows. `None`: from no node.
@@ -36,9 +36,13 @@ pub(super) fn outline(frame: &mut Frame, scene: &SceneGraph, nodes: &[RbtIndex])
 /// How far the colours of what a click takes go towards white.
 const LIGHTER: f32 = 0.15;
 
-/// Lights the shapes of a node, which a click would take. `scene` must be the frame's.
-pub fn light(frame: &mut Frame, scene: &SceneGraph, node: RbtIndex) {
-    for item in frame.items.iter_mut().filter(|item| carrying(scene, item) == Some(node)) {
+/// Lights the shapes that a click would take. `scene` must be the frame's.
+pub fn light(frame: &mut Frame, scene: &SceneGraph, part: Part) {
+    let is_lit = |item: &DrawItem| match part {
+        Part::Rbt(rbt) => carrying(scene, item) == Some(rbt),
+        Part::Keyed(node) => scene.subtree(node).contains(&(item.node as usize)),
+    };
+    for item in frame.items.iter_mut().filter(|item| is_lit(item)) {
         item.colour = item.colour.lerp(Vec3::ONE, LIGHTER);
     }
 }
@@ -74,7 +78,7 @@ mod tests {
         let before = frame_of_scene(&scene, scene.rest_pose(), 0.0, &camera, None);
         let mut frame = before.clone();
         let head = scene.find_rbt("robot1/head").unwrap();
-        light(&mut frame, &scene, head);
+        light(&mut frame, &scene, Part::Rbt(head));
         let is_of_head = |item: &DrawItem| carrying(&scene, item) == Some(head);
         assert!(frame.items.iter().any(is_of_head));
         for (item, before) in frame.items.iter().zip(&before.items) {

@@ -20,7 +20,7 @@ use crate::camera::Camera;
 use crate::editor::gizmo::Handle;
 use crate::editor::{CLICK_REACH, Command, DragKind, Editor};
 use crate::keyframe::KeyframeIndex;
-use crate::pose::RbtIndex;
+use crate::scene::Part;
 use crate::words::{Message, texts};
 pub use limbs::Limbs;
 
@@ -86,7 +86,7 @@ pub struct Hands {
     /// The handle that the left button was pressed on, until the pointer moves.
     pressed_handle: Option<Handle>,
     /// The node that lights up under the pointer.
-    hovered_part: Option<RbtIndex>,
+    hovered_part: Option<Part>,
 }
 
 impl Hands {
@@ -133,9 +133,9 @@ impl Hands {
         }
     }
 
-    /// The node that a click would choose.
+    /// What a click would take.
     #[must_use]
-    pub fn hovered(&self, desk: &dyn Desk) -> Option<RbtIndex> {
+    pub fn hovered(&self, desk: &dyn Desk) -> Option<Part> {
         let editor = desk.editor();
         let is_over_handle =
             self.hovered_dot.is_some() || self.hovered_handle.is_some() || self.lit_ball(editor).is_some();
@@ -148,8 +148,14 @@ impl Hands {
 
     /// The name of what lights up under the pointer: a ball, or the part that [`Self::hovered`] gives.
     #[must_use]
-    pub fn name_of_lit(&self, editor: &Editor, part: Option<RbtIndex>) -> Option<Message> {
-        let name = || Some(texts::foreign(editor.scene().rbt_path(part?)));
+    pub fn name_of_lit(&self, editor: &Editor, part: Option<Part>) -> Option<Message> {
+        let scene = editor.scene();
+        let name = || {
+            Some(texts::foreign(match part? {
+                Part::Rbt(rbt) => scene.rbt_path(rbt),
+                Part::Keyed(node) => scene.node(node).path.as_str(),
+            }))
+        };
         self.name_of_lit_ball(editor).or_else(name)
     }
 
@@ -171,7 +177,8 @@ impl Hands {
             || desk.view().is_some_and(|view| editor.is_in_arcball(&view.camera(editor), view.inside(at_px)));
         let target = match part_at(desk, at_px, CLICK_REACH) {
             _ if self.pressed_handle.is_some() => Target::Handle,
-            Some(rbt) => Target::Part(rbt),
+            Some(Part::Rbt(rbt)) => Target::Part(rbt),
+            Some(Part::Keyed(node)) => Target::Keyed(node),
             None if is_in_arcball() => Target::Arcball,
             None => Target::Nothing,
         };
@@ -179,8 +186,8 @@ impl Hands {
     }
 }
 
-/// The node whose part is nearest to a pixel, at most so many points away.
-fn part_at(desk: &dyn Desk, at_px: Vec2, reach: f32) -> Option<RbtIndex> {
+/// What a click at a pixel takes: the nearest part, at most so many points away.
+fn part_at(desk: &dyn Desk, at_px: Vec2, reach: f32) -> Option<Part> {
     let (editor, view) = (desk.editor(), desk.view()?);
-    editor.part_near(&view.camera(editor), view.inside(at_px), reach * view.pixels_per_point)
+    editor.taken_near(&view.camera(editor), view.inside(at_px), reach * view.pixels_per_point)
 }

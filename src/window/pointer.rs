@@ -26,6 +26,7 @@ use glam::Vec2;
 
 use crate::editor::DragKind;
 use crate::pose::RbtIndex;
+use crate::scene::NodeId;
 
 /// The pointer must move so far for a press to be a drag, in pixels.
 const SLACK_PX: f32 = 3.0;
@@ -53,6 +54,8 @@ pub enum Target {
     Part(RbtIndex),
     /// The inside of the arcball.
     Arcball,
+    /// A node that only keys at their own times move. Drags take it for nothing.
+    Keyed(NodeId),
     /// Nothing, or the ground.
     #[default]
     Nothing,
@@ -105,6 +108,8 @@ pub enum Click {
     Also(RbtIndex),
     /// Goes on to what lies behind the chosen node.
     GoOn,
+    /// Selects the keys of a node that no choice can move.
+    SelectKeys(NodeId),
     /// Ends the choice.
     ChooseNone,
 }
@@ -206,6 +211,7 @@ impl Pointer {
             Target::Part(rbt) if held.shift => Click::Also(rbt),
             Target::Part(_) if held.ctrl => Click::GoOn,
             Target::Part(rbt) => Click::Choose(rbt),
+            Target::Keyed(node) => Click::SelectKeys(node),
             Target::Arcball | Target::Nothing if is_double => Click::ChooseNone,
             Target::Handle | Target::Arcball | Target::Nothing => return None,
         };
@@ -279,8 +285,8 @@ const fn by_the_work_eye(button: Button, target: Target, held: Held) -> Moves {
     match (button, target) {
         (Button::Middle, _) => Moves::Eye(around),
         (Button::Left, _) if held.alt => Moves::Eye(around),
-        (Button::Left, Target::Nothing) => Moves::Eye(around),
-        (Button::Right, Target::Nothing) => Moves::Eye(Drag::Pan),
+        (Button::Left, Target::Nothing | Target::Keyed(_)) => Moves::Eye(around),
+        (Button::Right, Target::Nothing | Target::Keyed(_)) => Moves::Eye(Drag::Pan),
         (Button::Left | Button::Right, Target::Part(rbt)) => Moves::Nodes(Some(rbt)),
         (Button::Left | Button::Right, Target::Handle | Target::Arcball) => Moves::Nodes(None),
     }

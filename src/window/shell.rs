@@ -225,7 +225,7 @@ impl Shell {
         let hands = &self.hands;
         let dot = hands.hovered_dot.and_then(|keyframe| self.editor.path_dot(keyframe));
         let lit = Lit {
-            node: hovered,
+            part: hovered,
             dot,
             handle: hands.hovered_handle,
             ball: hands.lit_ball(&self.editor),

@@ -18,6 +18,7 @@ use crate::editor::{Editor, LimbBall, PathDot, WorkEye};
 use crate::frame::Frame;
 use crate::pose::RbtIndex;
 use crate::render::{Gpu, GpuError, Image, Offscreen, Renderer, Target, Viewport, default_samples};
+use crate::scene::Part;
 use crate::ui::{Panels, THUMBNAIL_PX, UiOutput, theme};
 use crate::view::{
     add_limb_balls, frame_of_displayed, light, light_handle, mark_dot, mark_limb_ball, picture_of_editor,
@@ -56,8 +57,8 @@ impl SceneArea {
 /// What the pointer lights up over the scene.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Lit {
-    /// The node that a click would choose.
-    pub node: Option<RbtIndex>,
+    /// What a click would take.
+    pub part: Option<Part>,
     /// The dot of the motion path that a press would take.
     pub dot: Option<PathDot>,
     /// The handle that a press would take.
@@ -207,8 +208,8 @@ impl WindowSurface {
         let camera = editor.camera(self.view.size_px);
         let camera = eye.map_or(camera, |eye| Camera { world_from_eye: eye.world_from_eye(), ..camera });
         let mut frame = frame_of_displayed(editor, &pose, &camera);
-        if let Some(hovered) = lit.node {
-            light(&mut frame, editor.scene(), hovered);
+        if let Some(part) = lit.part {
+            light(&mut frame, editor.scene(), part);
         }
         add_limb_balls(&mut frame, editor, lit.robot);
         if let Some(ball) = lit.ball {

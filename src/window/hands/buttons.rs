@@ -6,6 +6,7 @@ use winit::event::{ElementState, MouseButton};
 use super::{Desk, Hands, part_at};
 use crate::editor::{CLICK_REACH, Command, GestureCommand, ViewCommand};
 use crate::keyframe::KeyframeIndex;
+use crate::scene::Part;
 use crate::window::motion_path::{PathDrag, REACH};
 use crate::window::now;
 use crate::window::pointer::{Action, Button, Click, Drag};
@@ -111,18 +112,20 @@ impl Hands {
         let camera = view.camera(desk.editor());
         match action {
             Action::Pick(at_px) => {
-                let rbt = part_at(desk, at_px + view.min_px, CLICK_REACH);
+                let rbt = part_at(desk, at_px + view.min_px, CLICK_REACH).and_then(Part::rbt);
                 desk.apply(Command::View(ViewCommand::Choose(rbt)));
             }
             Action::Click(click, at_px) => {
                 let reach_px = CLICK_REACH * view.pixels_per_point;
+                let choose = |rbt| Command::View(ViewCommand::Choose(rbt));
                 let command = match click {
-                    Click::Choose(rbt) => ViewCommand::Choose(Some(rbt)),
-                    Click::Also(rbt) => ViewCommand::ChooseAlso(rbt),
-                    Click::GoOn => ViewCommand::Choose(desk.editor().part_behind(&camera, at_px, reach_px)),
-                    Click::ChooseNone => ViewCommand::Choose(None),
+                    Click::Choose(rbt) => choose(Some(rbt)),
+                    Click::Also(rbt) => Command::View(ViewCommand::ChooseAlso(rbt)),
+                    Click::GoOn => choose(desk.editor().part_behind(&camera, at_px, reach_px)),
+                    Click::SelectKeys(node) => desk.editor().selecting_keys_of(node),
+                    Click::ChooseNone => choose(None),
                 };
-                desk.apply(Command::View(command));
+                desk.apply(command);
             }
             Action::Move { drag: drag @ (Drag::Orbit | Drag::Pan), from_px, to_px } => {
                 self.space.drag();

@@ -92,7 +92,7 @@ impl Hands {
         if desk.editor().is_playing() || self.pointer.is_held() || !desk.is_over_scene(at_px) {
             return None;
         }
-        part_at(desk, at_px, REACH)
+        part_at(desk, at_px, REACH)?.rbt()
     }
 
     /// A button goes down or up. Says whether that belongs to a ball.

@@ -106,6 +106,8 @@ fn clicks_choose_and_keep_the_choice_where_they_miss() {
     clicks(on_part, SHIFT, &[Some(Click::Also(part()))]);
     clicks(on_part, CTRL, &[Some(Click::GoOn), Some(Click::GoOn)]);
     clicks(on_part, ALT, &[None]);
+    let keyed = crate::scene::built_in_scene("cylinder").unwrap().find("cylinder").unwrap();
+    clicks(Target::Keyed(keyed), PLAIN, &[Some(Click::SelectKeys(keyed))]);
     clicks(Target::Nothing, PLAIN, &[None, Some(Click::ChooseNone)]);
     clicks(Target::Arcball, PLAIN, &[None, Some(Click::ChooseNone)]);
 }
