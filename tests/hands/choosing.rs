@@ -2,6 +2,7 @@
 
 use glam::Vec2;
 use inbetween::editor::{Command, Eye, ViewCommand};
+use inbetween::scene::Part;
 use winit::keyboard::ModifiersState;
 
 use crate::table::{HEAD, KNEE, Left, SHOULDER, Table};
@@ -34,7 +35,7 @@ fn what_a_click_would_choose_lights_up_with_its_name() {
         let mut table = seen_from(eye);
         let at_px = table.on(path);
         table.move_to(at_px);
-        assert_eq!(table.lit(), (Some(table.node(path)), path.to_owned()), "{eye:?}");
+        assert_eq!(table.lit(), (Some(Part::Rbt(table.node(path))), path.to_owned()), "{eye:?}");
         table.click(at_px);
         assert_eq!(table.chosen(), [path], "{eye:?}");
         table.move_to(table.on_nothing());
@@ -151,4 +152,30 @@ fn clicks_choose_while_playing() {
     table.click(table.on(SHOULDER));
     assert_eq!(table.chosen(), [SHOULDER]);
     assert!(table.editor.is_playing());
+}
+
+#[test]
+fn a_click_on_what_only_keys_move_selects_its_keys() {
+    let mut table = Table::of("cylinder");
+    table.run("seconds 0");
+    let id = table.editor.scene().find("cylinder").unwrap();
+    let at_px = table.seen_px(glam::Vec3::ZERO);
+    table.move_to(at_px);
+    assert_eq!(table.lit(), (Some(Part::Keyed(id)), "cylinder".to_owned()));
+    table.click(at_px);
+    let mut by_line = Table::of("cylinder");
+    by_line.run("select-keys translation 0 cylinder translation 2 cylinder translation 4 cylinder rotation 0 cylinder rotation 2 cylinder rotation 3 cylinder rotation 4 cylinder scale 0 cylinder scale 2 cylinder scale 4 cylinder");
+    assert_eq!(table.editor.session().selected_keys, by_line.editor.session().selected_keys);
+    assert_eq!(table.editor.session().selected_keys.len(), 10);
+    assert_eq!(table.chosen(), [""; 0]);
+    // It cannot be posed: a drag on it is one on nothing.
+    let before = table.editor.session().work_eye;
+    table.drag(Left, at_px, Vec2::new(60.0, 20.0));
+    assert_ne!(table.editor.session().work_eye, before);
+    assert_eq!(table.undo_label(), None);
+    // After p it is what a click may miss.
+    table.run("select sky");
+    table.press("p");
+    table.click(table.seen_px(glam::Vec3::ZERO));
+    assert_eq!(table.chosen(), [""; 0]);
 }

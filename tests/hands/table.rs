@@ -8,7 +8,7 @@ use inbetween::editor::keymap::{binding_for, press_from_word};
 use inbetween::editor::{CLICK_REACH, Command, Edit, Editor, Eye, ViewCommand};
 use inbetween::pose::RbtIndex;
 use inbetween::rbt::Rbt;
-use inbetween::scene::{DEFAULT_SCENE, built_in_scene};
+use inbetween::scene::{DEFAULT_SCENE, Part, built_in_scene};
 use inbetween::script::script_commands;
 use inbetween::window::hands::{Desk, Hands, View};
 use inbetween::window::limb_drag;
@@ -180,7 +180,7 @@ impl Table {
     }
 
     /// The node and the name that light up under the pointer.
-    pub fn lit(&mut self) -> (Option<RbtIndex>, String) {
+    pub fn lit(&mut self) -> (Option<Part>, String) {
         let top = Top(&mut self.editor);
         let part = self.hands.hovered(&top);
         let name = self.hands.name_of_lit(top.0, part);

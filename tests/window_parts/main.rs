@@ -1,10 +1,11 @@
 //! What stands around scene and timeline, driven by pointer and keyboard with no window: the division of the window, menus, lists,
-//! dialogs, the help, the first steps.
+//! dialogs, the help, the first steps; and that each item of a menu is its command.
 
 mod access;
 mod dialogs;
 mod files;
 mod help;
+mod items;
 mod layout;
 mod palette;
 mod paths;
