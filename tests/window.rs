@@ -5,10 +5,15 @@
 mod display;
 
 use std::collections::HashSet;
+use std::path::PathBuf;
+use std::sync::Arc;
 use std::thread::sleep;
 use std::time::Duration;
 
-use display::{display, inbetween, start, wait_for, xdotool};
+use display::{display, focused_window, inbetween, start, wait_for, xdotool};
+use glam::Vec2;
+use inbetween::editor::{Command, Editor, Eye, ViewCommand};
+use inbetween::scene::{DEFAULT_SCENE, built_in_scene};
 
 #[test]
 fn hotkeys_typed_into_the_window_end_up_in_the_file() {
@@ -48,6 +53,57 @@ fn hotkeys_typed_into_the_window_end_up_in_the_file() {
     let is_over = wait_for(|| inbetween.0.try_wait().is_ok_and(|end| end.is_some()));
     assert!(is_over, "Ctrl+Q does not quit, although all is saved");
     assert!(inbetween.0.wait().is_ok_and(|status| status.success()));
+}
+
+#[test]
+fn a_part_that_is_dragged_in_the_window_is_turned_in_the_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("dragged.json");
+    let (_server, display) = display(&[]);
+    let mut inbetween = start("inbetween", inbetween(&display, folder.path()).arg(&file));
+    let window = focused_window(&display, &mut inbetween);
+    let tool = |words: &str| {
+        let words: Vec<&str> = words.split_whitespace().collect();
+        xdotool(&display, &words).unwrap_or_else(|| panic!("xdotool {words:?}"))
+    };
+    let geometry = tool(&format!("getwindowgeometry --shell {window}"));
+    let number = |name: &str| -> f32 {
+        let line = geometry.lines().find_map(|line| line.strip_prefix(name)?.strip_prefix('='));
+        line.and_then(|number| number.parse().ok()).unwrap_or_else(|| panic!("no {name} in {geometry}"))
+    };
+    let is_marked =
+        |is_unsaved: bool| wait_for(|| tool(&format!("getwindowname {window}")).starts_with('*') == is_unsaved);
+    // Without panels, the view is the window. Two keys that show in the title: meanwhile the picture without panels was drawn.
+    tool("key F11");
+    tool("key n");
+    assert!(is_marked(true));
+    tool("key ctrl+z");
+    assert!(is_marked(false));
+    let scene = built_in_scene(DEFAULT_SCENE).unwrap();
+    let mut editor = Editor::new(Arc::new(scene), PathBuf::from("a.json"));
+    editor.apply(Command::View(ViewCommand::SetEye(Eye::Work))).unwrap();
+    let shoulder = editor.scene().find_rbt("robot1/left_shoulder").unwrap();
+    let in_world = editor.scene().world_from_rbt(&editor.displayed_pose(), 0.0, shoulder).translation;
+    let camera = editor.camera(Vec2::new(number("WIDTH"), number("HEIGHT")));
+    let is_on_shoulder = |at_px: Vec2| editor.part_near(&camera, at_px, 0.0) == Some(shoulder);
+    let beside = (0..100_u8).map(|by| camera.project(in_world).unwrap().0.round() - Vec2::X * f32::from(by));
+    let is_well_within = |at_px: &Vec2| [-3.0, 0.0, 3.0].iter().all(|by| is_on_shoulder(*at_px + Vec2::X * *by));
+    let at_px = Vec2::new(number("X"), number("Y")) + beside.into_iter().find(is_well_within).unwrap();
+    let to = |by: f32| format!("mousemove {} {}", at_px.x + by, at_px.y - by);
+    tool(&to(0.0));
+    tool("mousedown 1");
+    for step in 1..=8_u8 {
+        tool(&to(f32::from(step) * 8.0));
+    }
+    tool("mouseup 1");
+    tool("key n");
+    assert!(is_marked(true));
+    tool("key w");
+    assert!(wait_for(|| file.is_file()));
+    let json: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(&file).unwrap()).unwrap();
+    let poses = json["keyframes"][0]["pose"].as_array().unwrap();
+    let is_turned = |place: &usize| poses[*place]["rotation"] != serde_json::json!([0, 0, 0, 1]);
+    assert_eq!((0..poses.len()).filter(is_turned).collect::<Vec<_>>(), [shoulder.get()]);
 }
 
 /// What a display shows, once the program has drawn on it and nothing changes any more: 4 bytes a pixel. And whether pictures reached it

@@ -2,6 +2,7 @@
 
 use glam::{Quat, Vec2, Vec3};
 use inbetween::editor::Eye;
+use inbetween::script::script_commands;
 
 use crate::table::{Left, Right, SHOULDER, Table};
 
@@ -130,4 +131,62 @@ fn v_goes_on_from_the_work_eye_to_the_three_of_the_scene_and_back() {
         table.press("v");
     }
     assert_eq!(eyes, [Eye::Work, Eye::Recorded(0), Eye::Recorded(1), Eye::Recorded(2), Eye::Work]);
+}
+
+#[test]
+fn a_script_starts_with_the_sky_and_its_v_goes_through_the_three() {
+    let mut table = Table::as_a_script_begins();
+    let mut eyes = vec![table.editor.session().eye];
+    for line in ["key v", "key v", "key v", "eye work", "key v"] {
+        table.run(line);
+        eyes.push(table.editor.session().eye);
+    }
+    let recorded = [0, 1, 2, 0].map(Eye::Recorded);
+    assert_eq!(eyes[..4], recorded);
+    assert_eq!(eyes[4..], [Eye::Work, Eye::Recorded(0)]);
+}
+
+#[test]
+fn what_moves_nodes_is_refused_while_playing_and_the_playback_goes_on() {
+    let lines = [
+        "key u",
+        "key n",
+        "key d",
+        "key <",
+        "key >",
+        "key i",
+        "key r",
+        "key space",
+        "key c",
+        "undo",
+        "redo",
+        "rotate z 30",
+        "turn z 30 world",
+        "translate 0 1 0",
+        "shift 0 1 0 view",
+        "key ctrl+r",
+        "key ctrl+g",
+        "drag-grab turn z local",
+        "reach 0 1 1 robot1/right_shoulder/right_elbow",
+        "pole 20 robot1/right_shoulder/right_elbow",
+        "mirror",
+        "paste-pose",
+        "paste-pose mirrored",
+        "reset-node",
+        "pose-of \"{\\\"format\\\": \\\"inbetween.pose\\\", \\\"version\\\": 1, \\\"name\\\": \\\"a\\\", \\\"nodes\\\": []}\"",
+        "set-rotation 0 0 1 0 robot2",
+        "retime 100",
+    ];
+    for line in lines {
+        let mut table = Table::after("select robot1/right_shoulder\nrotate x 10\ncopy-pose\nundo");
+        table.play();
+        let before = table.editor.document().clone();
+        let commands = script_commands(line.as_bytes(), table.editor.scene()).unwrap_or_else(|all| panic!("{all:?}"));
+        for command in commands {
+            let refused = table.editor.apply(command).expect_err(line).message().to_string();
+            assert!(refused.contains(" while playing"), "{line}: {refused}");
+        }
+        assert!(table.editor.is_playing() && !table.editor.is_dragging(), "{line}");
+        assert_eq!(*table.editor.document(), before, "{line}");
+    }
 }

@@ -29,7 +29,6 @@ const VIEW: View = View { min_px: Vec2::new(60.0, 40.0), size_px: Vec2::new(1400
 pub struct Table {
     pub editor: Editor,
     pub hands: Hands,
-    held: ModifiersState,
 }
 
 /// What the hands see of a table.
@@ -64,10 +63,19 @@ impl Table {
     }
 
     pub fn of(scene: &str) -> Self {
+        let mut table = Self::seen_as_by_a_script(scene);
+        table.editor.apply(Command::View(ViewCommand::SetEye(Eye::Work))).unwrap();
+        table
+    }
+
+    pub fn as_a_script_begins() -> Self {
+        Self::seen_as_by_a_script(DEFAULT_SCENE)
+    }
+
+    fn seen_as_by_a_script(scene: &str) -> Self {
         let scene = built_in_scene(scene).expect("it is built in");
-        let mut editor = Editor::new(Arc::new(scene), PathBuf::from("animation.json"));
-        editor.apply(Command::View(ViewCommand::SetEye(Eye::Work))).unwrap();
-        Self { editor, hands: Hands::default(), held: ModifiersState::empty() }
+        let editor = Editor::new(Arc::new(scene), PathBuf::from("animation.json"));
+        Self { editor, hands: Hands::default() }
     }
 
     /// After script lines.
@@ -101,7 +109,6 @@ impl Table {
 
     /// Holds keys with the mouse from now on.
     pub fn hold(&mut self, keys: ModifiersState) {
-        self.held = keys;
         self.hands.modifiers = keys;
     }
 

@@ -64,3 +64,20 @@ fn screen_readers_have_names_for_everything() {
     let frame = harness.root().accesskit_node().label().unwrap_or_default();
     assert!(frame.ends_with("wave.json • Inbetween"), "{frame}");
 }
+
+#[test]
+fn escape_is_for_a_dialog_or_a_menu_before_the_choice() {
+    let takes_escape = |harness: &egui_kittest::Harness<'_, crate::App>| harness.state().ui.takes_escape(&harness.ctx);
+    let mut harness = harness(editor(3));
+    assert!(!takes_escape(&harness));
+    harness.get_by_label("File").click();
+    harness.run();
+    assert!(takes_escape(&harness), "a menu");
+    press(&mut harness, Key::Escape);
+    assert!(!takes_escape(&harness));
+    harness.state_mut().ui.ask_before_quitting();
+    harness.run();
+    assert!(takes_escape(&harness), "a dialog");
+    press(&mut harness, Key::Escape);
+    assert!(!takes_escape(&harness));
+}
