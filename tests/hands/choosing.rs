@@ -5,7 +5,7 @@ use inbetween::editor::{Command, Eye, ViewCommand};
 use inbetween::scene::Part;
 use winit::keyboard::ModifiersState;
 
-use crate::table::{HEAD, KNEE, Left, SHOULDER, Table};
+use crate::table::{HEAD, KNEE, Left, SHOULDER, Table, VIEW};
 
 /// Every eye, and a node that is seen from it.
 fn eyes() -> [(Eye, &'static str); 4] {
@@ -47,7 +47,7 @@ fn what_a_click_would_choose_lights_up_with_its_name() {
 fn a_click_takes_the_nearest_part_within_8_points() {
     for (points, expected) in [(1.0, true), (7.0, true), (10.0, false)] {
         let mut table = Table::new();
-        let beside_px = table.edge(table.on(KNEE), -Vec2::X) - Vec2::X * points * table.view().pixels_per_point;
+        let beside_px = table.edge(table.on(KNEE), -Vec2::X) - Vec2::X * points * VIEW.pixels_per_point;
         assert_eq!(table.direct(beside_px), None);
         table.move_to(beside_px);
         assert_eq!(table.lit().0.is_some(), expected, "{points} points");

@@ -5,7 +5,7 @@ use inbetween::editor::gizmo::{Axis, GizmoAxes, Handle, HandleKind};
 use inbetween::window::handle::REACH;
 use winit::keyboard::ModifiersState;
 
-use crate::table::{Left, SHOULDER, Table};
+use crate::table::{Left, SHOULDER, Table, VIEW};
 
 const fn handle(kind: HandleKind, axis: Axis, axes: GizmoAxes) -> Handle {
     Handle { kind, axis, axes }
@@ -21,8 +21,8 @@ fn with_handles() -> Table {
 /// A pixel of the window that takes a handle.
 fn grip_px(table: &Table, handle: Handle) -> Vec2 {
     let gizmo = table.editor.gizmo(&table.camera()).expect("a node is chosen");
-    let reach_px = REACH * table.view().pixels_per_point;
-    table.view().min_px + gizmo.grip_px(handle, reach_px).unwrap_or_else(|| panic!("{handle:?} is not seen"))
+    let reach_px = REACH * VIEW.pixels_per_point;
+    VIEW.min_px + gizmo.grip_px(handle, reach_px).unwrap_or_else(|| panic!("{handle:?} is not seen"))
 }
 
 fn readout(table: &Table) -> String {

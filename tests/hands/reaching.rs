@@ -61,9 +61,9 @@ fn with_space_or_both_buttons_a_ball_goes_along_the_view() {
         table.move_to(from_px);
         table.down(Left);
         if is_space {
-            table.hold_space(true)
+            table.hold_space(true);
         } else {
-            table.down(Right)
+            table.down(Right);
         }
         table.move_to(from_px + Vec2::Y * 20.0);
         let moved = end(&table, ELBOW) - before;

@@ -23,7 +23,7 @@ pub const KNEE: &str = "robot1/left_hip/left_knee";
 pub const HEAD: &str = "robot2/head";
 
 /// The view lies in the middle of a window with panels around it, on a screen with two pixels a point.
-const VIEW: View = View { min_px: Vec2::new(60.0, 40.0), size_px: Vec2::new(1400.0, 900.0), pixels_per_point: 2.0 };
+pub const VIEW: View = View { min_px: Vec2::new(60.0, 40.0), size_px: Vec2::new(1400.0, 900.0), pixels_per_point: 2.0 };
 
 /// An editor, and what the pointer does.
 pub struct Table {
@@ -225,7 +225,11 @@ impl Table {
 
     /// A pixel where nothing is seen, not even the ground.
     pub fn on_nothing(&self) -> Vec2 {
-        VIEW.min_px + Vec2::new(30.0, 30.0)
+        let inside_px = Vec2::splat(30.0);
+        let ray = VIEW.camera(&self.editor).ray_through(inside_px);
+        let picker = self.editor.scene().picker(&self.editor.displayed_pose(), 0.0, self.editor.eye());
+        assert!(picker.nearest(ray).is_none(), "the sky is not seen");
+        VIEW.min_px + inside_px
     }
 
     /// A pixel where the ground is seen, far from parts.
@@ -252,10 +256,6 @@ impl Table {
 
     pub fn camera(&self) -> inbetween::camera::Camera {
         VIEW.camera(&self.editor)
-    }
-
-    pub fn view(&self) -> View {
-        VIEW
     }
 
     pub fn said(&self) -> String {
