@@ -99,9 +99,7 @@ fn click(harness: &mut Harness<'_, App>, label: &str) {
 
 fn selected(harness: &Harness<'_, App>) -> Vec<String> {
     harness
-        .query_all_by(|node| {
-            node.toggled() == Some(egui::accesskit::Toggled::True) && node.role() == egui::Role::ListBoxOption
-        })
+        .query_all_by(|node| node.is_selected() == Some(true) && node.role() == egui::Role::ListBoxOption)
         .filter_map(|node| node.accesskit_node().label())
         .collect()
 }
@@ -134,9 +132,9 @@ fn arrows_move_in_the_list_and_escape_leaves_it() {
     assert_ne!(first, second);
     assert_eq!(selected(&harness), first);
     press(&mut harness, Key::ArrowUp);
-    assert_eq!(selected(&harness), ["Scale: 200 %"]);
+    assert_eq!(selected(&harness), ["Snap moves to: 1"]);
     press(&mut harness, Key::Enter);
-    assert_eq!(harness.state().settings.scale_percent, 200);
+    assert!((harness.state().editor.session().snap.units - 1.0).abs() < f64::EPSILON);
 }
 
 #[test]

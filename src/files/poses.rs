@@ -42,7 +42,7 @@ pub fn read(name: &str) -> FileOutcome<Vec<u8>> {
             return error.message();
         }
         let names: Vec<&str> = shipped_poses().iter().map(|pose| pose.name.as_str()).collect();
-        texts::poses_unknown(&names.join(", "))
+        texts::poses_unknown(names.join(", "))
     })
 }
 
