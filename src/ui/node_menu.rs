@@ -125,7 +125,8 @@ pub fn items(ui: &mut Ui, editor: &Editor, bindings: &[Binding], rbt: RbtIndex, 
     });
 }
 
-fn item(ui: &mut Ui, label: &str, key: &str, is_enabled: bool) -> bool {
+/// An item of a menu at the pointer, with its hotkey, if it has one. Says whether it was pressed; the menu is then over.
+pub fn item(ui: &mut Ui, label: &str, key: &str, is_enabled: bool) -> bool {
     let mut button = Button::new(label).min_size(vec2(0.0, ROW));
     if !key.is_empty() {
         button = button.shortcut_text(RichText::new(key).monospace());

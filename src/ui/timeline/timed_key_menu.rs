@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use egui::{
-    Align, Button, DragValue, Id, Layout, Popup, PopupAnchor, PopupCloseBehavior, PopupKind, Pos2, Response, RichText,
-    Role, TextEdit, Ui, WidgetInfo, vec2,
+    Align, DragValue, Id, Layout, Popup, PopupAnchor, PopupCloseBehavior, PopupKind, Pos2, Response, RichText, Role,
+    TextEdit, Ui, WidgetInfo, vec2,
 };
 use glam::Vec3;
 
@@ -20,7 +20,7 @@ use crate::editor::{
 use crate::rotation_rules::rotation_from_euler_degrees;
 use crate::scene::{Channel, KeyValue, NodeId};
 use crate::ui::angles::{degrees_from_rotation, say_of_angles};
-use crate::ui::icons::was_pressed;
+use crate::ui::node_menu::item;
 use crate::ui::theme::{GRID, ROW, Tokens};
 use crate::ui::words::Words;
 use crate::words::texts;
@@ -113,18 +113,6 @@ fn caption(ui: &mut Ui, text: &str) {
         ui.add_space(2.0);
         ui.label(RichText::new(text).small().color(Tokens::of(ui).dim));
     });
-}
-
-fn item(ui: &mut Ui, label: &str, key: &str, is_enabled: bool) -> bool {
-    let mut button = Button::new(label).min_size(vec2(0.0, ROW));
-    if !key.is_empty() {
-        button = button.shortcut_text(RichText::new(key).monospace());
-    }
-    let is_pressed = was_pressed(&ui.add_enabled(is_enabled, button));
-    if is_pressed {
-        ui.close();
-    }
-    is_pressed
 }
 
 fn of_key(ui: &mut Ui, menu: &mut Menu, view: &KeyView<'_>, row: usize, seconds: f64, commands: &mut Vec<Command>) {
