@@ -9,7 +9,7 @@
 //!
 //! | level | modules | may name |
 //! |---|---|---|
-//! | 0 | [`words`], [`text`], [`rbt`], [`interpolation`], [`rotation_rules`], [`json`], [`colour`], [`picture`], [`decode`], [`parallel`], [`limb`], [`unfinished`], [`markup`], [`junit`] | glam; `words` may name serde: settings store language codes; `decode` reads by serde; `markup` hashes by sha2 |
+//! | 0 | [`words`], [`text`], [`rbt`], [`interpolation`], [`rotation_rules`], [`json`], [`colour`], [`picture`], [`decode`], [`parallel`], [`limb`], [`unfinished`], [`markup`], [`junit`], [`model`], [`gltf`] | glam; `words` may name serde: settings store language codes; `decode` and `gltf` read by serde; `markup` hashes by sha2 |
 //! | 0 | [`manual`] | pulldown-cmark |
 //! | 1 | [`timed`], [`pose`], [`blend`], [`scene`], [`camera`] | serde, in file formats |
 //! | 2 | [`keyframe`], [`pose_file`], [`clock`], [`settings`], [`text_layouts`], [`frame`], [`film`] | serde, in file formats; `Duration`, never `Instant` |
@@ -41,6 +41,7 @@ pub mod files;
 pub mod film;
 pub mod flip;
 pub mod frame;
+pub mod gltf;
 pub mod grading;
 pub mod interpolation;
 pub mod journal;
@@ -50,6 +51,7 @@ pub mod keyframe;
 pub mod limb;
 pub mod manual;
 pub mod markup;
+pub mod model;
 pub mod parallel;
 pub mod picture;
 pub mod pose;
