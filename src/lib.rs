@@ -13,7 +13,7 @@
 //! | 0 | [`manual`] | pulldown-cmark |
 //! | 1 | [`timed`], [`pose`], [`blend`], [`scene`], [`camera`] | serde, in file formats |
 //! | 2 | [`keyframe`], [`pose_file`], [`clock`], [`settings`], [`text_layouts`], [`frame`], [`film`] | serde, in file formats; `Duration`, never `Instant` |
-//! | 3 | [`editor`], [`diagnosis`], [`animation_diff`] | no wgpu, egui, winit, file system |
+//! | 3 | [`editor`], [`diagnosis`], [`animation_diff`], [`interchange`] | no wgpu, egui, winit, file system |
 //! | 4 | [`view`] | |
 //! | 5 | [`render`], [`ui`] | wgpu; egui |
 //! | 6 | [`flip`] | pictures in, numbers out |
@@ -43,6 +43,7 @@ pub mod flip;
 pub mod frame;
 pub mod gltf;
 pub mod grading;
+pub mod interchange;
 pub mod interpolation;
 pub mod journal;
 pub mod json;

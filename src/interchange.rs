@@ -1,0 +1,5 @@
+//! Scenes and animations from and to the formats of other programs: bytes in, values and a report out.
+//!
+//! Nothing here touches files. Callers read and write them.
+
+pub mod reduce;
