@@ -1,0 +1,209 @@
+//! Materials and their pictures (glTF 2.0, sections 3.8 and 3.9).
+
+use std::collections::HashMap;
+use std::io::Cursor;
+use std::sync::Arc;
+
+use glam::{Mat2, Vec2, Vec3, Vec4};
+use image::{ImageDecoder, ImageFormat, ImageReader};
+use serde::Deserialize;
+
+use super::document::{Document, GltfError, ReadFile, bytes_of};
+use super::json::{self, Index};
+use crate::model::{Material, Texture, Wrap};
+use crate::words::{Message, all_of, texts};
+
+/// The most pixels of a picture's side.
+pub const MOST_PIXELS_A_SIDE: u32 = 8192;
+/// The most pixels of all pictures of a file together, in millions.
+pub const MOST_MILLION_PIXELS: u64 = 64;
+
+/// A material, and what belongs to the primitive that has it.
+#[derive(Clone, Debug)]
+pub struct MaterialRead {
+    /// The material.
+    pub material: Material,
+    /// The factor of its base colour: linear red, green and blue.
+    pub colour: Vec3,
+    /// Which of the coordinates `TEXCOORD_…` its texture has.
+    pub coordinates: u32,
+    /// What is done to the texture coordinates: a matrix, then an offset.
+    pub coordinates_moved: Option<(Mat2, Vec2)>,
+}
+
+/// Reads materials, each picture once.
+pub struct MaterialReader<'a, 'f> {
+    document: &'a Document<'a>,
+    read_file: &'a mut ReadFile<'f>,
+    pictures: HashMap<Index, Option<Picture>>,
+    pixels_left: u64,
+}
+
+/// A picture that was read.
+#[derive(Clone)]
+struct Picture {
+    file: Arc<[u8]>,
+    media_type: &'static str,
+    size_px: [u32; 2],
+    pixels: Arc<[u8]>,
+}
+
+/// `KHR_texture_transform`.
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase", default)]
+struct Transform {
+    offset: [f32; 2],
+    rotation: f32,
+    scale: [f32; 2],
+    tex_coord: Option<u32>,
+}
+
+impl Default for Transform {
+    fn default() -> Self {
+        Self { offset: [0.0; 2], rotation: 0.0, scale: [1.0; 2], tex_coord: None }
+    }
+}
+
+impl<'a, 'f> MaterialReader<'a, 'f> {
+    /// A reader of a file's materials; `read_file` reads pictures beside it.
+    pub fn new(document: &'a Document<'a>, read_file: &'a mut ReadFile<'f>) -> Self {
+        Self { document, read_file, pictures: HashMap::new(), pixels_left: MOST_MILLION_PIXELS << 20 }
+    }
+
+    /// Reads a material. `notes` gets what was left out.
+    ///
+    /// # Errors
+    /// [`GltfError`]: it names something that the file does not have, or a number is out of range.
+    pub fn material(&mut self, index: Index, notes: &mut Vec<Message>) -> Result<MaterialRead, GltfError> {
+        let at = format!("/materials/{index}");
+        let Some(json) = self.document.root.materials.get(index) else {
+            return Err(GltfError::leads_nowhere("/materials", &at));
+        };
+        let surface = json.pbr_metallic_roughness.clone().unwrap_or_default();
+        let colour = Vec4::from(surface.base_color_factor.unwrap_or([1.0; 4])).clamp(Vec4::ZERO, Vec4::ONE);
+        let mut material = Material {
+            texture: None,
+            metallic: surface.metallic_factor.unwrap_or(1.0).clamp(0.0, 1.0),
+            roughness: surface.roughness_factor.unwrap_or(1.0).clamp(0.0, 1.0),
+            emissive: Vec3::from(json.emissive_factor.unwrap_or_default()).max(Vec3::ZERO),
+            opacity: colour.w,
+            alpha_cutoff: None,
+            is_double_sided: json.double_sided.unwrap_or(false),
+            is_unlit: json.extensions.contains_key("KHR_materials_unlit"),
+        };
+        match json.alpha_mode.as_deref() {
+            Some("MASK") => material.alpha_cutoff = Some(json.alpha_cutoff.unwrap_or(0.5)),
+            Some("BLEND") => {
+                material.alpha_cutoff = Some(0.5);
+                notes.push(texts::gltf_note_blend(&at));
+            }
+            _ => {}
+        }
+        left_out(json, &surface, &at, notes);
+        let mut read = MaterialRead { material, colour: colour.truncate(), coordinates: 0, coordinates_moved: None };
+        if let Some(info) = &surface.base_color_texture {
+            read.coordinates = info.tex_coord.unwrap_or(0);
+            if let Some(value) = info.extensions.get("KHR_texture_transform") {
+                let moved = Transform::deserialize(value).unwrap_or_default();
+                let (sine, cosine) = moved.rotation.sin_cos();
+                // The specification's rotation is anticlockwise with y down.
+                let turn = Mat2::from_cols_array(&[cosine, -sine, sine, cosine]);
+                let moved_by = (turn * Mat2::from_diagonal(moved.scale.into()), Vec2::from(moved.offset));
+                read.coordinates = moved.tex_coord.unwrap_or(read.coordinates);
+                read.coordinates_moved = (moved_by.0.is_finite() && moved_by.1.is_finite()).then_some(moved_by);
+            }
+            read.material.texture = self.texture(info.index, &at, notes)?;
+        }
+        Ok(read)
+    }
+
+    /// A texture; `None`, with a note, if its picture cannot be had.
+    fn texture(&mut self, index: Index, at: &str, notes: &mut Vec<Message>) -> Result<Option<Arc<Texture>>, GltfError> {
+        let root = &self.document.root;
+        let place = format!("/textures/{index}");
+        let json = root.textures.get(index).ok_or_else(|| GltfError::leads_nowhere(at, &place))?;
+        let sampler = match json.sampler {
+            Some(sampler) => {
+                let to = format!("/samplers/{sampler}");
+                root.samplers.get(sampler).cloned().ok_or_else(|| GltfError::leads_nowhere(place.as_str(), &to))?
+            }
+            None => json::Sampler::default(),
+        };
+        let Some(source) = json.source else {
+            notes.push(texts::gltf_note_picture(&place, texts::GLTF_NOTE_PICTURE_KIND));
+            return Ok(None);
+        };
+        let image_place = format!("/images/{source}");
+        let image = root.images.get(source).ok_or_else(|| GltfError::leads_nowhere(place, &image_place))?;
+        if !self.pictures.contains_key(&source) {
+            let picture = match self.picture(image)? {
+                Ok(picture) => Some(picture),
+                Err(problem) => {
+                    notes.push(texts::gltf_note_picture(&image_place, problem));
+                    None
+                }
+            };
+            self.pictures.insert(source, picture);
+        }
+        let wrap = |code: Option<u32>| match code {
+            Some(33071) => Wrap::Clamp,
+            Some(33648) => Wrap::Mirror,
+            _ => Wrap::Repeat,
+        };
+        Ok(self.pictures[&source].clone().map(|Picture { file, media_type, size_px, pixels }| {
+            Arc::new(Texture {
+                file,
+                media_type,
+                size_px,
+                pixels,
+                wrap: [wrap(sampler.wrap_s), wrap(sampler.wrap_t)],
+                is_pixelated: sampler.mag_filter == Some(9728),
+            })
+        }))
+    }
+
+    /// A picture, or why there is none.
+    fn picture(&mut self, image: &json::Image) -> Result<Result<Picture, Message>, GltfError> {
+        let file = match (image.buffer_view, &image.uri) {
+            (Some(view), _) => Ok(self.document.view(view)?.0.to_vec()),
+            (None, Some(uri)) => bytes_of(uri, self.read_file),
+            (None, None) => Err(texts::GLTF_NOTE_PICTURE_KIND.into()),
+        };
+        Ok(file.and_then(|file| decoded(file.into(), &mut self.pixels_left)))
+    }
+}
+
+/// Decodes a PNG or JPEG file of a size that fits into memory.
+fn decoded(file: Arc<[u8]>, pixels_left: &mut u64) -> Result<Picture, Message> {
+    let (format, media_type) = match image::guess_format(&file) {
+        Ok(ImageFormat::Png) => (ImageFormat::Png, "image/png"),
+        Ok(ImageFormat::Jpeg) => (ImageFormat::Jpeg, "image/jpeg"),
+        _ => return Err(texts::GLTF_NOTE_PICTURE_KIND.into()),
+    };
+    let damaged = |_| Message::from(texts::GLTF_NOTE_PICTURE_DAMAGED);
+    let decoder = ImageReader::with_format(Cursor::new(&file), format).into_decoder().map_err(damaged)?;
+    let (width, height) = decoder.dimensions();
+    let pixels = u64::from(width) * u64::from(height);
+    if width.max(height) > MOST_PIXELS_A_SIDE || pixels > *pixels_left {
+        return Err(texts::gltf_note_picture_large(width, height, MOST_PIXELS_A_SIDE, MOST_MILLION_PIXELS));
+    }
+    *pixels_left -= pixels;
+    let rgba = image::DynamicImage::from_decoder(decoder).map_err(damaged)?.into_rgba8().into_raw();
+    Ok(Picture { file, media_type, size_px: [width, height], pixels: rgba.into() })
+}
+
+/// Notes what of a material is not drawn.
+fn left_out(json: &json::Material, surface: &json::MetallicRoughness, at: &str, notes: &mut Vec<Message>) {
+    let textures = [
+        (json.normal_texture.is_some(), "normalTexture"),
+        (json.occlusion_texture.is_some(), "occlusionTexture"),
+        (json.emissive_texture.is_some(), "emissiveTexture"),
+        (surface.metallic_roughness_texture.is_some(), "metallicRoughnessTexture"),
+    ];
+    let extensions = json.extensions.keys().map(String::as_str).filter(|name| *name != "KHR_materials_unlit");
+    let all: Vec<&str> =
+        textures.iter().filter(|(is_there, _)| *is_there).map(|(_, name)| *name).chain(extensions).collect();
+    if !all.is_empty() {
+        notes.push(texts::gltf_note_material(at, all_of(&all)));
+    }
+}
