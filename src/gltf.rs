@@ -10,6 +10,7 @@ mod materials;
 mod meshes;
 mod skins;
 mod uri;
+mod write;
 
 pub use accessor::MOST_ZEROS;
 pub use container::{Container, DataUriError, GlbError, data_uri, decoded_data_uri, glb};
@@ -17,3 +18,4 @@ pub use document::{Document, GltfError, MOST_BUFFER_BYTES, MOST_NUMBERS, ReadFil
 pub use materials::{MOST_MILLION_PIXELS, MOST_PIXELS_A_SIDE};
 pub use meshes::{MeshReader, PrimitiveMesh, unique_name};
 pub use uri::relative_path;
+pub use write::Writer;

@@ -20,7 +20,7 @@ pub type Extras = Option<Value>;
 pub type Extensions = Map<String, Value>;
 
 /// A whole file.
-#[derive(Clone, Debug, Default, Deserialize, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[serde(rename_all = "camelCase", default)]
 pub struct Root {
     /// What wrote the file.
@@ -82,7 +82,7 @@ pub struct Root {
 }
 
 /// What wrote the file.
-#[derive(Clone, Debug, Default, Deserialize, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[serde(rename_all = "camelCase", default)]
 pub struct Asset {
     /// The version of glTF: `2.0`.
@@ -99,7 +99,7 @@ pub struct Asset {
 }
 
 /// Roots of node trees.
-#[derive(Clone, Debug, Default, Deserialize, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[serde(rename_all = "camelCase", default)]
 pub struct Scene {
     /// Its name.
@@ -114,7 +114,7 @@ pub struct Scene {
 }
 
 /// A node: a transform, and what moves with it.
-#[derive(Clone, Debug, Default, Deserialize, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[serde(rename_all = "camelCase", default)]
 pub struct Node {
     /// Its name.
@@ -156,7 +156,7 @@ pub struct Node {
 }
 
 /// Primitives that share a node.
-#[derive(Clone, Debug, Default, Deserialize, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[serde(rename_all = "camelCase", default)]
 pub struct Mesh {
     /// Its name.
@@ -173,7 +173,7 @@ pub struct Mesh {
 }
 
 /// Triangles, lines or points of one material.
-#[derive(Clone, Debug, Default, Deserialize, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[serde(rename_all = "camelCase", default)]
 pub struct Primitive {
     /// Accessors by the names of attributes, such as `POSITION`.
@@ -199,7 +199,7 @@ pub struct Primitive {
 }
 
 /// Joints and their bind pose.
-#[derive(Clone, Debug, Default, Deserialize, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[serde(rename_all = "camelCase", default)]
 pub struct Skin {
     /// Its name.
@@ -216,7 +216,7 @@ pub struct Skin {
 }
 
 /// Channels that play together.
-#[derive(Clone, Debug, Default, Deserialize, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[serde(rename_all = "camelCase", default)]
 pub struct Animation {
     /// Its name.
@@ -232,7 +232,7 @@ pub struct Animation {
 }
 
 /// One property of one node, moved by a sampler.
-#[derive(Clone, Debug, Default, Deserialize, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[serde(rename_all = "camelCase", default)]
 pub struct Channel {
     /// The sampler, in the animation's list.
@@ -242,7 +242,7 @@ pub struct Channel {
 }
 
 /// A property of a node.
-#[derive(Clone, Debug, Default, Deserialize, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[serde(rename_all = "camelCase", default)]
 pub struct ChannelTarget {
     /// The node; where it is missing, an extension says what is moved.
@@ -256,7 +256,7 @@ pub struct ChannelTarget {
 }
 
 /// Values at times, and how they are interpolated.
-#[derive(Clone, Debug, Default, Deserialize, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[serde(rename_all = "camelCase", default)]
 pub struct AnimationSampler {
     /// The accessor of times in seconds, ascending.
@@ -269,7 +269,7 @@ pub struct AnimationSampler {
 }
 
 /// A camera.
-#[derive(Clone, Debug, Default, Deserialize, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[serde(rename_all = "camelCase", default)]
 pub struct Camera {
     /// Its name.
@@ -287,7 +287,7 @@ pub struct Camera {
 }
 
 /// The field of view of a perspective camera.
-#[derive(Clone, Debug, Default, Deserialize, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[serde(rename_all = "camelCase", default)]
 pub struct Perspective {
     /// Width over height.
@@ -303,7 +303,7 @@ pub struct Perspective {
 }
 
 /// A material.
-#[derive(Clone, Debug, Default, Deserialize, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[serde(rename_all = "camelCase", default)]
 pub struct Material {
     /// Its name.
@@ -339,7 +339,7 @@ pub struct Material {
 }
 
 /// Base colour, metallic and roughness. The factors are 1 by default.
-#[derive(Clone, Debug, Default, Deserialize, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[serde(rename_all = "camelCase", default)]
 pub struct MetallicRoughness {
     /// Linear red, green, blue, and opacity.
@@ -360,7 +360,7 @@ pub struct MetallicRoughness {
 }
 
 /// Which texture, by which coordinates.
-#[derive(Clone, Debug, Default, Deserialize, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[serde(rename_all = "camelCase", default)]
 pub struct TextureInfo {
     /// The texture.
@@ -374,7 +374,7 @@ pub struct TextureInfo {
 }
 
 /// A picture and how it is looked up.
-#[derive(Clone, Debug, Default, Deserialize, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[serde(rename_all = "camelCase", default)]
 pub struct Texture {
     /// How it is looked up.
@@ -389,7 +389,7 @@ pub struct Texture {
 }
 
 /// A picture: a file, or a part of a buffer.
-#[derive(Clone, Debug, Default, Deserialize, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[serde(rename_all = "camelCase", default)]
 pub struct Image {
     /// Its name.
@@ -407,7 +407,7 @@ pub struct Image {
 }
 
 /// How a texture is looked up; the values are those of OpenGL.
-#[derive(Clone, Debug, Default, Deserialize, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[serde(rename_all = "camelCase", default)]
 pub struct Sampler {
     /// 9728 nearest, 9729 linear.
@@ -425,7 +425,7 @@ pub struct Sampler {
 }
 
 /// A list of scalars, vectors or matrices.
-#[derive(Clone, Debug, Default, Deserialize, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[serde(rename_all = "camelCase", default)]
 pub struct Accessor {
     /// Where its bytes are; without it, zeros.
@@ -456,7 +456,7 @@ pub struct Accessor {
 }
 
 /// Elements that replace those of a view.
-#[derive(Clone, Debug, Default, Deserialize, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[serde(rename_all = "camelCase", default)]
 pub struct Sparse {
     /// How many.
@@ -468,7 +468,7 @@ pub struct Sparse {
 }
 
 /// Which elements are replaced.
-#[derive(Clone, Debug, Default, Deserialize, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[serde(rename_all = "camelCase", default)]
 pub struct SparseIndices {
     /// Where the bytes are.
@@ -481,7 +481,7 @@ pub struct SparseIndices {
 }
 
 /// What elements are replaced by, in the accessor's own form.
-#[derive(Clone, Debug, Default, Deserialize, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[serde(rename_all = "camelCase", default)]
 pub struct SparseValues {
     /// Where the bytes are.
@@ -492,7 +492,7 @@ pub struct SparseValues {
 }
 
 /// A part of a buffer.
-#[derive(Clone, Debug, Default, Deserialize, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[serde(rename_all = "camelCase", default)]
 pub struct BufferView {
     /// The buffer.
@@ -514,7 +514,7 @@ pub struct BufferView {
 }
 
 /// Bytes: a file, a data URI, or the second chunk of a binary file.
-#[derive(Clone, Debug, Default, Deserialize, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[serde(rename_all = "camelCase", default)]
 pub struct Buffer {
     /// A file beside this one, or a data URI; without it, the binary file's second chunk.
