@@ -2,4 +2,6 @@
 //!
 //! Nothing here touches files. Callers read and write them.
 
+pub mod bvh;
+pub mod figure;
 pub mod reduce;
