@@ -8,14 +8,16 @@ mod document;
 pub mod json;
 mod materials;
 mod meshes;
+mod sampler;
 mod skins;
 mod uri;
 mod write;
 
 pub use accessor::MOST_ZEROS;
 pub use container::{Container, DataUriError, GlbError, data_uri, decoded_data_uri, glb};
-pub use document::{Document, GltfError, MOST_BUFFER_BYTES, MOST_NUMBERS, ReadFile};
+pub use document::{Document, GltfError, MOST_BUFFER_BYTES, MOST_NUMBERS, ReadFile, UNDERSTOOD};
 pub use materials::{MOST_MILLION_PIXELS, MOST_PIXELS_A_SIDE};
 pub use meshes::{MeshReader, PrimitiveMesh, unique_name};
+pub use sampler::{Course, Curve, Sampled};
 pub use uri::relative_path;
 pub use write::Writer;

@@ -20,7 +20,8 @@ pub const MOST_NUMBERS: usize = 1 << 27;
 const NUMBERS_OF_A_VERTEX: usize = 20;
 
 /// The extensions that are read wherever a file needs them.
-const UNDERSTOOD: [&str; 3] = ["KHR_materials_unlit", "KHR_mesh_quantization", "KHR_texture_transform"];
+pub const UNDERSTOOD: [&str; 4] =
+    ["KHR_materials_emissive_strength", "KHR_materials_unlit", "KHR_mesh_quantization", "KHR_texture_transform"];
 /// Extensions that compress, which other programs can undo.
 const COMPRESSIONS: [&str; 3] = ["KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"];
 

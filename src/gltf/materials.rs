@@ -8,7 +8,7 @@ use glam::{Mat2, Vec2, Vec3, Vec4};
 use image::{ImageDecoder, ImageFormat, ImageReader};
 use serde::Deserialize;
 
-use super::document::{Document, GltfError, ReadFile, bytes_of};
+use super::document::{Document, GltfError, ReadFile, UNDERSTOOD, bytes_of};
 use super::json::{self, Index};
 use crate::model::{Material, Texture, Wrap};
 use crate::words::{Message, all_of, texts};
@@ -99,6 +99,9 @@ impl<'a, 'f> MaterialReader<'a, 'f> {
             }
             _ => {}
         }
+        let strength = json.extensions.get("KHR_materials_emissive_strength");
+        let strength = strength.and_then(|extension| extension.get("emissiveStrength")?.as_f64());
+        material.emissive *= strength.map_or(1.0, |strength| strength.clamp(0.0, 1e4) as f32);
         left_out(json, &surface, &at, notes);
         let mut read = MaterialRead { material, colour: colour.truncate(), coordinates: 0, coordinates_moved: None };
         if let Some(info) = &surface.base_color_texture {
@@ -200,7 +203,7 @@ fn left_out(json: &json::Material, surface: &json::MetallicRoughness, at: &str, 
         (json.emissive_texture.is_some(), "emissiveTexture"),
         (surface.metallic_roughness_texture.is_some(), "metallicRoughnessTexture"),
     ];
-    let extensions = json.extensions.keys().map(String::as_str).filter(|name| *name != "KHR_materials_unlit");
+    let extensions = json.extensions.keys().map(String::as_str).filter(|name| !UNDERSTOOD.contains(name));
     let all: Vec<&str> =
         textures.iter().filter(|(is_there, _)| *is_there).map(|(_, name)| *name).chain(extensions).collect();
     if !all.is_empty() {
