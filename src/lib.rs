@@ -12,7 +12,7 @@
 //! | 0 | [`words`], [`text`], [`rbt`], [`interpolation`], [`rotation_rules`], [`json`], [`colour`], [`picture`], [`decode`], [`parallel`], [`limb`], [`unfinished`], [`markup`], [`junit`], [`model`], [`gltf`] | glam; `words` may name serde: settings store language codes; `decode` and `gltf` read by serde; `markup` hashes by sha2 |
 //! | 0 | [`manual`] | pulldown-cmark |
 //! | 1 | [`timed`], [`pose`], [`blend`], [`scene`], [`camera`] | serde, in file formats |
-//! | 2 | [`keyframe`], [`pose_file`], [`clock`], [`settings`], [`text_layouts`], [`frame`], [`film`] | serde, in file formats; `Duration`, never `Instant` |
+//! | 2 | [`keyframe`], [`pose_file`], [`clock`], [`settings`], [`text_layouts`], [`frame`], [`film`], [`unit_mesh`] | serde, in file formats; `Duration`, never `Instant` |
 //! | 3 | [`editor`], [`diagnosis`], [`animation_diff`], [`interchange`] | no wgpu, egui, winit, file system |
 //! | 4 | [`view`] | |
 //! | 5 | [`render`], [`ui`] | wgpu; egui |
@@ -71,6 +71,7 @@ pub mod text_layouts;
 pub mod timed;
 pub mod ui;
 pub mod unfinished;
+pub mod unit_mesh;
 pub mod view;
 pub mod window;
 pub mod words;

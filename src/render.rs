@@ -15,7 +15,6 @@ mod identity;
 mod instances;
 mod light;
 mod look;
-mod mesh;
 mod offscreen;
 mod pipelines;
 mod quiet;
@@ -25,6 +24,8 @@ mod shaders;
 mod targets;
 mod uniforms;
 mod watch;
+
+use crate::unit_mesh as mesh;
 
 pub use crate::picture::Image;
 pub use arrange::Arrangement;

@@ -34,4 +34,4 @@ pub use pick::{Part, Pick, Picker, Ray};
 pub use shape::{MeshKind, PlacedShape, Placement, Shape};
 pub use size::LARGEST_SCENE_BYTES;
 pub use tracks::Tracks;
-pub use write::scene_to_json;
+pub use write::{node_properties_to_json, scene_to_json};

@@ -104,12 +104,22 @@ fn fields(scene: &SceneGraph, node: &Node, depth: usize) -> Vec<String> {
         NodeKind::Shape(placed) => push_shape(&mut fields, placed, depth + 1),
         NodeKind::Control(tracks) => {
             fields.push(format!("\"control\": {}", control(tracks, depth + 1)));
-            if !node.is_in_paths {
-                fields.push("\"in_paths\": false".to_owned());
-            }
+            push_in_paths(&mut fields, node);
         }
     }
     fields
+}
+
+fn push_in_paths(fields: &mut Vec<String>, node: &Node) {
+    if !node.is_in_paths {
+        fields.push("\"in_paths\": false".to_owned());
+    }
+}
+
+fn push_colour(fields: &mut Vec<String>, placed: &PlacedShape) {
+    if placed.colour != Colour::DEFAULT {
+        fields.push(format!("\"colour\": \"{}\"", placed.colour.to_hex()));
+    }
 }
 
 /// Writes a node, up to the beginning of the list of its children if it has any.
@@ -162,9 +172,7 @@ fn push_shape(fields: &mut Vec<String>, placed: &PlacedShape, depth: usize) {
     if placement.scale != Vec3::ONE {
         fields.push(format!("\"scale\": {}", scale_json(placement.scale)));
     }
-    if placed.colour != Colour::DEFAULT {
-        fields.push(format!("\"colour\": \"{}\"", placed.colour.to_hex()));
-    }
+    push_colour(fields, placed);
     for &channel in Channel::of(Holder::Shape) {
         if let Some(track) = placed.tracks().get(channel) {
             fields.push(format!("\"{}\": {}", channel.field(), key_list(track, channel, depth)));
@@ -224,4 +232,18 @@ fn key_list(track: &Track<Vec4>, channel: Channel, depth: usize) -> String {
     push_line(&mut text, depth);
     text.push(']');
     text
+}
+
+/// What a scene file says of a node besides its name, its transform and its keys, as a JSON object: the end and the limits of a joint; the
+/// kind, the dimensions and the colour of a shape; whether a control node is part of paths.
+#[must_use]
+pub fn node_properties_to_json(node: &Node) -> String {
+    let mut fields = Vec::new();
+    push_joint(&mut fields, &node.joint);
+    if let NodeKind::Shape(placed) = &node.kind {
+        fields.push(format!("\"shape\": {}", shape(&placed.shape)));
+        push_colour(&mut fields, placed);
+    }
+    push_in_paths(&mut fields, node);
+    format!("{{ {} }}", fields.join(", "))
 }

@@ -1,4 +1,4 @@
-//! The unit meshes, in levels of detail, each vertex a core point and a normal.
+//! The unit meshes that shapes are drawn with, in levels of detail, each vertex a core point and a normal; and shapes as triangles.
 //!
 //! A vertex lies at `core * (half_extents − rounding) + normal * rounding` in shape space, so that bevels keep their radius and capsules
 //! their caps at any size. Triangles run anticlockwise seen from outside.
@@ -11,6 +11,7 @@ mod plane;
 mod round;
 mod rounded_box;
 mod sphere;
+mod triangles;
 
 use std::ops::Range;
 use std::sync::LazyLock;
@@ -19,6 +20,7 @@ use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
 
 pub use levels::{LEVELS, LEVELS_OF_KIND, Level, MESHES, PLANE};
+pub use triangles::triangle_mesh;
 
 /// One corner of a mesh.
 #[repr(C)]
