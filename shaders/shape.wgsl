@@ -1,16 +1,8 @@
 // Shapes except planes, and their ghosts.
 
-const EXPOSURE: f32 = 1.22;
-
 @vertex
 fn shape_vertex(corner: Corner) -> Pixel {
     return shape_vertex_of(corner);
-}
-
-// Near the ground less light comes from the side, and least from below.
-fn ambient_arriving(height_in_world: f32, upwards: f32) -> f32 {
-    let above = max(height_in_world - globals.zenith.w, 0.0);
-    return 1.0 - (0.34 - 0.22 * upwards) * exp2(-4.0 * above);
 }
 
 fn shape_vertex_of(corner: Corner) -> Pixel {
@@ -24,12 +16,6 @@ fn shape_vertex_of(corner: Corner) -> Pixel {
     out.colour = vec4f(corner.colour, corner.opacity);
     out.shaded = corner.colour * BOUNCE;
     return out;
-}
-
-// Tone curve: keeps the brightest faces below white and the darkest above black.
-fn toned(colour: vec3f) -> vec3f {
-    let bounded = min(colour, vec3f(1.9));
-    return max(bounded * (1.0 - 0.235 * bounded), vec3f(0.003));
 }
 
 @fragment
@@ -50,10 +36,6 @@ fn shape_fragment(pixel: Pixel) -> @location(0) vec4f {
     let rim = pow2(pow2(1.0 - max(facing_eye, 0.0)));
     let lit = ambient + pixel.colour.rgb * (SUN * sun) + SUN * (0.16 * highlight) + SKY_FILL * (rim * (0.22 + 0.2 * normal.y));
     return finished(toned(lit * EXPOSURE), pixel.colour.w);
-}
-
-fn pow2(x: f32) -> f32 {
-    return x * x;
 }
 
 // Slightly farther (depth is reversed), so that a ghost exactly on its shape stays hidden.

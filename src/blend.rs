@@ -12,6 +12,7 @@
 #![expect(clippy::inline_always, reason = "what is not inlined is compiled for the oldest processor")]
 
 mod compose;
+mod skin;
 mod weights;
 
 use fearless_simd::prelude::*;
@@ -21,6 +22,7 @@ use crate::pose::RbtBlock;
 
 pub use compose::{AlignedAffine, MatrixBlock, compose, matrices};
 pub use fearless_simd::Level;
+pub use skin::{SkinVertices, SkinnedVertex, skin};
 pub use weights::Weights;
 
 /// The widest instructions that this processor has.

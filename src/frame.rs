@@ -3,9 +3,12 @@
 //! A [`Frame`] has all the data that the renderer needs: camera matrices, shapes in world space, ghosts, lines, dots, the arcball. It does
 //! not depend on its source; [`crate::view`] makes frames. Tests of scenes check frames; only tests of pixels need an adapter.
 
+use std::sync::Arc;
+
 use glam::{Affine3A, Mat4, Vec3, Vec4};
 
 use crate::camera::Camera;
+use crate::model::TriangleMesh;
 use crate::scene::MeshKind;
 
 /// The most keyframes on each side whose ghosts are shown, in the window and in films.
@@ -40,14 +43,39 @@ impl View {
     }
 }
 
+/// What an item is drawn as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ItemMesh {
+    /// A unit mesh of the renderer.
+    Unit(MeshKind),
+    /// A mesh of triangles, placed by the item's matrix.
+    Triangles {
+        /// Its index in [`Frame::meshes`].
+        mesh: u32,
+    },
+    /// A mesh of triangles with a skin, placed by its joints.
+    Skin {
+        /// Its index in [`Frame::meshes`].
+        mesh: u32,
+        /// The index in [`Frame::world_from_bind`] of its first joint. The others follow it.
+        first_joint: u32,
+    },
+}
+
+impl From<MeshKind> for ItemMesh {
+    fn from(kind: MeshKind) -> Self {
+        Self::Unit(kind)
+    }
+}
+
 /// One shape, ready to be drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DrawItem {
     /// The mesh of which it is an instance.
-    pub mesh: MeshKind,
-    /// Shape space to world space, any affine.
+    pub mesh: ItemMesh,
+    /// Shape space to world space, any affine. Of a skin: the placement of the box around it.
     pub world_from_shape: Affine3A,
-    /// Half the shape's extents in shape space ([`crate::scene::Shape::half_extents`]).
+    /// Half the shape's extents in shape space ([`crate::scene::Shape::half_extents`]); half those of the box around a skin.
     pub half_extents: Vec3,
     /// Radius of rounded edges in shape space ([`crate::scene::Shape::rounding`]).
     pub rounding: f32,
@@ -66,8 +94,12 @@ impl DrawItem {
     #[must_use]
     pub const fn is_ground(&self) -> bool {
         match self.mesh {
-            MeshKind::Plane => true,
-            MeshKind::Box | MeshKind::Sphere | MeshKind::Cylinder | MeshKind::Cone | MeshKind::Capsule => false,
+            ItemMesh::Unit(MeshKind::Plane) => true,
+            ItemMesh::Unit(
+                MeshKind::Box | MeshKind::Sphere | MeshKind::Cylinder | MeshKind::Cone | MeshKind::Capsule,
+            )
+            | ItemMesh::Triangles { .. }
+            | ItemMesh::Skin { .. } => false,
         }
     }
 }
@@ -129,9 +161,35 @@ pub struct Frame {
     pub dots: Vec<Dot>,
     /// The arcball, if it is shown.
     pub arcball: Option<ArcballMark>,
+    /// The meshes of triangles of which items and ghosts are instances.
+    pub meshes: Vec<Arc<TriangleMesh>>,
+    /// For the joints of all skins, shape space in the bind pose to world space.
+    pub world_from_bind: Vec<Affine3A>,
 }
 
 impl Frame {
+    /// A picture of nothing.
+    #[must_use]
+    pub const fn empty(view: View) -> Self {
+        Self {
+            view,
+            items: Vec::new(),
+            ghosts: Vec::new(),
+            lines: Vec::new(),
+            dots: Vec::new(),
+            arcball: None,
+            meshes: Vec::new(),
+            world_from_bind: Vec::new(),
+        }
+    }
+
+    /// The matrices of a skin: those from its first joint on, as many as its mesh has joints.
+    #[must_use]
+    pub fn joints_of(&self, mesh: u32, first_joint: u32) -> &[Affine3A] {
+        let count = self.meshes[mesh as usize].skin.as_ref().map_or(0, |skin| skin.joint_from_shape.len());
+        &self.world_from_bind[first_joint as usize..][..count]
+    }
+
     /// Scales the widths of lines and dots, for screens with several pixels per point.
     pub fn scale_strokes(&mut self, factor: f32) {
         for line in &mut self.lines {

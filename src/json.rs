@@ -13,9 +13,15 @@ const ALL_WHOLE: f32 = 16_777_216.0;
 /// Numbers from [`SMALLEST_WITHOUT_EXPONENT`] on have at most this many decimal places.
 const MOST_PLACES: i32 = 13;
 
+/// A text as a JSON string.
+#[must_use]
+pub fn quoted(unquoted: &str) -> String {
+    serde_json::Value::from(unquoted).to_string()
+}
+
 /// Appends a text as a JSON string.
 pub fn push_quoted(text: &mut String, unquoted: &str) {
-    text.push_str(&serde_json::Value::from(unquoted).to_string());
+    text.push_str(&quoted(unquoted));
 }
 
 /// An upper bound of the bytes of a text as a JSON string: a control character becomes six.

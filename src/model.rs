@@ -2,9 +2,13 @@
 //!
 //! Nothing of a mesh changes once it is made, so scenes, frames and the renderer share it.
 
+mod tree;
+
 use std::sync::Arc;
 
 use glam::{Affine3A, Vec2, Vec3, Vec4};
+
+pub use tree::{TriangleTree, may_meet_box, meets, nearer};
 
 /// The most triangles of a mesh.
 pub const MOST_TRIANGLES: usize = 4 << 20;

@@ -22,6 +22,7 @@ mod read_back;
 mod renderer;
 mod shaders;
 mod targets;
+mod triangles;
 mod uniforms;
 mod watch;
 

@@ -99,6 +99,13 @@ pub fn read(path: &Path, limit: u64) -> Result<Vec<u8>, StorageError> {
     read_stream(file, limit, metadata.len())
 }
 
+/// Whether a file holds these bytes.
+#[must_use]
+pub fn is_held(path: &Path, bytes: &[u8]) -> bool {
+    fs::metadata(path).is_ok_and(|metadata| metadata.is_file() && metadata.len() == bytes.len() as u64)
+        && fs::read(path).is_ok_and(|held| held == bytes)
+}
+
 /// Reads the first bytes of a file, at most `most`.
 ///
 /// # Errors

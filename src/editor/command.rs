@@ -13,6 +13,7 @@ use crate::keyframe::{Blend, Easing, KeyframeIndex, KeyframesText, Retiming};
 use crate::pose::RbtIndex;
 use crate::pose_file::PoseFile;
 use crate::rbt::Rbt;
+use crate::scene::SceneFiles;
 use crate::settings::ThemeChoice;
 use crate::words::Language;
 
@@ -490,8 +491,8 @@ pub enum Effect {
     WriteScene {
         /// Which file.
         path: PathBuf,
-        /// All of its text.
-        text: String,
+        /// Its text, and the file of its meshes.
+        files: SceneFiles,
         /// Whether the file was read or written before, as for keyframes.
         is_known: bool,
     },

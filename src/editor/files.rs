@@ -7,7 +7,7 @@ use super::apply::CommandResult;
 use super::playback::Playback;
 use super::{CommandError, Document, Editor, Effect, FileCommand, Message, Severity, Written};
 use crate::keyframe::{KeyframeList, KeyframesText, LARGEST_FILE_BYTES};
-use crate::scene::{scene_from_bytes, scene_to_json};
+use crate::scene::{SceneFiles, scene_from_bytes};
 use crate::text_layouts::{ImportError, Imported, Options, import};
 use crate::words::texts;
 
@@ -81,7 +81,7 @@ impl Editor {
     fn write_scene_effect(&mut self, path: PathBuf) -> Effect {
         self.commit_gesture();
         let is_known = self.scene_path.as_ref() == Some(&path);
-        Effect::WriteScene { path, text: scene_to_json(&self.document.scene), is_known }
+        Effect::WriteScene { files: SceneFiles::new(&self.document.scene, &path), path, is_known }
     }
 
     /// The default path for saving the scene: its own file, or a file named after the scene beside the keyframe file.
@@ -98,12 +98,16 @@ impl Editor {
     /// Why the file is as it was.
     pub fn scene_written(&mut self, path: &Path, outcome: Result<Written, Message>) -> Result<(), CommandError> {
         match outcome {
-            Ok(Written { kept, other_links }) => {
+            Ok(Written { kept, other_links, kept_meshes }) => {
                 let said = match kept {
                     Some(kept) => texts::file_scene_written_over(path.display(), kept.display()),
                     None => texts::file_scene_written(path.display()),
                 };
-                self.say_outcome(with_other_links(said, other_links));
+                let said = with_other_links(said, other_links);
+                self.say_outcome(match kept_meshes {
+                    Some(kept) => texts::file_meshes_kept(said, kept.display()),
+                    None => said,
+                });
                 self.scene_path = Some(path.to_owned());
                 self.saved_scene = Arc::clone(&self.document.scene);
                 Ok(())
@@ -222,7 +226,7 @@ impl Editor {
     /// Why the file is as it was.
     pub fn keyframes_written(&mut self, path: &Path, outcome: Result<Written, Message>) -> Result<(), CommandError> {
         match outcome {
-            Ok(Written { kept, other_links }) => {
+            Ok(Written { kept, other_links, .. }) => {
                 let what = texts::count_keyframes(self.document.keyframes.len());
                 let said = match kept {
                     Some(kept) => texts::file_written_over(what, path.display(), kept.display()),

@@ -6,7 +6,7 @@ use super::apply::CommandResult;
 use super::manipulate::ARCBALL_RADIUS;
 use super::{Editor, Eye, WorkEye};
 use crate::pose::RbtIndex;
-use crate::scene::{NodeKind, Shape};
+use crate::scene::NodeKind;
 use crate::words::texts;
 
 /// Width over height of the narrowest view that shows all that is meant to be in sight.
@@ -114,13 +114,13 @@ impl Editor {
             let rbt = scene.carrying_rbt(id);
             let is_of = |rbt| self.session.chosen.iter().any(|&chosen| chosen == rbt || scene.is_above(chosen, rbt));
             let is_wanted = !only_chosen || rbt.is_some_and(is_of);
-            if matches!(placed.shape, Shape::Plane(_)) || !is_wanted {
+            if placed.shape.is_ground() || !is_wanted {
                 continue;
             }
-            let world_from_shape = world_from_node[id.get()].get();
+            let (world_from_shape, half_extents) = scene.box_of(id, placed, |id| world_from_node[id.get()].get());
             corners.extend((0..8_u8).map(|corner| {
                 let sign = |bit: u8| if corner >> bit & 1 == 0 { 1.0 } else { -1.0 };
-                let corner = placed.shape.half_extents() * Vec3::new(sign(0), sign(1), sign(2));
+                let corner = half_extents * Vec3::new(sign(0), sign(1), sign(2));
                 eye_from_world * world_from_shape.transform_point3(corner)
             }));
             origins.extend(

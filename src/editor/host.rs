@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use super::{Command, CommandError, Editor, Effect, WindowCommand};
 use crate::film::ExportOptions;
+use crate::scene::{MeshesFile, SceneFiles};
 use crate::words::Message;
 
 /// What became of a file: a value, or a message that says why not. The editor is told of either.
@@ -58,6 +59,8 @@ pub struct Writing<'a> {
     pub path: &'a Path,
     /// Its text, to be made as it is written.
     pub text: &'a dyn Display,
+    /// The file of meshes that the text names. It is written first, so that no scene names a file that is not there.
+    pub meshes: Option<&'a MeshesFile>,
     /// Whether the editor has read or written the file before. Where not, a careful host keeps what it held.
     pub is_known: bool,
 }
@@ -69,6 +72,8 @@ pub struct Written {
     pub kept: Option<PathBuf>,
     /// The number of the file's other names, its hard links. They keep the old content.
     pub other_links: u64,
+    /// Where the host put what the file of the scene's meshes held before, if it was another one.
+    pub kept_meshes: Option<PathBuf>,
 }
 
 /// Does what only a window can do, or says that there is none.
@@ -173,14 +178,16 @@ pub trait Host {
             }
             Effect::WriteKeyframes { path, text, is_known } => {
                 let access = FileAccess::KeyframesWritten;
-                if let Some(outcome) = self.write(Writing { access, path: &path, text: &text, is_known })? {
+                let writing = Writing { access, path: &path, text: &text, meshes: None, is_known };
+                if let Some(outcome) = self.write(writing)? {
                     let told = self.editor().keyframes_written(&path, outcome);
                     return self.told(access, &path, told);
                 }
             }
-            Effect::WriteScene { path, text, is_known } => {
+            Effect::WriteScene { path, files: SceneFiles { text, meshes }, is_known } => {
                 let access = FileAccess::SceneWritten;
-                if let Some(outcome) = self.write(Writing { access, path: &path, text: &text, is_known })? {
+                let writing = Writing { access, path: &path, text: &text, meshes: meshes.as_ref(), is_known };
+                if let Some(outcome) = self.write(writing)? {
                     let told = self.editor().scene_written(&path, outcome);
                     return self.told(access, &path, told);
                 }

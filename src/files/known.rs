@@ -1,11 +1,13 @@
 //! Files that the editor reads and writes, with the knowledge of what they were.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
+use super::scene::meshes_beside;
 use crate::editor::{Editor, FileAccess, FileOutcome, Writing, Written};
 use crate::keyframe::LARGEST_FILE_BYTES;
-use crate::scene::LARGEST_SCENE_BYTES;
+use crate::scene::{LARGEST_SCENE_BYTES, MeshesFile, SceneFiles, with_meshes_within};
 use crate::storage::{self, KnownFiles, StorageError};
+use crate::words::{quoted, texts};
 
 /// What the files of an editor are before anything is read or written for it. Its scene was read already.
 #[must_use]
@@ -14,11 +16,14 @@ pub fn known_at_start(editor: &Editor) -> KnownFiles {
     known.begin(editor.keyframe_file());
     if let Some(path) = editor.scene_path() {
         known.begin_with_content(path);
+        if let Some(meshes) = SceneFiles::new(editor.scene(), path).meshes {
+            known.begin_with_content(&meshes.path);
+        }
     }
     known
 }
 
-/// Reads a file of keyframes or of a scene. One that may be written later is known once [`KnownFiles::took_in`] says that it was taken in.
+/// Reads a file of keyframes or of a scene, with the meshes that the scene names within. One that may be written later is known once [`KnownFiles::took_in`] says that it was taken in.
 ///
 /// # Errors
 /// Why it cannot be read.
@@ -28,21 +33,42 @@ pub fn read_known(known: &mut KnownFiles, access: FileAccess, path: &Path) -> Fi
     if access != FileAccess::ComparedRead {
         known.read(path, &bytes);
     }
-    Ok(bytes)
+    if access == FileAccess::SceneRead { with_meshes_within(bytes, meshes_beside(path)) } else { Ok(bytes) }
 }
 
-/// Writes a file and remembers what it is now. `keeps`: whether what it held is copied beside it first.
+/// Writes a file and remembers what it is now. `keeps`: whether what it held is copied beside it first. The scene's meshes are written
+/// before it; another file of their name is copied in any case.
 ///
 /// # Errors
 /// Why it was not written; a regular file is then unchanged.
 pub fn write_known(known: &mut KnownFiles, writing: Writing<'_>, keeps: bool) -> FileOutcome<Written> {
-    let Writing { path, text, .. } = writing;
+    let Writing { path, text, meshes, .. } = writing;
+    let kept_meshes = match meshes {
+        Some(meshes) => write_meshes(known, meshes)
+            .map_err(|error| texts::scene_meshes_file(quoted(&meshes.path.display().to_string()), error.message()))?,
+        None => None,
+    };
     let write = || {
         let kept = if keeps { storage::keep_copy(path)? } else { None };
         let (stamp, committed) = storage::write_stamped(path, |file| write!(file, "{text}"))?;
-        Ok((stamp, Written { kept, other_links: committed.other_links }))
+        Ok((stamp, Written { kept, other_links: committed.other_links, kept_meshes }))
     };
     let (stamp, written) = write().map_err(|error: StorageError| error.message())?;
     known.wrote(path, stamp);
     Ok(written)
+}
+
+/// Writes a file of meshes, and nothing if it holds them already. Returns where what it held was put, unless that was known and of this
+/// program's making.
+fn write_meshes(known: &mut KnownFiles, meshes: &MeshesFile) -> Result<Option<PathBuf>, StorageError> {
+    let MeshesFile { path, glb } = meshes;
+    if storage::is_held(path, glb) {
+        known.begin_with_content(path);
+        return Ok(None);
+    }
+    let is_own = known.knows(path) && known.change(path).is_none();
+    let kept = if is_own { None } else { storage::keep_copy(path)? };
+    let (stamp, _) = storage::write_stamped(path, |file| file.write_all(glb))?;
+    known.wrote(path, stamp);
+    Ok(kept)
 }

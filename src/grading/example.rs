@@ -5,7 +5,7 @@ use glam::Quat;
 use crate::keyframe::{Keyframe, KeyframeList, keyframes_from_json, keyframes_to_json};
 use crate::pose::{Pose, RbtIndex};
 use crate::rbt::Rbt;
-use crate::scene::{DEFAULT_SCENE, MeshKind, NodeKind, SceneGraph, built_in_scene};
+use crate::scene::{DEFAULT_SCENE, NodeKind, SceneGraph, built_in_scene};
 
 const REFERENCE: &str = include_str!("../../assets/grading/reference.json");
 
@@ -40,7 +40,7 @@ fn reference_for(scene: &SceneGraph, usual: &SceneGraph) -> String {
     let moved: Vec<RbtIndex> = usual.rbt_indices().filter(is_moved).collect();
     let is_body = |rbt: &RbtIndex| {
         let mut nodes = scene.nodes()[scene.subtree(scene.rbt_node(*rbt))].iter();
-        nodes.any(|node| matches!(&node.kind, NodeKind::Shape(placed) if placed.shape.mesh() != MeshKind::Plane))
+        nodes.any(|node| matches!(&node.kind, NodeKind::Shape(placed) if !placed.shape.is_ground()))
     };
     let mut nodes: Vec<RbtIndex> = scene.rbt_indices().filter(is_body).collect();
     if nodes.is_empty() {

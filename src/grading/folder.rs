@@ -11,7 +11,7 @@ use std::time::Duration;
 use crate::clock::TICKS_PER_SECOND;
 use crate::editor::{CommandError, Editor, FileAccess, FileOutcome, Host, Severity, WindowHost, Writing, Written};
 use crate::keyframe::keyframes_to_json;
-use crate::scene::SceneGraph;
+use crate::scene::{SceneGraph, with_meshes_within};
 use crate::script::{self, Action, Line, NoWindow, Runner, State, Windowless};
 use crate::text_layouts::{ImportError, Imported, Options, import};
 use crate::words::texts;
@@ -157,10 +157,15 @@ impl Host for Folder {
         &mut self.editor
     }
 
-    fn read(&mut self, _access: FileAccess, path: &Path) -> Result<FileOutcome<Vec<u8>>, String> {
+    fn read(&mut self, access: FileAccess, path: &Path) -> Result<FileOutcome<Vec<u8>>, String> {
         let bytes = self.files.get(&plain_name(path)?).cloned();
         self.count_read(bytes.as_ref().map_or(0, Vec::len))?;
-        Ok(bytes.ok_or_else(|| texts::STORAGE_NOT_FOUND.into()))
+        let beside = |name: &str| self.files.get(name).cloned().ok_or_else(|| texts::STORAGE_NOT_FOUND.into());
+        let bytes: FileOutcome<Vec<u8>> = bytes.ok_or_else(|| texts::STORAGE_NOT_FOUND.into());
+        Ok(match access {
+            FileAccess::SceneRead => bytes.and_then(|bytes| with_meshes_within(bytes, beside)),
+            _ => bytes,
+        })
     }
 
     fn read_keyframes(&mut self, path: &Path) -> Result<Result<(), CommandError>, String> {
@@ -184,11 +189,16 @@ impl Host for Folder {
     fn write(&mut self, writing: Writing<'_>) -> Result<Option<FileOutcome<Written>>, String> {
         let name = plain_name(writing.path)?;
         let bytes = writing.text.to_string().into_bytes();
-        self.written += bytes.len();
+        let meshes = writing
+            .meshes
+            .map(|meshes| Ok::<_, String>((plain_name(&meshes.path)?, meshes.glb.to_vec())))
+            .transpose()?;
+        self.written += bytes.len() + meshes.as_ref().map_or(0, |(_, glb)| glb.len());
         if self.written > MOST_WRITTEN_BYTES {
             return Err(format!("it writes more than {MOST_WRITTEN_BYTES} bytes"));
         }
         self.parsed = self.parsed.take().filter(|parsed| parsed.name != name);
+        self.files.extend(meshes);
         self.files.insert(name, bytes);
         Ok(Some(Ok(Written::default())))
     }
@@ -210,7 +220,8 @@ impl Host for Folder {
 
     fn write_pose(&mut self, name: &str, text: &str) -> Result<FileOutcome<(PathBuf, Written)>, String> {
         let path = PathBuf::from(pose_file(name));
-        let writing = Writing { access: FileAccess::PoseWritten, path: &path, text: &text, is_known: true };
+        let writing =
+            Writing { access: FileAccess::PoseWritten, path: &path, text: &text, meshes: None, is_known: true };
         let written = self.write(writing)?.unwrap_or_else(|| Ok(Written::default()));
         Ok(written.map(|written| (path, written)))
     }

@@ -3,9 +3,12 @@
 //! Items come in the scene's pre-order, so those of a subtree are adjacent. Runs of items share a bounding box: a run that is completely
 //! outside or completely inside the view costs one test.
 
-use glam::Vec3;
+use std::sync::Arc;
 
-use crate::frame::{DrawItem, Frame};
+use glam::{Affine3A, Vec3};
+
+use crate::frame::{DrawItem, Frame, ItemMesh};
+use crate::model::TriangleMesh;
 use crate::render::bounds::{Bounds, Sight, ViewSides};
 use crate::render::detail::Detail;
 use crate::render::mesh::MESHES;
@@ -34,14 +37,22 @@ pub struct Arranged {
     runs: Vec<Bounds>,
     /// For each mesh, indices in the frame of items that may be visible and are not hidden: those without an outline, then those with one.
     pub seen: [[Vec<u32>; 2]; MESHES],
+    /// The same for each mesh of triangles of the frame.
+    pub seen_triangles: Vec<[Vec<u32>; 2]>,
+    meshes: Vec<Arc<TriangleMesh>>,
+    world_from_bind: Vec<Affine3A>,
     distance_keys: Vec<u32>,
 }
 
 impl Arranged {
     /// Arranges a frame. Returns whether any item differs from the last frame's.
     pub fn take(&mut self, frame: &Frame, detail: Detail, arrangement: Arrangement) -> bool {
-        let has_moved = frame.items != self.items;
+        let has_moved = frame.items != self.items
+            || frame.world_from_bind != self.world_from_bind
+            || !are_same(&frame.meshes, &self.meshes);
         if has_moved {
+            self.meshes.clone_from(&frame.meshes);
+            self.world_from_bind.clone_from(&frame.world_from_bind);
             self.items.clone_from(&frame.items);
             self.bounds.clear();
             self.bounds.extend(frame.items.iter().map(Bounds::of));
@@ -49,6 +60,8 @@ impl Arranged {
             self.runs.extend(self.bounds.chunks(RUN).map(Bounds::around));
         }
         self.seen.as_flattened_mut().iter_mut().for_each(Vec::clear);
+        self.seen_triangles.iter_mut().flatten().for_each(Vec::clear);
+        self.seen_triangles.resize_with(frame.meshes.len(), Default::default);
         let sides = ViewSides::of(&frame.view, detail.widest_error());
         for ((run, items), first) in self.runs.iter().zip(frame.items.chunks(RUN)).zip((0_u32..).step_by(RUN)) {
             let of_run = match arrangement {
@@ -62,7 +75,13 @@ impl Arranged {
                     Sight::Partial => sides.may_see(&self.bounds[index as usize], Vec3::ZERO),
                 };
                 if may_be_seen && !item.is_hidden {
-                    self.seen[detail.mesh(item)][usize::from(item.outlined)].push(index);
+                    let by_outline = match item.mesh {
+                        ItemMesh::Unit(kind) => &mut self.seen[detail.mesh(item, kind)],
+                        ItemMesh::Triangles { mesh } | ItemMesh::Skin { mesh, .. } => {
+                            &mut self.seen_triangles[mesh as usize]
+                        }
+                    };
+                    by_outline[usize::from(item.outlined)].push(index);
                 }
             }
         }
@@ -78,15 +97,21 @@ impl Arranged {
         // Squared distances are not negative, so their bits sort like the numbers.
         let key = |bounds: &Bounds| bounds.centre_in_world.distance_squared(eye_in_world).to_bits();
         self.distance_keys.extend(self.bounds.iter().map(key));
-        for indices in self.seen.as_flattened_mut() {
+        let seen = self.seen.as_flattened_mut().iter_mut();
+        for indices in seen.chain(self.seen_triangles.iter_mut().flatten()) {
             indices.sort_unstable_by_key(|&index| (self.distance_keys[index as usize], index));
         }
     }
 }
 
+/// Whether two frames have the very same meshes.
+pub fn are_same(one: &[Arc<TriangleMesh>], other: &[Arc<TriangleMesh>]) -> bool {
+    one.len() == other.len() && one.iter().zip(other).all(|(one, other)| Arc::ptr_eq(one, other))
+}
+
 #[cfg(test)]
 mod tests {
-    use glam::{Affine3A, Mat4, Quat};
+    use glam::{Mat4, Quat};
 
     use super::*;
     use crate::frame::View;
@@ -100,12 +125,12 @@ mod tests {
             vertical_fov,
             aspect: 4.0 / 3.0,
         };
-        Frame { items, ghosts: Vec::new(), lines: Vec::new(), dots: Vec::new(), arcball: None, view }
+        Frame { items, ..Frame::empty(view) }
     }
 
     fn ball(world_from_shape: Affine3A) -> DrawItem {
         DrawItem {
-            mesh: MeshKind::Sphere,
+            mesh: MeshKind::Sphere.into(),
             world_from_shape,
             half_extents: Vec3::splat(0.2),
             rounding: 0.2,

@@ -4,7 +4,7 @@ use std::f32::consts::FRAC_PI_2;
 
 use glam::Vec3;
 
-use crate::frame::{DrawItem, View};
+use crate::frame::{DrawItem, ItemMesh, View};
 use crate::render::mesh::Level;
 
 /// An item's box in world space: its centre and three half edges.
@@ -17,10 +17,13 @@ pub struct Bounds {
 }
 
 impl Bounds {
-    /// The box around an item, and around its finest mesh.
+    /// The box around an item, and around its finest mesh; around all places that the joints of a skin can bring it to.
     pub fn of(item: &DrawItem) -> Self {
         let axes = item.world_from_shape.matrix3;
-        let (half_extents, rounding) = Level::finest(item.mesh).fitted(item.half_extents, item.rounding);
+        let (half_extents, rounding) = match item.mesh {
+            ItemMesh::Unit(kind) => Level::finest(kind).fitted(item.half_extents, item.rounding),
+            ItemMesh::Triangles { .. } | ItemMesh::Skin { .. } => (item.half_extents, 0.0),
+        };
         let half = half_extents.max(Vec3::splat(rounding));
         Self {
             centre_in_world: item.world_from_shape.translation.into(),

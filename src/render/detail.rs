@@ -54,9 +54,9 @@ impl Detail {
         }
     }
 
-    /// The index in [`LEVELS`] of the mesh for an item.
-    pub fn mesh(self, item: &DrawItem) -> usize {
-        let (finest, coarsest) = LEVELS_OF_KIND[item.mesh as usize];
+    /// The index in [`LEVELS`] of the mesh for an item of a unit mesh.
+    pub fn mesh(self, item: &DrawItem, kind: MeshKind) -> usize {
+        let (finest, coarsest) = LEVELS_OF_KIND[kind as usize];
         let axes = item.world_from_shape.matrix3;
         let scale = || axes.x_axis.length().max(axes.y_axis.length()).max(axes.z_axis.length());
         let (per_unit, scale, distance) = match self.0 {
@@ -69,7 +69,7 @@ impl Detail {
                 (per_unit, scale, (distance - scale * item.half_extents.length()).max(0.0))
             }
         };
-        let radius = match item.mesh {
+        let radius = match kind {
             MeshKind::Cylinder | MeshKind::Cone => item.half_extents.x.max(item.half_extents.z),
             MeshKind::Box | MeshKind::Sphere | MeshKind::Capsule | MeshKind::Plane => item.rounding,
         };
@@ -86,7 +86,7 @@ mod tests {
 
     fn ball(radius: f32, away: f32) -> DrawItem {
         DrawItem {
-            mesh: MeshKind::Sphere,
+            mesh: MeshKind::Sphere.into(),
             world_from_shape: Affine3A::from_translation(Vec3::NEG_Z * away),
             half_extents: Vec3::splat(radius),
             rounding: radius,
@@ -112,20 +112,24 @@ mod tests {
             for step in (1..200).rev() {
                 let away = 0.5 * step as f32;
                 let item = ball(0.2, away);
-                let index = detail.mesh(&item);
+                let index = detail.mesh(&item, MeshKind::Sphere);
                 assert!(index <= before, "coarser when nearer, at {away}");
                 before = index;
                 let level = LEVELS[index];
                 assert_eq!(level.kind, MeshKind::Sphere);
                 let radius_px = 240.0 / 0.5_f32.tan() * 0.2 / away;
-                let is_finest = index == Detail::FINEST.mesh(&item);
+                let is_finest = index == Detail::FINEST.mesh(&item, MeshKind::Sphere);
                 assert!(is_finest || level.flattening * radius_px * samples_across <= WRONG_SAMPLES, "at {away}");
                 // The largest distance by which the mesh may extend beyond the ball, seen from the eye.
                 let nearest = away - item.half_extents.length();
                 assert!(is_finest || level.flattening * 0.2 <= detail.widest_error() * nearest, "at {away}");
             }
-            assert_eq!(detail.mesh(&ball(0.2, 0.1)), Detail::FINEST.mesh(&ball(0.2, 0.1)), "around the eye");
-            assert_ne!(before, detail.mesh(&ball(0.2, 100.0)), "far off");
+            assert_eq!(
+                detail.mesh(&ball(0.2, 0.1), MeshKind::Sphere),
+                Detail::FINEST.mesh(&ball(0.2, 0.1), MeshKind::Sphere),
+                "around the eye"
+            );
+            assert_ne!(before, detail.mesh(&ball(0.2, 100.0), MeshKind::Sphere), "far off");
         }
     }
 
@@ -133,8 +137,8 @@ mod tests {
     fn the_suns_map_does_not_depend_on_where_the_eye_is() {
         let sun = SunBox { map_from_world: Mat4::IDENTITY, texel: 0.01, size_texels: [64; 2] };
         let detail = Detail::of_sun_map(&sun);
-        assert_eq!(detail.mesh(&ball(0.2, 1.0)), detail.mesh(&ball(0.2, 50.0)));
-        assert!(detail.mesh(&ball(2.0, 1.0)) < detail.mesh(&ball(0.02, 1.0)));
+        assert_eq!(detail.mesh(&ball(0.2, 1.0), MeshKind::Sphere), detail.mesh(&ball(0.2, 50.0), MeshKind::Sphere));
+        assert!(detail.mesh(&ball(2.0, 1.0), MeshKind::Sphere) < detail.mesh(&ball(0.02, 1.0), MeshKind::Sphere));
     }
 
     #[test]

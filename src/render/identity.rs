@@ -12,9 +12,10 @@ use crate::render::detail::Detail;
 use crate::render::gpu::{Gpu, GpuError};
 use crate::render::instances::{INSTANCES_START, Instance, Packed};
 use crate::render::mesh::{Vertex, geometry};
-use crate::render::pipelines::DEPTH_FORMAT;
+use crate::render::pipelines::{DEPTH_FORMAT, Form, material_layout, surface_buffer};
 use crate::render::renderer::Viewport;
 use crate::render::shaders::{self, Source, Variant};
+use crate::render::triangles::{MeshCache, MeshForm, Skinning, Skins};
 use crate::render::uniforms::Globals;
 
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R32Uint;
@@ -33,7 +34,9 @@ pub fn node_picture(gpu: &Gpu, frame: &Frame, width: u32, height: u32) -> Result
     let mut arranged = Arranged::default();
     let detail = Detail::of_picture(&frame.view, height, 1.0);
     arranged.take(frame, detail, Arrangement::SortedAndCut);
-    packed.pack(frame, &arranged, &Globals::new(frame, None, Viewport::whole(width, height)), detail, None);
+    let mut skins = Skins::new(Skinning::Processor);
+    skins.take(frame, &arranged, false);
+    packed.pack(frame, &arranged, &Globals::new(frame, None, Viewport::whole(width, height)), detail, None, &skins);
     let usage = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::VERTEX;
     // The globals' binding ends at the start of the instances, also if there are none.
     let buffer =
@@ -42,10 +45,15 @@ pub fn node_picture(gpu: &Gpu, frame: &Frame, width: u32, height: u32) -> Result
     let geometry = geometry();
     let vertices = buffer(cast_slice(&geometry.vertices), wgpu::BufferUsages::VERTEX);
     let indices = buffer(cast_slice(&geometry.indices), wgpu::BufferUsages::INDEX);
-    let pipeline = pipeline(device);
+    let layouts = Layouts::new(device);
+    let mut meshes = MeshCache::default();
+    meshes.take(device, &gpu.queue, &layouts.material, &frame.meshes, false);
+    let skinned = (!skins.vertices.is_empty()).then(|| buffer(cast_slice(&skins.vertices), wgpu::BufferUsages::VERTEX));
+    let pipeline_of = |form: Form| pipeline(device, &layouts, form);
+    let unit_pipeline = pipeline_of(Form::Unit);
     let globals = device.create_bind_group(&wgpu::BindGroupDescriptor {
         label: Some("identity globals"),
-        layout: &pipeline.get_bind_group_layout(0),
+        layout: &layouts.globals,
         entries: &[wgpu::BindGroupEntry {
             binding: 0,
             resource: wgpu::BindingResource::Buffer(wgpu::BufferBinding {
@@ -91,13 +99,21 @@ pub fn node_picture(gpu: &Gpu, frame: &Frame, width: u32, height: u32) -> Result
             }),
             ..Default::default()
         });
-        pass.set_pipeline(&pipeline);
+        pass.set_pipeline(&unit_pipeline);
         pass.set_bind_group(0, &globals, &[]);
         pass.set_vertex_buffer(0, vertices.slice(..));
         pass.set_vertex_buffer(1, frame_buffer.slice(INSTANCES_START as u64..));
         pass.set_index_buffer(indices.slice(..), wgpu::IndexFormat::Uint16);
         for (mesh, instances) in geometry.ranges.iter().zip(&packed.seen).filter(|(_, seen)| !seen.is_empty()) {
             pass.draw_indexed(mesh.indices.clone(), mesh.first_vertex, instances.clone());
+        }
+        let mut pipelines: [Option<wgpu::RenderPipeline>; MeshForm::COUNT] = Default::default();
+        for draw in &packed.triangles.seen {
+            let Some(mesh) = meshes.get(&frame.meshes[draw.mesh]) else { continue };
+            pass.set_pipeline(pipelines[mesh.form.index()].get_or_insert_with(|| pipeline_of(Form::Mesh(mesh.form))));
+            pass.set_bind_group(2, &mesh.material, &[]);
+            mesh.bind(&mut pass, draw, skinned.as_ref(), &frame_buffer, INSTANCES_START as u64);
+            pass.draw_indexed(0..mesh.index_count(), 0, draw.instances.clone());
         }
     }
     read_back(gpu, encoder, &target)
@@ -128,10 +144,47 @@ fn read_back(gpu: &Gpu, mut encoder: wgpu::CommandEncoder, target: &wgpu::Textur
     Ok(rows.flat_map(|row| pod_collect_to_vec::<u8, u32>(&row[..4 * size.width as usize])).collect())
 }
 
-fn pipeline(device: &wgpu::Device) -> wgpu::RenderPipeline {
+struct Layouts {
+    globals: wgpu::BindGroupLayout,
+    material: wgpu::BindGroupLayout,
+}
+
+impl Layouts {
+    fn new(device: &wgpu::Device) -> Self {
+        let globals = wgpu::BindGroupLayoutEntry {
+            binding: 0,
+            visibility: wgpu::ShaderStages::VERTEX_FRAGMENT,
+            ty: wgpu::BindingType::Buffer {
+                ty: wgpu::BufferBindingType::Uniform,
+                has_dynamic_offset: false,
+                min_binding_size: None,
+            },
+            count: None,
+        };
+        let descriptor = wgpu::BindGroupLayoutDescriptor { label: Some("identity globals"), entries: &[globals] };
+        Self { globals: device.create_bind_group_layout(&descriptor), material: material_layout(device) }
+    }
+}
+
+fn pipeline(device: &wgpu::Device, layouts: &Layouts, form: Form) -> wgpu::RenderPipeline {
+    let (is_masked, is_double_sided) = match form {
+        Form::Unit => (false, false),
+        Form::Mesh(form) => (form.is_masked, form.is_double_sided),
+    };
     // Integers need no encoding, and there is one sample per pixel.
-    let variant = Variant { encodes_srgb: false, is_software: false, is_multisampled: false };
-    let module = &shaders::module(device, Source::Identity, variant);
+    let variant = Variant { encodes_srgb: false, is_software: false, is_multisampled: false, corner: form.corner() };
+    let (source, vertex, fragment) = if is_masked {
+        (Source::Masked, "masked_identity_vertex", "masked_identity_fragment")
+    } else {
+        (Source::Identity, "identity_vertex", "identity_fragment")
+    };
+    let module = &shaders::module(device, source, variant);
+    let groups = [Some(&layouts.globals), None, is_masked.then_some(&layouts.material)];
+    let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+        label: Some("identity"),
+        bind_group_layouts: &groups[..if is_masked { 3 } else { 1 }],
+        immediate_size: 0,
+    });
     let corner = wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3];
     let instance = wgpu::vertex_attr_array![
         2 => Float32x4, 3 => Float32x4, 4 => Float32x4, 5 => Float32x4, 6 => Float32x3, 7 => Uint32, 8 => Float32
@@ -141,17 +194,21 @@ fn pipeline(device: &wgpu::Device) -> wgpu::RenderPipeline {
     };
     device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
         label: Some("identity"),
-        layout: None,
+        layout: Some(&layout),
         vertex: wgpu::VertexState {
             module,
-            entry_point: Some("identity_vertex"),
+            entry_point: Some(vertex),
             compilation_options: wgpu::PipelineCompilationOptions::default(),
             buffers: &[
                 buffer(size_of::<Vertex>(), wgpu::VertexStepMode::Vertex, &corner),
                 buffer(size_of::<Instance>(), wgpu::VertexStepMode::Instance, &instance),
+                is_masked.then(surface_buffer),
             ],
         },
-        primitive: wgpu::PrimitiveState { cull_mode: Some(wgpu::Face::Back), ..Default::default() },
+        primitive: wgpu::PrimitiveState {
+            cull_mode: (!is_double_sided).then_some(wgpu::Face::Back),
+            ..Default::default()
+        },
         depth_stencil: Some(wgpu::DepthStencilState {
             format: DEPTH_FORMAT,
             depth_write_enabled: Some(true),
@@ -162,7 +219,7 @@ fn pipeline(device: &wgpu::Device) -> wgpu::RenderPipeline {
         multisample: wgpu::MultisampleState::default(),
         fragment: Some(wgpu::FragmentState {
             module,
-            entry_point: Some("identity_fragment"),
+            entry_point: Some(fragment),
             compilation_options: wgpu::PipelineCompilationOptions::default(),
             targets: &[Some(FORMAT.into())],
         }),

@@ -1,16 +1,18 @@
 //! Packs a frame into the bytes of one upload to the GPU: globals, then instances by mesh, then strokes.
 
 use std::f32::consts::TAU;
+use std::mem;
 use std::ops::Range;
 
 use bytemuck::{Pod, Zeroable, bytes_of};
 use glam::{Affine3A, Vec3};
 
-use crate::frame::{ArcballMark, DrawItem, Frame, View};
+use crate::frame::{ArcballMark, DrawItem, Frame, ItemMesh, View};
 use crate::render::arrange::Arranged;
 use crate::render::detail::Detail;
 use crate::render::look;
 use crate::render::mesh::{LEVELS, Level, MESHES};
+use crate::render::triangles::{Skins, TriangleDraws};
 use crate::render::uniforms::Globals;
 use crate::scene::MeshKind;
 
@@ -20,6 +22,7 @@ use crate::scene::MeshKind;
 pub struct Instance {
     /// The three rows of an affine, shape space to world space, that does not mirror.
     world_from_shape: [[f32; 4]; 3],
+    /// Of a mesh of triangles the index of its first joint, and the length in the mesh of a unit of the world.
     half_extents: Vec3,
     rounding: f32,
     colour: Vec3,
@@ -28,8 +31,8 @@ pub struct Instance {
 }
 
 impl Instance {
-    /// The instance of an item drawn with the mesh of a level.
-    fn new(item: &DrawItem, level: Level, opacity: f32) -> Self {
+    /// The instance of an item drawn with the unit mesh of a level.
+    fn of_unit(item: &DrawItem, level: Level, opacity: f32) -> Self {
         let mut world_from_shape = item.world_from_shape;
         // Every mesh is its own mirror image, so a mirrored shape is the same shape unmirrored; culling then needs one winding.
         if world_from_shape.matrix3.determinant() < 0.0 {
@@ -37,22 +40,38 @@ impl Instance {
         }
         // A cone's slope depends on its size, so the affine scales the unit cone, normals included.
         let (mut half_extents, mut rounding) = level.fitted(item.half_extents, item.rounding);
-        if item.mesh == MeshKind::Cone {
+        if level.kind == MeshKind::Cone {
             world_from_shape *= Affine3A::from_scale(half_extents);
             (half_extents, rounding) = (Vec3::ONE, 0.0);
         }
-        let rows = world_from_shape.matrix3.transpose();
-        let moved = world_from_shape.translation;
-        let row = |row: glam::Vec3A, moved: f32| [row.x, row.y, row.z, moved];
-        Self {
-            world_from_shape: [row(rows.x_axis, moved.x), row(rows.y_axis, moved.y), row(rows.z_axis, moved.z)],
-            half_extents,
-            rounding,
-            colour: item.colour,
-            node: item.node,
-            opacity,
-        }
+        Self::new(item, &world_from_shape, half_extents, rounding, opacity)
     }
+
+    /// The instance of an item drawn as a mesh of triangles: `first_joint` where joints place it. `world_per_mesh`: how long a unit of the
+    /// mesh is in the world.
+    pub fn of_triangles(
+        item: &DrawItem,
+        world_from_shape: &Affine3A,
+        first_joint: u32,
+        world_per_mesh: f32,
+        opacity: f32,
+    ) -> Self {
+        let parameters = Vec3::new(first_joint as f32, 1.0 / world_per_mesh.max(1e-9), 0.0);
+        Self::new(item, world_from_shape, parameters, 0.0, opacity)
+    }
+
+    fn new(item: &DrawItem, world_from_shape: &Affine3A, half_extents: Vec3, rounding: f32, opacity: f32) -> Self {
+        let [x, y, z] = rows(world_from_shape);
+        Self { world_from_shape: [x, y, z], half_extents, rounding, colour: item.colour, node: item.node, opacity }
+    }
+}
+
+/// The rows of an affine.
+pub fn rows(affine: &Affine3A) -> [[f32; 4]; 3] {
+    let rows = affine.matrix3.transpose();
+    let moved = affine.translation;
+    let row = |row: glam::Vec3A, moved: f32| [row.x, row.y, row.z, moved];
+    [row(rows.x_axis, moved.x), row(rows.y_axis, moved.y), row(rows.z_axis, moved.z)]
 }
 
 /// One line or dot.
@@ -81,6 +100,8 @@ pub struct Packed {
     pub casters: [Range<u32>; MESHES],
     /// Ghosts' instances of each mesh.
     pub ghosts: [Range<u32>; MESHES],
+    /// The draw calls of meshes of triangles.
+    pub triangles: TriangleDraws,
     /// Offset of the strokes in the bytes.
     pub strokes_start: usize,
     /// Strokes that are lines.
@@ -106,6 +127,7 @@ impl Packed {
         globals: &Globals,
         of_picture: Detail,
         of_sun_map: Option<Detail>,
+        skins: &Skins,
     ) {
         self.bytes.clear();
         self.bytes.extend_from_slice(bytes_of(globals));
@@ -119,7 +141,9 @@ impl Packed {
         self.by_mesh.iter_mut().for_each(Vec::clear);
         if let Some(detail) = of_sun_map {
             for (item, index) in frame.items.iter().zip(0..).filter(|(item, _)| !item.is_ground()) {
-                self.by_mesh[detail.mesh(item)].push(index);
+                if let ItemMesh::Unit(kind) = item.mesh {
+                    self.by_mesh[detail.mesh(item, kind)].push(index);
+                }
             }
         }
         for (mesh, indices) in self.by_mesh.iter().enumerate() {
@@ -127,12 +151,17 @@ impl Packed {
         }
         self.by_mesh.iter_mut().for_each(Vec::clear);
         for (ghost, index) in frame.ghosts.iter().zip(0..) {
-            self.by_mesh[of_picture.mesh(&ghost.item)].push(index);
+            if let ItemMesh::Unit(kind) = ghost.item.mesh {
+                self.by_mesh[of_picture.mesh(&ghost.item, kind)].push(index);
+            }
         }
         for (mesh, indices) in self.by_mesh.iter().enumerate() {
             let ghosts = indices.iter().map(|&index| &frame.ghosts[index as usize]);
             self.ghosts[mesh] = instances.push(mesh, ghosts.map(|ghost| (&ghost.item, ghost.opacity)));
         }
+        let mut triangles = mem::take(&mut self.triangles);
+        triangles.pack(frame, arranged, of_sun_map.is_some(), skins, |instance| instances.push_one(instance));
+        self.triangles = triangles;
         self.strokes_start = self.bytes.len();
         let mut strokes = 0;
         let mut push = |stroke: Stroke| {
@@ -174,10 +203,16 @@ impl Instances<'_> {
     fn push<'a>(&mut self, mesh: usize, items: impl Iterator<Item = (&'a DrawItem, f32)>) -> Range<u32> {
         let start = self.count;
         for (item, opacity) in items {
-            self.bytes.extend_from_slice(bytes_of(&Instance::new(item, LEVELS[mesh], opacity)));
-            self.count += 1;
+            self.push_one(&Instance::of_unit(item, LEVELS[mesh], opacity));
         }
         start..self.count
+    }
+
+    /// Appends an instance. Returns its index.
+    fn push_one(&mut self, instance: &Instance) -> u32 {
+        self.bytes.extend_from_slice(bytes_of(instance));
+        self.count += 1;
+        self.count - 1
     }
 }
 

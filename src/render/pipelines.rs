@@ -7,13 +7,17 @@ use wgpu::{CompareFunction, ShaderStages, VertexFormat};
 
 use crate::render::instances::{Instance, Stroke};
 use crate::render::mesh::Vertex;
-use crate::render::shaders::{self, SOURCES, Source, Variant};
+use crate::render::shaders::{self, CORNERS, Corner, SOURCES, Source, Variant};
+use crate::render::triangles::{MeshForm, SurfaceVertex};
 
 /// Depth format of pictures, and of small shadow maps.
 pub const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 /// Depth of a large shadow map: 16 bits, to save memory. One step is at most 0.004 units unless a single shape is longer than the
 /// shadow distance. Harmless, because back faces are compared.
 const LARGE_MAP_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth16Unorm;
+/// Meshes of triangles may be open, so both their sides go into the shadow map, pushed away from the sun so that lit faces do not shadow
+/// themselves.
+const OPEN_SHADOW_BIAS: wgpu::DepthBiasState = wgpu::DepthBiasState { constant: 2, slope_scale: 2.0, clamp: 0.0 };
 /// Format of the outline's mask.
 pub const MASK_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
@@ -52,6 +56,35 @@ pub enum Kind {
 
 const COUNT: usize = Kind::Outline as usize + 1;
 
+/// What a pipeline draws.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// Unit meshes, or what is no mesh.
+    Unit,
+    /// Meshes of triangles.
+    Mesh(MeshForm),
+}
+
+const FORMS: usize = 1 + MeshForm::COUNT;
+
+impl Form {
+    const fn index(self) -> usize {
+        match self {
+            Self::Unit => 0,
+            Self::Mesh(form) => 1 + form.index(),
+        }
+    }
+
+    /// What transforms vertices.
+    pub const fn corner(self) -> Corner {
+        match self {
+            Self::Unit => Corner::Unit,
+            Self::Mesh(MeshForm { is_skinned: true, .. }) => Corner::Skin,
+            Self::Mesh(_) => Corner::Mesh,
+        }
+    }
+}
+
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Input {
     Instances,
@@ -75,12 +108,57 @@ impl Kind {
         matches!(self, Self::Shadow | Self::LargeShadow)
     }
 
+    /// Whether triangles are drawn from behind too.
+    const fn draws_both_sides(self, form: Form) -> bool {
+        let Form::Mesh(form) = form else { return false };
+        form.is_double_sided || self.is_shadow() || matches!(self, Self::Ghost | Self::GhostDepth)
+    }
+
     /// The depth format of the target.
     pub const fn depth_format(self) -> wgpu::TextureFormat {
         match self {
             Self::LargeShadow => LARGE_MAP_FORMAT,
             _ => DEPTH_FORMAT,
         }
+    }
+
+    /// Whether it draws shapes.
+    const fn is_of_shapes(self) -> bool {
+        matches!(
+            self,
+            Self::Shape
+                | Self::Shadow
+                | Self::LargeShadow
+                | Self::GhostDepth
+                | Self::Ghost
+                | Self::MaskAll
+                | Self::MaskVisible
+        )
+    }
+
+    /// The recipe for meshes of triangles, where it is another.
+    fn recipe_of(self, form: MeshForm) -> Recipe {
+        let usual = self.recipe();
+        let (vertex, fragment) = match self {
+            Self::Shape if form.is_masked => {
+                let (vertex, fragment) = ("mesh_vertex", Some("masked_mesh_fragment"));
+                return Recipe { source: Source::Mesh, vertex, fragment, ..usual };
+            }
+            Self::Shape => {
+                return Recipe {
+                    source: Source::Mesh,
+                    vertex: "mesh_vertex",
+                    fragment: Some("mesh_fragment"),
+                    ..usual
+                };
+            }
+            _ if !form.is_masked => return usual,
+            Self::Shadow | Self::LargeShadow => ("masked_shadow_vertex", Some("masked_fragment")),
+            Self::GhostDepth => ("masked_ghost_vertex", Some("masked_fragment")),
+            Self::MaskAll | Self::MaskVisible => ("masked_position_vertex", Some("masked_fragment")),
+            _ => return usual,
+        };
+        Recipe { source: Source::Masked, vertex, fragment, ..usual }
     }
 
     fn recipe(self) -> Recipe {
@@ -146,11 +224,15 @@ pub struct Pipelines {
     pub sun_map_layout: wgpu::BindGroupLayout,
     /// The layout of group 1 for the outline: its mask.
     pub mask_layout: wgpu::BindGroupLayout,
+    /// The layout of group 2 for meshes of triangles: their material.
+    pub material_layout: wgpu::BindGroupLayout,
+    /// The layout of group 3 for skins that the vertex shader moves: their joints.
+    pub joints_layout: wgpu::BindGroupLayout,
     target_format: wgpu::TextureFormat,
     samples: u32,
     variant: Variant,
-    modules: [OnceLock<wgpu::ShaderModule>; SOURCES],
-    made: [OnceLock<wgpu::RenderPipeline>; COUNT],
+    modules: [[OnceLock<wgpu::ShaderModule>; CORNERS]; SOURCES],
+    made: [[OnceLock<wgpu::RenderPipeline>; FORMS]; COUNT],
 }
 
 impl Pipelines {
@@ -187,21 +269,38 @@ impl Pipelines {
                     texture(wgpu::TextureSampleType::Float { filterable: false }, samples > 1),
                 )],
             ),
+            material_layout: material_layout(device),
+            joints_layout: joints_layout(device),
             target_format,
             samples,
-            variant: Variant { encodes_srgb: !target_format.is_srgb(), is_software, is_multisampled: samples > 1 },
-            modules: [const { OnceLock::new() }; SOURCES],
-            made: [const { OnceLock::new() }; COUNT],
+            variant: Variant {
+                encodes_srgb: !target_format.is_srgb(),
+                is_software,
+                is_multisampled: samples > 1,
+                corner: Corner::Unit,
+            },
+            modules: [const { [const { OnceLock::new() }; CORNERS] }; SOURCES],
+            made: [const { [const { OnceLock::new() }; FORMS] }; COUNT],
         }
     }
 
-    /// Returns a pipeline, and creates it on first use. Two threads may create two pipelines at the same time.
+    /// Returns a pipeline for unit meshes or what is no mesh, and creates it on first use. Two threads may create two pipelines at the same
+    /// time.
     pub fn get(&self, device: &wgpu::Device, kind: Kind) -> &wgpu::RenderPipeline {
-        self.made[kind as usize].get_or_init(|| {
-            let recipe = kind.recipe();
-            let module = self.modules[recipe.source as usize]
-                .get_or_init(|| shaders::module(device, recipe.source, self.variant));
-            self.make(device, kind, &recipe, module)
+        self.of(device, kind, Form::Unit)
+    }
+
+    /// The same for a form; one of shapes, for meshes of triangles.
+    pub fn of(&self, device: &wgpu::Device, kind: Kind, form: Form) -> &wgpu::RenderPipeline {
+        self.made[kind as usize][form.index()].get_or_init(|| {
+            let recipe = match form {
+                Form::Mesh(form) if kind.is_of_shapes() => kind.recipe_of(form),
+                Form::Mesh(_) | Form::Unit => kind.recipe(),
+            };
+            let variant = Variant { corner: form.corner(), ..self.variant };
+            let module = self.modules[recipe.source as usize][variant.corner as usize]
+                .get_or_init(|| shaders::module(device, recipe.source, variant));
+            self.make(device, kind, form, &recipe, module)
         })
     }
 
@@ -209,6 +308,7 @@ impl Pipelines {
         &self,
         device: &wgpu::Device,
         kind: Kind,
+        form: Form,
         recipe: &Recipe,
         module: &wgpu::ShaderModule,
     ) -> wgpu::RenderPipeline {
@@ -217,10 +317,16 @@ impl Pipelines {
             Kind::Outline => Some(&self.mask_layout),
             _ => None,
         };
-        let groups = [Some(&self.globals_layout), second];
+        let has_surface = matches!(recipe.source, Source::Mesh | Source::Masked);
+        let groups = [
+            Some(&self.globals_layout),
+            second,
+            has_surface.then_some(&self.material_layout),
+            (form.corner() == Corner::Skin).then_some(&self.joints_layout),
+        ];
         let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             label: None,
-            bind_group_layouts: &groups[..if second.is_some() { 2 } else { 1 }],
+            bind_group_layouts: &groups[..groups.iter().rposition(Option::is_some).map_or(0, |last| last + 1)],
             immediate_size: 0,
         });
         let is_mask = matches!(kind, Kind::MaskAll | Kind::MaskVisible);
@@ -238,7 +344,8 @@ impl Pipelines {
         };
         let targets = [Some(target)];
         // A depth-only pipeline in the picture's pass must still name the pass's colour target.
-        let fragment = if kind == Kind::GhostDepth { Some("nothing_fragment") } else { recipe.fragment };
+        let is_plain_depth = kind == Kind::GhostDepth && recipe.fragment.is_none();
+        let fragment = if is_plain_depth { Some("nothing_fragment") } else { recipe.fragment };
         let corner_attributes = wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3];
         let instance_attributes = wgpu::vertex_attr_array![
             2 => Float32x4, 3 => Float32x4, 4 => Float32x4, 5 => Float32x4, 6 => Float32x3, 7 => Uint32, 8 => Float32
@@ -258,9 +365,15 @@ impl Pipelines {
             attributes: &corner_attributes,
         });
         debug_assert_eq!(VertexFormat::Float32x4.size() * 4 + 20, size_of::<Instance>() as u64);
-        let instance_buffers = [corners, per_instance(size_of::<Instance>(), &instance_attributes)];
+        let instance_buffers = [
+            corners,
+            per_instance(size_of::<Instance>(), &instance_attributes),
+            has_surface.then_some(surface_buffer()),
+            (form.corner() == Corner::Skin).then_some(weights_buffer()),
+        ];
         let stroke_buffers = [per_instance(size_of::<Stroke>(), &stroke_attributes)];
         let buffers: &[_] = match recipe.input {
+            Input::Instances if form == Form::Unit => &instance_buffers[..2],
             Input::Instances => &instance_buffers,
             Input::Strokes => &stroke_buffers,
             Input::Nothing => &[],
@@ -282,6 +395,7 @@ impl Pipelines {
                     wgpu::PrimitiveTopology::TriangleList
                 },
                 cull_mode: match recipe.input {
+                    Input::Instances if kind.draws_both_sides(form) => None,
                     // Back faces go into the shadow map, so that lit faces never shadow themselves (no bias needed).
                     Input::Instances if kind.is_shadow() => Some(wgpu::Face::Front),
                     Input::Instances => Some(wgpu::Face::Back),
@@ -294,7 +408,10 @@ impl Pipelines {
                 depth_write_enabled: Some(write),
                 depth_compare: Some(compare),
                 stencil: wgpu::StencilState::default(),
-                bias: wgpu::DepthBiasState::default(),
+                bias: match form {
+                    Form::Mesh(_) if kind.is_shadow() => OPEN_SHADOW_BIAS,
+                    Form::Mesh(_) | Form::Unit => wgpu::DepthBiasState::default(),
+                },
             }),
             multisample: wgpu::MultisampleState {
                 count: if is_single { 1 } else { self.samples },
@@ -310,4 +427,61 @@ impl Pipelines {
             cache: None,
         })
     }
+}
+
+/// The layout of group 2: the material of a mesh of triangles.
+pub fn material_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
+    let entry = |binding, visibility, ty| wgpu::BindGroupLayoutEntry { binding, visibility, ty, count: None };
+    let picture = wgpu::BindingType::Texture {
+        sample_type: wgpu::TextureSampleType::Float { filterable: true },
+        view_dimension: wgpu::TextureViewDimension::D2,
+        multisampled: false,
+    };
+    let factors = wgpu::BindingType::Buffer {
+        ty: wgpu::BufferBindingType::Uniform,
+        has_dynamic_offset: false,
+        min_binding_size: None,
+    };
+    device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+        label: Some("material"),
+        entries: &[
+            entry(0, ShaderStages::FRAGMENT, picture),
+            entry(1, ShaderStages::FRAGMENT, wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering)),
+            entry(2, ShaderStages::FRAGMENT, factors),
+        ],
+    })
+}
+
+/// The layout of group 3: the joints of skins that the vertex shader moves.
+pub fn joints_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
+    device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+        label: Some("joints"),
+        entries: &[wgpu::BindGroupLayoutEntry {
+            binding: 0,
+            visibility: ShaderStages::VERTEX,
+            ty: wgpu::BindingType::Texture {
+                sample_type: wgpu::TextureSampleType::Float { filterable: false },
+                view_dimension: wgpu::TextureViewDimension::D2,
+                multisampled: false,
+            },
+            count: None,
+        }],
+    })
+}
+
+/// The vertex buffer of the surface of a mesh of triangles.
+pub fn surface_buffer() -> wgpu::VertexBufferLayout<'static> {
+    const ATTRIBUTES: [wgpu::VertexAttribute; 3] =
+        wgpu::vertex_attr_array![9 => Float32x2, 10 => Unorm16x4, 11 => Float32];
+    wgpu::VertexBufferLayout {
+        array_stride: size_of::<SurfaceVertex>() as u64,
+        step_mode: wgpu::VertexStepMode::Vertex,
+        attributes: &ATTRIBUTES,
+    }
+}
+
+/// The vertex buffer of the joints and weights of a mesh of triangles.
+pub fn weights_buffer() -> wgpu::VertexBufferLayout<'static> {
+    const ATTRIBUTES: [wgpu::VertexAttribute; 2] = wgpu::vertex_attr_array![12 => Uint8x4, 13 => Float32x4];
+    wgpu::VertexBufferLayout { array_stride: 20, step_mode: wgpu::VertexStepMode::Vertex, attributes: &ATTRIBUTES }
 }

@@ -1,5 +1,6 @@
 //! The renderer: draws a frame into any texture view.
 
+mod meshes;
 mod outline;
 
 use std::ops::Range;
@@ -20,6 +21,7 @@ use crate::render::look;
 use crate::render::mesh::{MeshRange, PLANE, geometry};
 use crate::render::pipelines::{Kind, Pipelines};
 use crate::render::targets::{SunMap, SunMaps, Targets};
+use crate::render::triangles::{JointRows, MeshCache, Skinning, Skins};
 use crate::render::uniforms::Globals;
 
 /// The default number of samples per pixel: 4 on a GPU, 1 if the CPU draws, because each sample costs as much as a picture.
@@ -109,6 +111,11 @@ pub struct Renderer {
     packed: Packed,
     /// The content of the GPU's buffer.
     uploaded: Packed,
+    meshes: MeshCache,
+    skins: Skins,
+    /// The vertices of [`Self::skins`].
+    skinned: Option<wgpu::Buffer>,
+    joints: Option<JointRows>,
     /// The box that the sun map was drawn for.
     sun_map_box: Option<SunBox>,
     sun_map_draws: u64,
@@ -142,6 +149,10 @@ impl Renderer {
             arranged: Arranged::default(),
             packed: Packed::default(),
             uploaded: Packed::default(),
+            meshes: MeshCache::default(),
+            skins: Skins::new(Skinning::of_adapter(gpu.is_software)),
+            skinned: None,
+            joints: None,
             sun_map_box: None,
             sun_map_draws: 0,
             is_cold: gpu.is_software,
@@ -196,14 +207,15 @@ impl Renderer {
         let globals = Globals::new(frame, sun.as_ref(), viewport);
         let is_map_due = sun.is_some() && (items_moved || sun != self.sun_map_box);
         let of_sun_map = sun.as_ref().filter(|_| is_map_due).map(Detail::of_sun_map);
-        self.packed.pack(frame, &self.arranged, &globals, detail, of_sun_map);
+        self.take_meshes(gpu, frame, is_map_due);
+        self.packed.pack(frame, &self.arranged, &globals, detail, of_sun_map, &self.skins);
         self.upload(gpu);
         if is_map_due {
             self.sun_map_draws += 1;
             if mem::take(&mut self.is_cold) {
-                self.draw_first_sun_map(gpu);
+                self.draw_first_sun_map(gpu, frame);
             } else {
-                self.draw_sun_map(&gpu.device, encoder);
+                self.draw_sun_map(&gpu.device, encoder, frame);
             }
         }
         // No sun box: the sun map still holds an older frame. Storing `None` forces a redraw when a box exists again.
@@ -213,7 +225,7 @@ impl Renderer {
         if let Some(rectangle) =
             rectangle_px(&frame.view, outlined, [viewport.width, viewport.height], look::OUTLINE_PX + 3.0)
         {
-            self.draw_outline(gpu, encoder, target, rectangle);
+            self.draw_outline(gpu, encoder, frame, target, rectangle);
         }
     }
 
@@ -235,9 +247,9 @@ impl Renderer {
     }
 
     /// Submits the sun map at once, so that the driver compiles the code shared by all pipelines while those of the picture are created.
-    fn draw_first_sun_map(&self, gpu: &Gpu) {
+    fn draw_first_sun_map(&self, gpu: &Gpu, frame: &Frame) {
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        self.draw_sun_map(&gpu.device, &mut encoder);
+        self.draw_sun_map(&gpu.device, &mut encoder, frame);
         let commands = encoder.finish();
         thread::scope(|scope| {
             // Create the pipelines on a new thread. The driver's thread wakes at submit and may take this core. If the thread cannot be
@@ -264,7 +276,7 @@ impl Renderer {
         needed.into_iter().filter_map(|(kind, is_needed)| is_needed.then_some(kind))
     }
 
-    fn draw_sun_map(&self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder) {
+    fn draw_sun_map(&self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder, frame: &Frame) {
         let Some(SunMap { size_texels: [width, height], kind, view, .. }) = self.sun_maps.in_use() else { return };
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("sun map"),
@@ -278,6 +290,7 @@ impl Renderer {
         for (mesh, instances) in geometry().ranges.iter().zip(&self.uploaded.casters) {
             draw_mesh(&mut pass, mesh, instances);
         }
+        self.draw_triangles(device, &mut pass, frame, *kind, &self.uploaded.triangles.casters);
     }
 
     fn draw_picture(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, frame: &Frame, target: Target<'_>) {
@@ -310,6 +323,8 @@ impl Renderer {
         self.bind_instances(&mut pass);
         pass.set_bind_group(1, &sun_map.bind_group, &[]);
         let device = &gpu.device;
+        self.draw_triangles(device, &mut pass, frame, Kind::Shape, &self.uploaded.triangles.seen);
+        self.bind_instances(&mut pass);
         let (meshes, items) = (&geometry().ranges, &self.uploaded.seen);
         for kind in self.kinds_behind_lines() {
             pass.set_pipeline(self.pipelines.get(device, kind));
@@ -324,9 +339,10 @@ impl Renderer {
             self.draw_strokes(device, &mut pass, kind, &self.uploaded.lines.clone());
         }
         let ghosts = self.uploaded.ghosts.clone();
-        if ghosts.iter().any(|instances| !instances.is_empty()) {
-            self.bind_instances(&mut pass);
+        if !frame.ghosts.is_empty() {
             for kind in [Kind::GhostDepth, Kind::Ghost] {
+                self.draw_triangles(device, &mut pass, frame, kind, &self.uploaded.triangles.ghosts);
+                self.bind_instances(&mut pass);
                 pass.set_pipeline(self.pipelines.get(device, kind));
                 for (mesh, instances) in geometry().ranges.iter().zip(&ghosts) {
                     draw_mesh(&mut pass, mesh, instances);

@@ -23,11 +23,29 @@ pub enum Source {
     Outline,
     /// Which node each pixel shows.
     Identity,
+    /// Meshes of triangles with their materials.
+    Mesh,
+    /// The same with holes, without colours.
+    Masked,
 }
 
+/// What vertices are transformed by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Corner {
+    /// Unit meshes by the half extents, rounding and matrix of their instance.
+    Unit,
+    /// Meshes of triangles by the matrix of their instance.
+    Mesh,
+    /// Meshes with a skin by their joints.
+    Skin,
+}
+
+/// The number of ways to transform vertices.
+pub const CORNERS: usize = Corner::Skin as usize + 1;
+
 /// The number of sources.
-pub const SOURCES: usize = Source::Identity as usize + 1;
-const VARIANTS: usize = 8;
+pub const SOURCES: usize = Source::Masked as usize + 1;
+const VARIANTS: usize = 8 * CORNERS;
 
 /// The variants of a module.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,13 +56,15 @@ pub struct Variant {
     pub is_software: bool,
     /// Targets have several samples per pixel.
     pub is_multisampled: bool,
+    /// What vertices are transformed by.
+    pub corner: Corner,
 }
 
 static PARSED: [[OnceLock<Module>; VARIANTS]; SOURCES] = [const { [const { OnceLock::new() }; VARIANTS] }; SOURCES];
 
 /// Parses the modules that a plain picture on the CPU needs.
 pub fn parse_usual() {
-    let variant = Variant { encodes_srgb: false, is_software: true, is_multisampled: false };
+    let variant = Variant { encodes_srgb: false, is_software: true, is_multisampled: false, corner: Corner::Unit };
     for source in [Source::Silhouette, Source::Shape, Source::Plane, Source::Sky] {
         parsed(source, variant);
     }
@@ -57,30 +77,42 @@ pub fn module(device: &wgpu::Device, source: Source, variant: Variant) -> wgpu::
 }
 
 fn parsed(source: Source, variant: Variant) -> &'static Module {
-    let Variant { encodes_srgb, is_software, is_multisampled } = variant;
-    let index = usize::from(encodes_srgb) | usize::from(is_software) << 1 | usize::from(is_multisampled) << 2;
+    let Variant { encodes_srgb, is_software, is_multisampled, corner } = variant;
+    let flags = usize::from(encodes_srgb) | usize::from(is_software) << 1 | usize::from(is_multisampled) << 2;
+    let index = flags | (corner as usize) << 3;
     PARSED[source as usize][index]
         .get_or_init(|| wgsl::parse_str(&text(source, variant)).expect("the program's own shaders have no errors"))
 }
 
 fn text(source: Source, variant: Variant) -> String {
-    macro_rules! joined {
-        ($($file:literal),*) => {
-            concat!(include_str!("../../shaders/common.wgsl"), $(include_str!(concat!("../../shaders/", $file))),*)
+    macro_rules! file {
+        ($file:literal) => {
+            include_str!(concat!("../../shaders/", $file))
         };
     }
-    let text = match (source, variant.is_software) {
-        (Source::Shape, true) => joined!("corner.wgsl", "pixel.wgsl", "lit.wgsl", "shadow_one.wgsl", "shape.wgsl"),
-        (Source::Shape, false) => joined!("corner.wgsl", "pixel.wgsl", "lit.wgsl", "shadow_square.wgsl", "shape.wgsl"),
-        (Source::Plane, true) => joined!("corner.wgsl", "pixel.wgsl", "lit.wgsl", "shadow_one.wgsl", "plane.wgsl"),
-        (Source::Plane, false) => joined!("corner.wgsl", "pixel.wgsl", "lit.wgsl", "shadow_square.wgsl", "plane.wgsl"),
-        (Source::Sky, _) => joined!("pixel.wgsl", "sky.wgsl"),
-        (Source::Silhouette, _) => joined!("corner.wgsl", "pixel.wgsl", "silhouette.wgsl"),
-        (Source::Stroke, _) => joined!("stroke.wgsl"),
-        (Source::Outline, _) => joined!("outline.wgsl"),
-        (Source::Identity, _) => joined!("corner.wgsl", "identity.wgsl"),
+    let corner: &[&str] = match variant.corner {
+        Corner::Unit => &[file!("corner.wgsl")],
+        Corner::Mesh => &[file!("normal.wgsl"), file!("mesh_corner.wgsl")],
+        Corner::Skin => &[file!("normal.wgsl"), file!("skin_corner.wgsl")],
     };
-    let mut text = format!("const ENCODE_SRGB = {};\n{text}", variant.encodes_srgb);
+    let sun = if variant.is_software { file!("shadow_one.wgsl") } else { file!("shadow_square.wgsl") };
+    let own: &[&str] = match source {
+        Source::Shape => &[file!("pixel.wgsl"), file!("lit.wgsl"), sun, file!("toned.wgsl"), file!("shape.wgsl")],
+        Source::Plane => &[file!("pixel.wgsl"), file!("lit.wgsl"), sun, file!("plane.wgsl")],
+        Source::Sky => &[file!("pixel.wgsl"), file!("sky.wgsl")],
+        Source::Silhouette => &[file!("pixel.wgsl"), file!("silhouette.wgsl")],
+        Source::Stroke => &[file!("stroke.wgsl")],
+        Source::Outline => &[file!("outline.wgsl")],
+        Source::Identity => &[file!("identity.wgsl")],
+        Source::Mesh => &[file!("lit.wgsl"), sun, file!("surface.wgsl"), file!("toned.wgsl"), file!("mesh.wgsl")],
+        Source::Masked => &[file!("surface.wgsl"), file!("masked.wgsl")],
+    };
+    let corner = match source {
+        Source::Sky | Source::Stroke | Source::Outline => &[],
+        _ => corner,
+    };
+    let mut text = format!("const ENCODE_SRGB = {};\n{}", variant.encodes_srgb, file!("common.wgsl"));
+    text.extend(corner.iter().chain(own).copied());
     // `textureLoad` has the same form for both; the last argument is then the sample.
     if source == Source::Outline && variant.is_multisampled {
         text = text.replace("texture_2d<f32>", "texture_multisampled_2d<f32>");
@@ -97,13 +129,18 @@ mod tests {
     /// Also the variants that only a GPU uses.
     #[test]
     fn every_variant_of_every_source_is_valid() {
-        use Source::{Identity, Outline, Plane, Shape, Silhouette, Sky, Stroke};
-        let sources = [Shape, Plane, Sky, Silhouette, Stroke, Outline, Identity];
+        use Source::{Identity, Masked, Mesh, Outline, Plane, Shape, Silhouette, Sky, Stroke};
+        let sources = [Shape, Plane, Sky, Silhouette, Stroke, Outline, Identity, Mesh, Masked];
         assert_eq!(sources.len(), SOURCES);
         for source in sources {
             for bits in 0..VARIANTS {
                 let has = |bit: usize| bits >> bit & 1 == 1;
-                let variant = Variant { encodes_srgb: has(0), is_software: has(1), is_multisampled: has(2) };
+                let corner = [Corner::Unit, Corner::Mesh, Corner::Skin][bits >> 3];
+                let is_of_triangles = corner != Corner::Unit;
+                if matches!(source, Mesh | Masked) && !is_of_triangles || source == Plane && is_of_triangles {
+                    continue;
+                }
+                let variant = Variant { encodes_srgb: has(0), is_software: has(1), is_multisampled: has(2), corner };
                 let validated =
                     Validator::new(ValidationFlags::all(), Capabilities::empty()).validate(parsed(source, variant));
                 assert!(validated.is_ok(), "{source:?} {variant:?}: {validated:?}");

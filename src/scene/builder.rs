@@ -6,9 +6,11 @@ use std::sync::Arc;
 use super::file::SceneError;
 use super::graph::{Common, Node, NodeId, NodeKind, SceneGraph};
 use super::joint::Joint;
-use super::shape::PlacedShape;
+use super::shape::{PlacedShape, Shape};
+use super::shapes::MeshShape;
 use super::tracks::Tracks;
 use super::walk::Walk;
+use crate::model::MeshLibrary;
 use crate::pose::{Pose, RbtIndex};
 use crate::rbt::Rbt;
 
@@ -23,6 +25,11 @@ pub struct SceneBuilder {
     rest: Vec<Rbt>,
     by_path: HashMap<String, NodeId>,
     open: Vec<NodeId>,
+    meshes: Option<Arc<MeshLibrary>>,
+    /// Shapes of meshes by name, so that shapes of one mesh share what is computed of it.
+    mesh_shapes: HashMap<String, MeshShape>,
+    /// The paths of joints, which may come after the shapes that they move.
+    joints: Vec<(NodeId, Vec<String>)>,
 }
 
 impl SceneBuilder {
@@ -72,6 +79,68 @@ impl SceneBuilder {
         self.push(name, NodeKind::Shape(placed))
     }
 
+    /// The meshes of the scene. Shapes of meshes must be of these.
+    pub fn meshes(&mut self, meshes: Arc<MeshLibrary>) {
+        self.meshes = Some(meshes);
+    }
+
+    /// A shape of the scene's mesh with a name; `path` is that of its node, for errors. What moves its skin is [given](Self::joints) once
+    /// the shape is added.
+    ///
+    /// # Errors
+    /// When no mesh has the name.
+    pub fn mesh_shape(&mut self, path: &str, name: &str) -> Result<Shape, SceneError> {
+        if let Some(shape) = self.mesh_shapes.get(name) {
+            return Ok(Shape::Mesh(shape.clone()));
+        }
+        let mesh = self.meshes.as_ref().and_then(|meshes| meshes.find(name));
+        let mesh = mesh.ok_or_else(|| SceneError::Mesh { path: path.to_owned(), name: name.to_owned() })?;
+        let shape = MeshShape::new(Arc::clone(mesh));
+        self.mesh_shapes.insert(name.to_owned(), shape.clone());
+        Ok(Shape::Mesh(shape))
+    }
+
+    /// Names the nodes that move the skin of a mesh by their paths, in the order of the skin's joints. They may be added later.
+    pub fn joints(&mut self, shape: NodeId, paths: Vec<String>) {
+        self.joints.push((shape, paths));
+    }
+
+    /// Sets the nodes that move the skin of a mesh.
+    pub(super) fn set_joints(&mut self, shape: NodeId, joints: Arc<[NodeId]>) {
+        if let NodeKind::Shape(placed) = &mut self.nodes[shape.get()].kind
+            && let Shape::Mesh(mesh) = &placed.shape
+        {
+            placed.shape = Shape::Mesh(mesh.with_joints(joints));
+        }
+    }
+
+    /// Sets the joints that were named by paths, and checks those of all shapes.
+    fn find_joints(&mut self) -> Result<(), SceneError> {
+        for (shape, paths) in std::mem::take(&mut self.joints) {
+            let is_joint = |id: &&NodeId| !matches!(self.nodes[id.get()].kind, NodeKind::Shape(_));
+            let find = |joint: &String| {
+                self.by_path.get(joint).filter(is_joint).copied().ok_or_else(|| SceneError::SkinJoint {
+                    path: self.nodes[shape.get()].path.clone(),
+                    joint: joint.clone(),
+                })
+            };
+            let joints = paths.iter().map(find).collect::<Result<Vec<NodeId>, _>>()?;
+            self.set_joints(shape, joints.into());
+        }
+        for node in &self.nodes {
+            if let NodeKind::Shape(placed) = &node.kind
+                && let Shape::Mesh(mesh) = &placed.shape
+            {
+                let expected = mesh.mesh().skin.as_ref().map_or(0, |skin| skin.joint_from_shape.len());
+                let found = mesh.joints().len();
+                if found != expected {
+                    return Err(SceneError::SkinJoints { path: node.path.clone(), found, expected });
+                }
+            }
+        }
+        Ok(())
+    }
+
     /// Closes the innermost open node.
     pub fn close(&mut self) {
         if let Some(id) = self.open.pop() {
@@ -117,8 +186,15 @@ impl SceneBuilder {
     /// `eye_paths` are the paths of the RBT nodes that are eyes; `vertical_fov_degrees` is above 0 and below 180.
     ///
     /// # Errors
-    /// If there is no RBT node, no eye, an eye that is not an RBT node, a field of view out of range, or scales that multiply to too much.
-    pub fn finish(self, name: &str, eye_paths: &[String], vertical_fov_degrees: f32) -> Result<SceneGraph, SceneError> {
+    /// If there is no RBT node, no eye, an eye that is not an RBT node, a field of view out of range, scales that multiply to too much, or a
+    /// skin without its joints.
+    pub fn finish(
+        mut self,
+        name: &str,
+        eye_paths: &[String],
+        vertical_fov_degrees: f32,
+    ) -> Result<SceneGraph, SceneError> {
+        self.find_joints()?;
         let rbt_of = |path: &String| match self.nodes[self.by_path.get(path)?.get()].kind {
             NodeKind::Rbt(rbt) => Some(rbt),
             NodeKind::Shape(_) | NodeKind::Control(_) => None,
@@ -151,6 +227,7 @@ impl SceneBuilder {
             walk: Walk::through(&self.nodes),
             eyes,
             vertical_fov_degrees,
+            meshes: self.meshes,
         };
         SceneGraph::of_parts(self.nodes.into_iter().map(Arc::new).collect(), Arc::new(common))
     }

@@ -1,8 +1,11 @@
 //! Scenes with a control node added, removed or renamed. Poses stay valid: the RBT nodes and their order do not change.
 
+use std::sync::Arc;
+
 use super::builder::SceneBuilder;
 use super::file::SceneError;
 use super::graph::{Node, NodeId, NodeKind, SceneGraph};
+use super::shape::Shape;
 use super::tracks::Tracks;
 
 /// The change of one node.
@@ -34,7 +37,7 @@ impl SceneGraph {
     /// The scene without a control node. Its children move up to its parent, in its position.
     ///
     /// # Errors
-    /// [`SceneError`] if the node is not a control node, or two nodes would have one path.
+    /// [`SceneError`] if the node is not a control node, moves a skin, or two nodes would have one path.
     pub fn without_control(&self, id: NodeId) -> Result<Self, SceneError> {
         self.check_control(id)?;
         self.changed(id, &Change::Remove)
@@ -60,6 +63,15 @@ impl SceneGraph {
     /// Rebuilds all nodes with one changed. The eyes stay the same nodes.
     fn changed(&self, changed: NodeId, change: &Change<'_>) -> Result<Self, SceneError> {
         let mut builder = SceneBuilder::new();
+        if let Some(meshes) = self.meshes() {
+            builder.meshes(Arc::clone(meshes));
+        }
+        // Where a node stands afterwards.
+        let moved = |id: NodeId| match change {
+            Change::PutAbove { .. } if id >= changed => NodeId::from_index(id.get() + 1),
+            Change::Remove if id > changed => NodeId::from_index(id.get() - 1),
+            _ => id,
+        };
         // For each open node, the index of the first node that is not below it.
         let mut ends: Vec<usize> = Vec::new();
         for (id, node) in self.nodes_with_ids() {
@@ -77,6 +89,17 @@ impl SceneGraph {
                         ends.push(self.subtree(id).end);
                     }
                 }
+            }
+            if let NodeKind::Shape(placed) = &node.kind
+                && let Shape::Mesh(mesh) = &placed.shape
+            {
+                if matches!(change, Change::Remove) && mesh.joints().contains(&changed) {
+                    let path = self.node(changed).path.clone();
+                    return Err(SceneError::MovesSkin { path, skin: node.path.clone() });
+                }
+                let shape = builder.shape(name, placed.clone())?;
+                builder.set_joints(shape, mesh.joints().iter().copied().map(moved).collect());
+                continue;
             }
             if self.add_to(&mut builder, name, node)? {
                 ends.push(self.subtree(id).end);

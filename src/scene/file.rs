@@ -1,6 +1,7 @@
 //! The scene file: JSON text to a [`SceneGraph`]. The manual documents the format.
 
 use std::fmt;
+use std::sync::Arc;
 
 use glam::{Quat, Vec3, Vec4};
 use serde::de::{self, Unexpected, Visitor};
@@ -12,9 +13,10 @@ use super::builder::{MOST_LEVELS, SceneBuilder};
 use super::channel::Channel;
 use super::checks::NodeChecks;
 use super::graph::SceneGraph;
-use super::joint::{JointText, LimitsText, VERSION_OF_JOINTS};
+use super::joint::{JointText, LimitsText};
 use super::keys::keys_error;
-use super::shape::{PlacedShape, Placement, Shape};
+use super::meshes::{MeshesError, meshes_of};
+use super::shape::{PlacedShape, Placement, ShapeText};
 use super::tracks::Tracks;
 use crate::colour::Colour;
 use crate::decode::{self, DecodeError};
@@ -25,8 +27,10 @@ use crate::timed::KeyError;
 use crate::words::{Argument, Message, Phrase, display_by_message, quoted, texts};
 
 pub(super) const FORMAT: &str = "inbetween.scene";
-/// The versions that are read. Version 2 has control nodes whose names are not part of paths, version 3 has limbs that reach.
-const VERSIONS: std::ops::RangeInclusive<u32> = 1..=VERSION_OF_JOINTS;
+/// The versions that are read. Version 2 has control nodes whose names are not part of paths, version 3 has limbs that reach, and meshes.
+const VERSIONS: std::ops::RangeInclusive<u32> = 1..=VERSION_OF_MESHES;
+/// The first version of scene files with meshes.
+pub(super) const VERSION_OF_MESHES: u32 = 3;
 
 /// Why a text is not a valid scene.
 #[derive(Clone, Debug, Error, PartialEq)]
@@ -113,6 +117,38 @@ pub enum SceneError {
     },
     /// The scene names no eye.
     NoEyes,
+    /// The meshes of the scene cannot be read.
+    Meshes(MeshesError),
+    /// No mesh of the scene has the name.
+    Mesh {
+        /// The node's path.
+        path: String,
+        /// The name in the file.
+        name: String,
+    },
+    /// A joint of a skin is neither an RBT node nor a control node.
+    SkinJoint {
+        /// The path of the mesh's node.
+        path: String,
+        /// The joint's path in the file.
+        joint: String,
+    },
+    /// A node has not as many joints as the skin of its mesh.
+    SkinJoints {
+        /// The node's path.
+        path: String,
+        /// How many joints the node has.
+        found: usize,
+        /// How many joints the skin has; a mesh without one has none.
+        expected: usize,
+    },
+    /// A control node cannot be removed because it moves a skin.
+    MovesSkin {
+        /// The control node's path.
+        path: String,
+        /// The path of the mesh's node.
+        skin: String,
+    },
     /// The field of view is out of range.
     FieldOfView {
         /// The value in the file, in degrees.
@@ -145,6 +181,11 @@ impl SceneError {
             Self::Keys { path, field, error } => texts::scene_keys(quoted(path), *field, error.message()),
             Self::Eye { path } => texts::scene_eye(quoted(path)),
             Self::NoEyes => texts::SCENE_NO_EYES.into(),
+            Self::Meshes(error) => error.message(),
+            Self::Mesh { path, name } => texts::scene_no_mesh(quoted(path), quoted(name)),
+            Self::SkinJoint { path, joint } => texts::scene_skin_joint(quoted(path), quoted(joint)),
+            Self::SkinJoints { path, found, expected } => texts::scene_skin_joints(quoted(path), *found, *expected),
+            Self::MovesSkin { path, skin } => texts::scene_moves_skin(quoted(path), quoted(skin)),
             Self::FieldOfView { degrees } => texts::scene_field_of_view(*degrees),
         }
     }
@@ -165,6 +206,7 @@ struct SceneText {
     eyes: Vec<String>,
     #[serde(default = "default_fov_degrees")]
     vertical_fov_degrees: f32,
+    meshes: Option<String>,
     nodes: Vec<NodeText>,
 }
 
@@ -180,7 +222,7 @@ struct NodeText {
     translation: [f32; 3],
     rotation: Option<RotationText>,
     scale: Option<ScaleText>,
-    shape: Option<Shape>,
+    shape: Option<ShapeText>,
     colour: Option<ColourText>,
     colour_keys: Option<Vec<(f64, ColourText)>>,
     control: Option<ControlText>,
@@ -245,27 +287,43 @@ impl<'de> Deserialize<'de> for ColourText {
     }
 }
 
-/// Reads a scene file. A byte order mark is skipped.
+/// Reads a scene file that holds all of the scene. A byte order mark is skipped.
 ///
 /// # Errors
 /// As [`scene_from_json`]; or the bytes are not UTF-8.
 pub fn scene_from_bytes(bytes: &[u8]) -> Result<SceneGraph, SceneError> {
-    let text = std::str::from_utf8(bytes).map_err(|error| SceneError::NotText { at: error.valid_up_to() })?;
-    scene_from_json(str_without_byte_order_mark(text))
+    scene_with_meshes(bytes, |_| Err(texts::SCENE_MESHES_APART.into()))
 }
 
-/// Reads a scene.
+/// Reads a scene file. A byte order mark is skipped. `read_meshes` reads the file with this name beside it, if the scene has its meshes
+/// there.
+///
+/// # Errors
+/// As [`scene_from_json`]; or the bytes are not UTF-8.
+pub fn scene_with_meshes(
+    bytes: &[u8],
+    read_meshes: impl FnOnce(&str) -> Result<Vec<u8>, Message> + Send,
+) -> Result<SceneGraph, SceneError> {
+    let text = std::str::from_utf8(bytes).map_err(|error| SceneError::NotText { at: error.valid_up_to() })?;
+    let bytes = str_without_byte_order_mark(text).as_bytes();
+    decode::nested_json(bytes, MOST_NESTING, |read: SceneText| built(&read, read_meshes)).map_err(SceneError::Json)?
+}
+
+/// Reads a scene whose text holds all of it.
 ///
 /// # Errors
 /// One [`SceneError`] with the line and column, or the path of the node.
 pub fn scene_from_json(text: &str) -> Result<SceneGraph, SceneError> {
-    decode::nested_json(text.as_bytes(), MOST_NESTING, |read: SceneText| built(&read)).map_err(SceneError::Json)?
+    scene_from_bytes(text.as_bytes())
 }
 
 /// The nesting of brackets in a file of [`MOST_LEVELS`] levels of nodes: two a level, and those around and within nodes.
 const MOST_NESTING: usize = 2 * MOST_LEVELS + 8;
 
-fn built(text: &SceneText) -> Result<SceneGraph, SceneError> {
+fn built(
+    text: &SceneText,
+    read_meshes: impl FnOnce(&str) -> Result<Vec<u8>, Message>,
+) -> Result<SceneGraph, SceneError> {
     if text.format != FORMAT {
         return Err(SceneError::Format { found: text.format.clone() });
     }
@@ -273,6 +331,12 @@ fn built(text: &SceneText) -> Result<SceneGraph, SceneError> {
         return Err(SceneError::Version { found: text.version });
     }
     let mut builder = SceneBuilder::new();
+    if let Some(meshes) = &text.meshes {
+        if text.version < VERSION_OF_MESHES {
+            return Err(SceneError::Meshes(MeshesError::Version));
+        }
+        builder.meshes(Arc::new(meshes_of(meshes, read_meshes).map_err(SceneError::Meshes)?));
+    }
     for node in &text.nodes {
         add(&mut builder, node, "", text.version)?;
     }
@@ -307,9 +371,15 @@ fn add(builder: &mut SceneBuilder, node: &NodeText, parent_path: &str, version: 
         set(&mut tracks, Channel::Colour, checks, node.colour_keys.as_ref(), |colour| {
             Ok(colour.0.to_linear().extend(0.0))
         })?;
+        let (shape, joints) = match shape {
+            ShapeText::Solid(shape) => (shape.clone(), None),
+            ShapeText::Mesh(mesh) => (builder.mesh_shape(&path, &mesh.name)?, Some(&mesh.joints)),
+        };
         shape.solid().check(checks)?;
-        let placed = PlacedShape::new(*shape, colour, tracks, placement);
-        builder.shape(&node.name, placed)?;
+        let id = builder.shape(&node.name, PlacedShape::new(shape, colour, tracks, placement))?;
+        if let Some(joints) = joints {
+            builder.joints(id, joints.clone());
+        }
         return Ok(());
     }
     if node.scale.is_some() {

@@ -4,13 +4,15 @@ use std::collections::HashMap;
 use std::ops::Range;
 use std::sync::Arc;
 
-use glam::Affine3A;
+use glam::{Affine3A, Vec3};
 
 use super::joint::Joint;
-use super::shape::PlacedShape;
+use super::shape::{PlacedShape, Shape};
+use super::shapes::MeshShape;
 use super::tracks::Tracks;
 use super::walk::Walk;
 use crate::blend::AlignedAffine;
+use crate::model::MeshLibrary;
 use crate::pose::{Pose, RbtIndex};
 use crate::rbt::Rbt;
 
@@ -108,6 +110,7 @@ pub(super) struct Common {
     pub(super) walk: Walk,
     pub(super) eyes: Vec<RbtIndex>,
     pub(super) vertical_fov_degrees: f32,
+    pub(super) meshes: Option<Arc<MeshLibrary>>,
 }
 
 impl PartialEq for SceneGraph {
@@ -125,6 +128,12 @@ impl SceneGraph {
     #[must_use]
     pub fn name(&self) -> &str {
         &self.common.name
+    }
+
+    /// The meshes that its shapes are of; `None` for a scene without any.
+    #[must_use]
+    pub fn meshes(&self) -> Option<&Arc<MeshLibrary>> {
+        self.common.meshes.as_ref()
     }
 
     /// Every node, parents before children.
@@ -323,6 +332,28 @@ impl SceneGraph {
             Some(parent) => self.world_from_node(pose, seconds, parent),
             None => Affine3A::IDENTITY,
         }
+    }
+
+    /// The mesh of a shape node that joints move; `None` for any other node.
+    #[must_use]
+    pub fn skin(&self, id: NodeId) -> Option<&MeshShape> {
+        match &self.node(id).kind {
+            NodeKind::Shape(PlacedShape { shape: Shape::Mesh(mesh), .. }) if !mesh.joints().is_empty() => Some(mesh),
+            _ => None,
+        }
+    }
+
+    /// The box around a shape in world space where nodes stand as `world_from_node` says: its placement, and half its extents.
+    #[must_use]
+    pub fn box_of(
+        &self,
+        id: NodeId,
+        placed: &PlacedShape,
+        world_from_node: impl Fn(NodeId) -> Affine3A,
+    ) -> (Affine3A, Vec3) {
+        let Some(skin) = self.skin(id) else { return (world_from_node(id), placed.shape.half_extents()) };
+        let [least, most] = skin.reach_of_skin(&skin.world_from_bind(world_from_node).collect::<Vec<_>>());
+        (Affine3A::from_translation((least + most) * 0.5), (most - least) * 0.5)
     }
 
     /// The RBT node that carries a node: itself, or the nearest one above it.

@@ -20,7 +20,8 @@ pub struct Ray {
 pub struct Pick {
     /// The shape's node.
     pub shape: NodeId,
-    /// The RBT node that carries it; `None` for a plane, which is ground, and for a shape with no RBT node above it.
+    /// The RBT node that carries it, or, of a skin, the joint that moves it most where the ray meets it; `None` for a plane, which is ground,
+    /// and for what has no RBT node above it.
     pub rbt: Option<RbtIndex>,
     /// Whether the shape is a plane.
     pub is_ground: bool,
@@ -51,8 +52,22 @@ impl Part {
 /// The scene as it stands, for the rays of one look at it.
 pub struct Picker<'a> {
     scene: &'a SceneGraph,
-    /// Shapes, and their inverse matrices.
-    shapes: Vec<(NodeId, Affine3A)>,
+    /// Shapes, and how their rays are taken.
+    shapes: Vec<(NodeId, Seen)>,
+}
+
+/// How rays meet a shape.
+enum Seen {
+    /// In its own space.
+    Rigid {
+        /// World space to the shape's.
+        shape_from_world: Affine3A,
+    },
+    /// In world space, as its joints stand.
+    Skin {
+        /// The matrices of its joints.
+        world_from_bind: Vec<Affine3A>,
+    },
 }
 
 impl Picker<'_> {
@@ -60,13 +75,23 @@ impl Picker<'_> {
     ///
     /// Rounded edges of boxes are treated as sharp. A ray from inside a shape passes through it.
     fn hits(&self, ray: Ray) -> impl Iterator<Item = Pick> {
-        self.shapes.iter().filter_map(move |&(shape, shape_from_world)| {
+        self.shapes.iter().filter_map(move |(shape, seen)| {
+            let shape = *shape;
             let NodeKind::Shape(placed) = &self.scene.node(shape).kind else { return None };
-            let origin = shape_from_world.transform_point3(ray.origin_in_world);
-            let direction = shape_from_world.transform_vector3(ray.direction_in_world);
-            let distance = placed.shape.enter(origin, direction)?;
-            let is_ground = matches!(placed.shape, Shape::Plane(_));
-            Some(Pick { shape, rbt: self.scene.carrying_rbt(shape).filter(|_| !is_ground), is_ground, distance })
+            let Ray { origin_in_world, direction_in_world } = ray;
+            let is_ground = placed.shape.is_ground();
+            let (distance, moved_by) = match (seen, &placed.shape) {
+                (Seen::Skin { world_from_bind }, Shape::Mesh(mesh)) => {
+                    mesh.enter_skin(world_from_bind, origin_in_world, direction_in_world)?
+                }
+                (Seen::Rigid { shape_from_world }, of_shape) => {
+                    let origin = shape_from_world.transform_point3(origin_in_world);
+                    (of_shape.enter(origin, shape_from_world.transform_vector3(direction_in_world))?, shape)
+                }
+                (Seen::Skin { .. }, _) => return None,
+            };
+            let rbt = self.scene.carrying_rbt(moved_by).filter(|_| !is_ground);
+            Some(Pick { shape, rbt, is_ground, distance })
         })
     }
 
@@ -98,7 +123,15 @@ impl SceneGraph {
         let world_from_node = self.world_from_nodes(pose, seconds);
         let shapes = self.nodes_with_ids().filter_map(|(id, node)| {
             let is_seen = matches!(node.kind, NodeKind::Shape(_)) && (from.is_none() || self.carrying_rbt(id) != from);
-            is_seen.then(|| (id, world_from_node[id.get()].get().inverse()))
+            is_seen.then(|| {
+                let seen = match self.skin(id) {
+                    Some(skin) => Seen::Skin {
+                        world_from_bind: skin.world_from_bind(|joint| world_from_node[joint.get()].get()).collect(),
+                    },
+                    None => Seen::Rigid { shape_from_world: world_from_node[id.get()].get().inverse() },
+                };
+                (id, seen)
+            })
         });
         Picker { scene: self, shapes: shapes.collect() }
     }

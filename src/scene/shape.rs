@@ -7,12 +7,12 @@ use serde::de::{Error as _, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 
 use super::channel::Channel;
-use super::shapes::{Capsule, Cone, Cylinder, Plane, RoundedBox, Solid, Sphere};
+use super::shapes::{Capsule, Cone, Cylinder, MeshShape, Plane, RoundedBox, Solid, Sphere};
 use super::tracks::Tracks;
 use crate::colour::Colour;
 
 /// A solid in its own shape space: centred at the origin, its axis along Y. Lengths in scene units, all positive.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Shape {
     /// A box with rounded edges.
     Box(RoundedBox),
@@ -26,9 +26,11 @@ pub enum Shape {
     Capsule(Capsule),
     /// A flat square in the plane y = 0.
     Plane(Plane),
+    /// A mesh of triangles.
+    Mesh(MeshShape),
 }
 
-/// The six meshes that every shape is an instance of.
+/// The six unit meshes that shapes other than triangle meshes are instances of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum MeshKind {
     /// [`Shape::Box`].
@@ -51,28 +53,48 @@ impl MeshKind {
 }
 
 /// The shapes' names in scene files.
-const NAMES: [&str; 6] = ["box", "sphere", "cylinder", "cone", "capsule", "plane"];
+const NAMES: [&str; 7] = ["box", "sphere", "cylinder", "cone", "capsule", "plane", "mesh"];
 
-impl<'de> Deserialize<'de> for Shape {
+/// A shape as a scene file has it.
+pub(super) enum ShapeText {
+    /// A shape that is whole by itself.
+    Solid(Shape),
+    /// A mesh, by its name among the meshes of the scene.
+    Mesh(MeshText),
+}
+
+/// A mesh as a scene file has it.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct MeshText {
+    /// Its name among the meshes of the scene.
+    pub name: String,
+    /// The paths of the nodes that move its skin.
+    #[serde(default)]
+    pub joints: Vec<String>,
+}
+
+impl<'de> Deserialize<'de> for ShapeText {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         struct ShapeVisitor;
 
         impl<'de> Visitor<'de> for ShapeVisitor {
-            type Value = Shape;
+            type Value = ShapeText;
 
             fn expecting(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
                 formatter.write_str("decode.kind.shape")
             }
 
-            fn visit_map<A: MapAccess<'de>>(self, mut fields: A) -> Result<Shape, A::Error> {
+            fn visit_map<A: MapAccess<'de>>(self, mut fields: A) -> Result<ShapeText, A::Error> {
                 let name = fields.next_key::<String>()?.ok_or_else(|| A::Error::custom("decode.kind.shape"))?;
                 let shape = match name.as_str() {
-                    "box" => Shape::Box(fields.next_value()?),
-                    "sphere" => Shape::Sphere(fields.next_value()?),
-                    "cylinder" => Shape::Cylinder(fields.next_value()?),
-                    "cone" => Shape::Cone(fields.next_value()?),
-                    "capsule" => Shape::Capsule(fields.next_value()?),
-                    "plane" => Shape::Plane(fields.next_value()?),
+                    "box" => ShapeText::Solid(Shape::Box(fields.next_value()?)),
+                    "sphere" => ShapeText::Solid(Shape::Sphere(fields.next_value()?)),
+                    "cylinder" => ShapeText::Solid(Shape::Cylinder(fields.next_value()?)),
+                    "cone" => ShapeText::Solid(Shape::Cone(fields.next_value()?)),
+                    "capsule" => ShapeText::Solid(Shape::Capsule(fields.next_value()?)),
+                    "plane" => ShapeText::Solid(Shape::Plane(fields.next_value()?)),
+                    "mesh" => ShapeText::Mesh(fields.next_value()?),
                     _ => return Err(A::Error::unknown_field(&name, &NAMES)),
                 };
                 match fields.next_key::<String>()? {
@@ -96,16 +118,24 @@ impl Shape {
             Self::Cone(shape) => shape,
             Self::Capsule(shape) => shape,
             Self::Plane(shape) => shape,
+            Self::Mesh(shape) => shape,
         }
     }
 
-    /// Which mesh this shape is an instance of.
+    /// Which unit mesh this shape is an instance of; `None` for a triangle mesh.
     #[must_use]
-    pub fn mesh(&self) -> MeshKind {
+    pub fn mesh(&self) -> Option<MeshKind> {
         self.solid().mesh()
     }
 
-    /// Half the extents of the axis-aligned box around the shape, in shape space. A plane's is 0 along y.
+    /// Whether it is ground, which is any plane.
+    #[must_use]
+    pub const fn is_ground(&self) -> bool {
+        matches!(self, Self::Plane(_))
+    }
+
+    /// Half the extents of the axis-aligned box around the shape, in shape space. A plane's is 0 along y. A skinned mesh has them as its
+    /// triangles are stored, without its joints.
     #[must_use]
     pub fn half_extents(&self) -> Vec3 {
         self.solid().half_extents()
@@ -124,6 +154,7 @@ impl Shape {
     }
 
     /// Where a ray enters it, in lengths of `direction`; origin and direction in shape space. Rounded edges of boxes are treated as sharp.
+    /// A mesh is met at its nearest triangle, from either side, as its triangles are stored, without its joints.
     #[must_use]
     pub fn enter(&self, origin: Vec3, direction: Vec3) -> Option<f32> {
         self.solid().enter(origin, direction)

@@ -3,6 +3,7 @@
 mod capsule;
 mod cone;
 mod cylinder;
+mod mesh;
 mod plane;
 mod ray;
 mod rounded_box;
@@ -11,6 +12,7 @@ mod sphere;
 pub use capsule::Capsule;
 pub use cone::Cone;
 pub use cylinder::Cylinder;
+pub use mesh::MeshShape;
 pub use plane::Plane;
 pub use rounded_box::RoundedBox;
 pub use sphere::Sphere;
@@ -26,8 +28,8 @@ pub(super) trait Solid {
     /// Its name in scene files.
     fn name(&self) -> &'static str;
 
-    /// The mesh that it is an instance of.
-    fn mesh(&self) -> MeshKind;
+    /// The unit mesh that it is an instance of; `None` for a triangle mesh.
+    fn mesh(&self) -> Option<MeshKind>;
 
     /// Checks the dimensions.
     ///
@@ -49,7 +51,7 @@ pub(super) trait Solid {
     /// Where a ray enters it, in lengths of `direction`; origin and direction in shape space. A ray from inside passes through.
     fn enter(&self, origin: Vec3, direction: Vec3) -> Option<f32>;
 
-    /// Its dimensions as JSON, by their names in scene files.
+    /// Its dimensions as JSON, by their names in scene files. A mesh has only its name: its joints are paths of a scene.
     fn fields(&self) -> Vec<(&'static str, String)>;
 }
 
@@ -59,7 +61,7 @@ mod tests {
     use crate::scene::Shape;
 
     #[track_caller]
-    fn check(shape: Shape, origin: [f32; 3], direction: [f32; 3], expected: Option<f32>) {
+    fn check(shape: &Shape, origin: [f32; 3], direction: [f32; 3], expected: Option<f32>) {
         let found = shape.enter(Vec3::from(origin), Vec3::from(direction));
         match (found, expected) {
             (Some(found), Some(expected)) => assert!((found - expected).abs() < 1e-5, "{found}, expected {expected}"),
@@ -120,25 +122,25 @@ mod tests {
         let cone = Shape::Cone(Cone { radius: 1.0, height: 2.0 });
         let cylinder = Shape::Cylinder(Cylinder { radius: 1.0, height: 2.0 });
         check(
-            Shape::Box(RoundedBox { size: Vec3::new(2.0, 4.0, 6.0), bevel: 0.1 }),
+            &Shape::Box(RoundedBox { size: Vec3::new(2.0, 4.0, 6.0), bevel: 0.1 }),
             [5.0, 0.0, 0.0],
             [-1.0, 0.0, 0.0],
             Some(4.0),
         );
-        check(Shape::Box(RoundedBox { size: Vec3::splat(2.0), bevel: 0.1 }), [5.0, 1.5, 0.0], [-1.0, 0.0, 0.0], None);
-        check(Shape::Box(RoundedBox { size: Vec3::splat(2.0), bevel: 0.1 }), [0.0; 3], [-1.0, 0.0, 0.0], None);
-        check(Shape::Sphere(Sphere { radius: 1.0 }), [0.0, 0.0, 5.0], [0.0, 0.0, -2.0], Some(2.0));
-        check(Shape::Sphere(Sphere { radius: 1.0 }), [0.0, 0.0, 5.0], [0.0, 0.0, 1.0], None);
-        check(cylinder, [0.0, 5.0, 0.5], [0.0, -1.0, 0.0], Some(4.0));
-        check(cylinder, [0.0, 5.0, 1.5], [0.0, -1.0, 0.0], None);
-        check(cylinder, [5.0, 0.5, 0.0], [-1.0, 0.0, 0.0], Some(4.0));
-        check(capsule, [0.0, 5.0, 0.0], [0.0, -1.0, 0.0], Some(3.0));
-        check(capsule, [5.0, 0.0, 0.0], [-1.0, 0.0, 0.0], Some(4.0));
-        check(cone, [5.0, 0.0, 0.0], [-1.0, 0.0, 0.0], Some(4.5));
-        check(cone, [5.0, 0.9, 0.0], [-1.0, 0.0, 0.0], Some(4.95));
-        check(cone, [0.25, -5.0, 0.0], [0.0, 1.0, 0.0], Some(4.0));
-        check(cone, [5.0, 1.5, 0.0], [-1.0, 0.0, 0.0], None);
-        check(Shape::Plane(Plane { size: [2.0, 2.0] }), [0.5, 3.0, 0.5], [0.0, -1.0, 0.0], Some(3.0));
-        check(Shape::Plane(Plane { size: [2.0, 2.0] }), [1.5, 3.0, 0.5], [0.0, -1.0, 0.0], None);
+        check(&Shape::Box(RoundedBox { size: Vec3::splat(2.0), bevel: 0.1 }), [5.0, 1.5, 0.0], [-1.0, 0.0, 0.0], None);
+        check(&Shape::Box(RoundedBox { size: Vec3::splat(2.0), bevel: 0.1 }), [0.0; 3], [-1.0, 0.0, 0.0], None);
+        check(&Shape::Sphere(Sphere { radius: 1.0 }), [0.0, 0.0, 5.0], [0.0, 0.0, -2.0], Some(2.0));
+        check(&Shape::Sphere(Sphere { radius: 1.0 }), [0.0, 0.0, 5.0], [0.0, 0.0, 1.0], None);
+        check(&cylinder, [0.0, 5.0, 0.5], [0.0, -1.0, 0.0], Some(4.0));
+        check(&cylinder, [0.0, 5.0, 1.5], [0.0, -1.0, 0.0], None);
+        check(&cylinder, [5.0, 0.5, 0.0], [-1.0, 0.0, 0.0], Some(4.0));
+        check(&capsule, [0.0, 5.0, 0.0], [0.0, -1.0, 0.0], Some(3.0));
+        check(&capsule, [5.0, 0.0, 0.0], [-1.0, 0.0, 0.0], Some(4.0));
+        check(&cone, [5.0, 0.0, 0.0], [-1.0, 0.0, 0.0], Some(4.5));
+        check(&cone, [5.0, 0.9, 0.0], [-1.0, 0.0, 0.0], Some(4.95));
+        check(&cone, [0.25, -5.0, 0.0], [0.0, 1.0, 0.0], Some(4.0));
+        check(&cone, [5.0, 1.5, 0.0], [-1.0, 0.0, 0.0], None);
+        check(&Shape::Plane(Plane { size: [2.0, 2.0] }), [0.5, 3.0, 0.5], [0.0, -1.0, 0.0], Some(3.0));
+        check(&Shape::Plane(Plane { size: [2.0, 2.0] }), [1.5, 3.0, 0.5], [0.0, -1.0, 0.0], None);
     }
 }

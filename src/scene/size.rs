@@ -2,6 +2,7 @@
 
 use super::channel::Channel;
 use super::graph::{NodeKind, SceneGraph};
+use super::shape::{PlacedShape, Shape};
 use super::tracks::Tracks;
 use crate::json::quoted_bytes_at_most;
 
@@ -32,11 +33,21 @@ impl SceneGraph {
                     NodeKind::Shape(placed) => key_count(placed.tracks()),
                     NodeKind::Control(tracks) => key_count(tracks),
                 };
+                let of_mesh = match &node.kind {
+                    NodeKind::Shape(PlacedShape { shape: Shape::Mesh(mesh), .. }) => {
+                        let joints =
+                            mesh.joints().iter().map(|&joint| quoted_bytes_at_most(&self.node(joint).path) + 2);
+                        quoted_bytes_at_most(&mesh.mesh().name) + joints.sum::<u64>()
+                    }
+                    _ => 0,
+                };
                 let lines = MOST_NODE_BYTES + MOST_LINES * indentation;
-                quoted_bytes_at_most(&node.name) + lines + keys * (MOST_KEY_BYTES + indentation)
+                quoted_bytes_at_most(&node.name) + of_mesh + lines + keys * (MOST_KEY_BYTES + indentation)
             })
             .sum();
-        MOST_HEAD_BYTES + quoted_bytes_at_most(self.name()) + eyes + nodes
+        // Base 64 makes four bytes of three.
+        let meshes = self.meshes().map_or(0, |meshes| (meshes.glb.len() as u64).div_ceil(3) * 4);
+        MOST_HEAD_BYTES + meshes + quoted_bytes_at_most(self.name()) + eyes + nodes
     }
 }
 

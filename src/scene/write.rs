@@ -3,19 +3,33 @@
 use glam::{Quat, Vec3, Vec4};
 
 use super::channel::{Channel, Holder, scale_json};
-use super::file::FORMAT;
+use super::file::{FORMAT, VERSION_OF_MESHES};
 use super::graph::{Node, NodeId, NodeKind, SceneGraph};
 use super::joint::{Joint, VERSION_OF_JOINTS, push_joint};
+use super::meshes::MEDIA_TYPE;
 use super::shape::{PlacedShape, Shape};
 use super::tracks::Tracks;
 use crate::colour::Colour;
-use crate::json::{push_f32, push_f32s, push_f64};
+use crate::gltf::data_uri;
+use crate::json::{push_f32, push_f32s, push_f64, push_quoted, push_strings, quoted};
 use crate::timed::Track;
 
-/// The text of a scene's file. The same scene gives the same bytes. The version is the least that can express the scene.
+/// The text of a scene's file, with all of the scene: meshes stand in it as a data URI. The same scene gives the same bytes. The version
+/// is the least that can express the scene.
 #[must_use]
 pub fn scene_to_json(scene: &SceneGraph) -> String {
-    let version = scene.nodes().iter().map(|node| version_of(node)).max().unwrap_or(1);
+    written(scene, scene.meshes().map(|meshes| data_uri(MEDIA_TYPE, &meshes.glb)))
+}
+
+/// The text of a scene's file whose meshes, if it has any, are in the file `meshes` beside it.
+#[must_use]
+pub fn scene_to_json_beside(scene: &SceneGraph, meshes: &str) -> String {
+    written(scene, scene.meshes().map(|_| meshes.to_owned()))
+}
+
+fn written(scene: &SceneGraph, meshes: Option<String>) -> String {
+    let of_meshes = if meshes.is_some() { VERSION_OF_MESHES } else { 1 };
+    let version = scene.nodes().iter().map(|node| version_of(node)).max().unwrap_or(1).max(of_meshes);
     let eyes: Vec<String> = scene.eyes().iter().map(|&eye| quoted(scene.rbt_path(eye))).collect();
     let mut text = format!(
         "{{\n  \"format\": \"{FORMAT}\",\n  \"version\": {version},\n  \"name\": {},\n  \"eyes\": [{}],\n",
@@ -24,6 +38,10 @@ pub fn scene_to_json(scene: &SceneGraph) -> String {
     );
     text.push_str("  \"vertical_fov_degrees\": ");
     push_f32(&mut text, scene.vertical_fov_degrees());
+    if let Some(meshes) = meshes {
+        text.push_str(",\n  \"meshes\": ");
+        push_quoted(&mut text, &meshes);
+    }
     text.push_str(",\n  \"nodes\": ");
     push_nodes(&mut text, scene);
     text.push_str("\n}\n");
@@ -37,10 +55,6 @@ fn version_of(node: &Node) -> u32 {
         _ if !node.is_in_paths => 2,
         _ => 1,
     }
-}
-
-fn quoted(text: &str) -> String {
-    serde_json::Value::from(text).to_string()
 }
 
 fn push_line(text: &mut String, depth: usize) {
@@ -101,7 +115,7 @@ fn fields(scene: &SceneGraph, node: &Node, depth: usize) -> Vec<String> {
             push_transform(&mut fields, rest.translation, rest.rotation);
             push_joint(&mut fields, &node.joint);
         }
-        NodeKind::Shape(placed) => push_shape(&mut fields, placed, depth + 1),
+        NodeKind::Shape(placed) => push_shape(&mut fields, scene, placed, depth + 1),
         NodeKind::Control(tracks) => {
             fields.push(format!("\"control\": {}", control(tracks, depth + 1)));
             push_in_paths(&mut fields, node);
@@ -165,8 +179,8 @@ fn push_transform(fields: &mut Vec<String>, translation: Vec3, rotation: Quat) {
     }
 }
 
-fn push_shape(fields: &mut Vec<String>, placed: &PlacedShape, depth: usize) {
-    fields.push(format!("\"shape\": {}", shape(&placed.shape)));
+fn push_shape(fields: &mut Vec<String>, scene: &SceneGraph, placed: &PlacedShape, depth: usize) {
+    fields.push(format!("\"shape\": {}", shape(scene, &placed.shape)));
     let placement = placed.placement();
     push_transform(fields, placement.translation, placement.rotation);
     if placement.scale != Vec3::ONE {
@@ -180,9 +194,16 @@ fn push_shape(fields: &mut Vec<String>, placed: &PlacedShape, depth: usize) {
     }
 }
 
-fn shape(shape: &Shape) -> String {
+fn shape(scene: &SceneGraph, shape: &Shape) -> String {
     let solid = shape.solid();
-    let fields: Vec<String> = solid.fields().iter().map(|(name, value)| format!("\"{name}\": {value}")).collect();
+    let mut fields: Vec<String> = solid.fields().iter().map(|(name, value)| format!("\"{name}\": {value}")).collect();
+    if let Shape::Mesh(mesh) = shape
+        && !mesh.joints().is_empty()
+    {
+        let mut joints = String::from("\"joints\": ");
+        push_strings(&mut joints, mesh.joints().iter().map(|&joint| scene.node(joint).path.as_str()));
+        fields.push(joints);
+    }
     format!("{{ \"{}\": {{ {} }} }}", solid.name(), fields.join(", "))
 }
 

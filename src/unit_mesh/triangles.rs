@@ -6,10 +6,15 @@ use super::Level;
 use crate::model::{Material, TriangleMesh};
 use crate::scene::{MeshKind, Shape};
 
-/// The triangles of a shape as the renderer draws it from near: hard edges where it has them. A plane is two triangles.
+/// The triangles of a shape as the renderer draws it from near: hard edges where it has them. A plane is two triangles, a mesh its
+/// own ones.
 #[must_use]
 pub fn triangle_mesh(shape: &Shape, name: String) -> TriangleMesh {
-    let level = Level::finest(shape.mesh());
+    let kind = match shape {
+        Shape::Mesh(shape) => return TriangleMesh { name, ..(**shape.mesh()).clone() },
+        _ => shape.mesh().unwrap_or(MeshKind::Box),
+    };
+    let level = Level::finest(kind);
     let (half_extents, rounding) = level.fitted(shape.half_extents(), shape.rounding());
     let (positions, normals, indices) = if level.kind == MeshKind::Plane {
         let corners = [[-1.0, -1.0], [-1.0, 1.0], [1.0, 1.0], [1.0, -1.0]];

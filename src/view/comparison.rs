@@ -49,7 +49,7 @@ pub(super) fn add_comparison(frame: &mut Frame, editor: &Editor) {
         let world_from_node =
             scene.world_from_nodes_with(editor.seconds(), |rbt| range.blended_at(key_time, blend, rbt));
         let look = GhostLook { tint, opacity: OPACITY, nodes: nodes_below(scene, &robots) };
-        push_ghosts(frame, &look, |node| world_from_node[node]);
+        push_ghosts(frame, scene, &look, |node| world_from_node[node]);
     }
 }
 
@@ -99,7 +99,7 @@ pub(super) fn add_compared(frame: &mut Frame, editor: &Editor) {
     let scene = editor.scene();
     let world_from_node = scene.world_from_nodes(&pose, editor.seconds());
     let look = GhostLook { tint: *OTHER_FILE, opacity: OPACITY, nodes: nodes_below(scene, &[]) };
-    push_ghosts(frame, &look, |node| world_from_node[node].get());
+    push_ghosts(frame, scene, &look, |node| world_from_node[node].get());
 }
 
 /// The largest differences between the displayed pose and that of the other file, as `inbetween diff` has them. The first eye, which only

@@ -5,11 +5,12 @@ use std::sync::LazyLock;
 
 use glam::{Affine3A, Vec3};
 
+use super::scene::place_skin;
 use crate::colour::Colour;
-use crate::frame::{DrawItem, Frame, Ghost, MOST_GHOSTS};
+use crate::frame::{DrawItem, Frame, Ghost, ItemMesh, MOST_GHOSTS};
 use crate::keyframe::{KeyframeIndex, KeyframeList};
 use crate::pose::RbtIndex;
-use crate::scene::SceneGraph;
+use crate::scene::{NodeId, SceneGraph};
 
 /// Opacity of the nearest ghost.
 pub(super) const OPACITY: f32 = 0.38;
@@ -44,19 +45,44 @@ pub(super) struct GhostLook {
     pub nodes: Vec<Range<usize>>,
 }
 
-/// Adds a ghost of each shape of the frame that stands elsewhere by `world_from_node`. Planes have none.
-pub(super) fn push_ghosts(frame: &mut Frame, look: &GhostLook, world_from_node: impl Fn(usize) -> Affine3A) {
-    let Frame { items, ghosts, .. } = frame;
-    ghosts.extend(items.iter().filter_map(|item| {
+/// Adds a ghost of each shape of the frame that stands elsewhere by `world_from_node`. Planes have none. `scene` must be the frame's.
+pub(super) fn push_ghosts(
+    frame: &mut Frame,
+    scene: &SceneGraph,
+    look: &GhostLook,
+    world_from_node: impl Fn(usize) -> Affine3A,
+) {
+    for index in 0..frame.items.len() {
+        let item = frame.items[index];
         let node = item.node as usize;
-        if item.is_ground() || !look.nodes.iter().any(|nodes| nodes.contains(&node)) {
-            return None;
+        let mut ghost = DrawItem { colour: look.tint, outlined: false, is_hidden: false, ..item };
+        let is_elsewhere = match item.mesh {
+            _ if item.is_ground() => false,
+            ItemMesh::Skin { mesh, first_joint } => {
+                let Some(shape) = scene.id_at(node).and_then(|id| scene.skin(id)) else { continue };
+                let is_wanted = |node: usize| look.nodes.iter().any(|nodes| nodes.contains(&node));
+                let at = |joint: NodeId| world_from_node(joint.get());
+                let before = frame.joints_of(mesh, first_joint);
+                let is_elsewhere =
+                    shape.world_from_bind(at).zip(before).any(|(new, before)| !new.abs_diff_eq(*before, SAME_PLACE));
+                let is_seen =
+                    is_elsewhere && (is_wanted(node) || shape.joints().iter().any(|joint| is_wanted(joint.get())));
+                if is_seen {
+                    place_skin(frame, &mut ghost, mesh, shape, at);
+                }
+                is_seen
+            }
+            ItemMesh::Unit(_) | ItemMesh::Triangles { .. } => {
+                look.nodes.iter().any(|nodes| nodes.contains(&node)) && {
+                    ghost.world_from_shape = world_from_node(node);
+                    !ghost.world_from_shape.abs_diff_eq(item.world_from_shape, SAME_PLACE)
+                }
+            }
+        };
+        if is_elsewhere {
+            frame.ghosts.push(Ghost { item: ghost, opacity: look.opacity });
         }
-        let world_from_shape = world_from_node(node);
-        let is_elsewhere = !world_from_shape.abs_diff_eq(item.world_from_shape, SAME_PLACE);
-        let item = DrawItem { world_from_shape, colour: look.tint, outlined: false, is_hidden: false, ..*item };
-        is_elsewhere.then_some(Ghost { item, opacity: look.opacity })
-    }));
+    }
 }
 
 /// The nodes of the trees below some of a scene; with none of them all nodes.
@@ -77,7 +103,7 @@ pub fn add_ghosts(frame: &mut Frame, scene: &SceneGraph, seconds: f64, neighbour
             let Some(keyframe) = index.and_then(|index| keyframes.get(KeyframeIndex::new(index))) else { continue };
             let world_from_node = scene.world_from_nodes(&keyframe.pose, seconds);
             let look = GhostLook { tint, opacity: OPACITY / f32::from(away), nodes: nodes_below(scene, only) };
-            push_ghosts(frame, &look, |node| world_from_node[node].get());
+            push_ghosts(frame, scene, &look, |node| world_from_node[node].get());
         }
     }
 }

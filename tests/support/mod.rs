@@ -28,13 +28,13 @@ pub fn sky_view() -> View {
 
 /// A frame with nothing but these items.
 pub fn frame(items: Vec<DrawItem>) -> Frame {
-    Frame { view: sky_view(), items, ghosts: Vec::new(), lines: Vec::new(), dots: Vec::new(), arcball: None }
+    Frame { items, ..Frame::empty(sky_view()) }
 }
 
 /// A shape as an item.
 pub fn item(shape: Shape, colour: &str, world_from_shape: Affine3A) -> DrawItem {
     DrawItem {
-        mesh: shape.mesh(),
+        mesh: shape.mesh().expect("a unit mesh").into(),
         world_from_shape,
         half_extents: shape.half_extents(),
         rounding: shape.rounding(),

@@ -14,7 +14,7 @@ use crate::interpolation::Interpolation;
 use crate::keyframe::{Keyframe, PlayRange};
 use crate::pose::RbtIndex;
 use crate::rbt::Rbt;
-use crate::scene::{MeshKind, NodeId, NodeKind, SceneGraph};
+use crate::scene::{NodeId, NodeKind, SceneGraph};
 use crate::text::counted;
 
 /// How far a coordinate may be off by rounding, in scene units.
@@ -165,9 +165,7 @@ fn is_free(scene: &SceneGraph, id: NodeId) -> bool {
 fn above_ground(playing: &Playing, lowest_y: f64) -> Verdict {
     let scene = playing.scene;
     let shapes = scene.nodes_with_ids().filter_map(|(id, node)| match &node.kind {
-        NodeKind::Shape(placed) if placed.shape.mesh() != MeshKind::Plane && !is_free(scene, id) => {
-            Some((id, placed.shape))
-        }
+        NodeKind::Shape(placed) if !placed.shape.is_ground() && !is_free(scene, id) => Some((id, &placed.shape)),
         _ => None,
     });
     let shapes: Vec<_> = shapes.collect();
@@ -175,10 +173,18 @@ fn above_ground(playing: &Playing, lowest_y: f64) -> Verdict {
     let mut first_below = None;
     let look = |moment: &Moment, _: &Moment| {
         for (id, shape) in &shapes {
-            let world_from_shape: Affine3A = moment.world_from_node[id.get()].get();
+            let world_from_node = |id: NodeId| moment.world_from_node[id.get()].get();
+            let world_from_shape: Affine3A = world_from_node(*id);
             let axes = world_from_shape.matrix3;
             let down_in_shape = -Vec3::new(axes.x_axis.y, axes.y_axis.y, axes.z_axis.y);
-            let y = f64::from(world_from_shape.translation.y - shape.reach(down_in_shape));
+            let y = match scene.skin(*id) {
+                Some(skin) => {
+                    let world_from_bind: Vec<Affine3A> = skin.world_from_bind(world_from_node).collect();
+                    let heights = skin.skinned(&world_from_bind);
+                    f64::from(heights.iter().map(|vertex| vertex.position[1]).fold(f32::INFINITY, f32::min))
+                }
+                None => f64::from(world_from_shape.translation.y - shape.reach(down_in_shape)),
+            };
             if lowest.is_none_or(|(lowest, ..)| y < lowest) {
                 lowest = Some((y, moment.key_time, *id));
             }

@@ -1,6 +1,7 @@
 //! The outline around the chosen node's shapes.
 
 use super::{Renderer, Target, depth_attachment, draw_mesh, set_viewport};
+use crate::frame::Frame;
 use crate::render::gpu::Gpu;
 use crate::render::mesh::geometry;
 use crate::render::pipelines::Kind;
@@ -12,6 +13,7 @@ impl Renderer {
         &mut self,
         gpu: &Gpu,
         encoder: &mut wgpu::CommandEncoder,
+        frame: &Frame,
         Target { view, viewport }: Target<'_>,
         [x, y, width, height]: [u32; 4],
     ) {
@@ -28,6 +30,8 @@ impl Renderer {
         set_viewport(&mut pass, viewport);
         self.bind_instances(&mut pass);
         for kind in [Kind::MaskAll, Kind::MaskVisible] {
+            self.draw_triangles(device, &mut pass, frame, kind, &self.uploaded.triangles.outlined);
+            self.bind_instances(&mut pass);
             pass.set_pipeline(self.pipelines.get(device, kind));
             for (mesh, instances) in geometry().ranges.iter().zip(&self.uploaded.outlined) {
                 draw_mesh(&mut pass, mesh, instances);

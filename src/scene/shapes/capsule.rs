@@ -26,8 +26,8 @@ impl Solid for Capsule {
         "capsule"
     }
 
-    fn mesh(&self) -> MeshKind {
-        MeshKind::Capsule
+    fn mesh(&self) -> Option<MeshKind> {
+        Some(MeshKind::Capsule)
     }
 
     fn check(&self, checks: NodeChecks<'_>) -> Result<(), SceneError> {

@@ -24,8 +24,8 @@ impl Solid for Cone {
         "cone"
     }
 
-    fn mesh(&self) -> MeshKind {
-        MeshKind::Cone
+    fn mesh(&self) -> Option<MeshKind> {
+        Some(MeshKind::Cone)
     }
 
     fn check(&self, checks: NodeChecks<'_>) -> Result<(), SceneError> {

@@ -25,8 +25,8 @@ impl Solid for Cylinder {
         "cylinder"
     }
 
-    fn mesh(&self) -> MeshKind {
-        MeshKind::Cylinder
+    fn mesh(&self) -> Option<MeshKind> {
+        Some(MeshKind::Cylinder)
     }
 
     fn check(&self, checks: NodeChecks<'_>) -> Result<(), SceneError> {

@@ -22,8 +22,8 @@ impl Solid for Plane {
         "plane"
     }
 
-    fn mesh(&self) -> MeshKind {
-        MeshKind::Plane
+    fn mesh(&self) -> Option<MeshKind> {
+        Some(MeshKind::Plane)
     }
 
     fn check(&self, checks: NodeChecks<'_>) -> Result<(), SceneError> {

@@ -28,8 +28,8 @@ impl Solid for RoundedBox {
         "box"
     }
 
-    fn mesh(&self) -> MeshKind {
-        MeshKind::Box
+    fn mesh(&self) -> Option<MeshKind> {
+        Some(MeshKind::Box)
     }
 
     fn check(&self, checks: NodeChecks<'_>) -> Result<(), SceneError> {

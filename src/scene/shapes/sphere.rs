@@ -23,8 +23,8 @@ impl Solid for Sphere {
         "sphere"
     }
 
-    fn mesh(&self) -> MeshKind {
-        MeshKind::Sphere
+    fn mesh(&self) -> Option<MeshKind> {
+        Some(MeshKind::Sphere)
     }
 
     fn check(&self, checks: NodeChecks<'_>) -> Result<(), SceneError> {

@@ -1,0 +1,12 @@
+//! Meshes of triangles: what the GPU keeps of them, what joints make of them, and their draw calls.
+
+mod cache;
+mod draws;
+mod mips;
+mod skins;
+mod surface;
+
+pub use cache::{MeshCache, MeshForm};
+pub use draws::{TriangleDraw, TriangleDraws};
+pub use skins::{JointRows, Skinning, Skins};
+pub use surface::SurfaceVertex;
