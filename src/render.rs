@@ -36,3 +36,4 @@ pub use identity::node_picture;
 pub use offscreen::Offscreen;
 pub use read_back::{Drawn, ReadBack};
 pub use renderer::{Background, Renderer, Target, Viewport, default_samples};
+pub use triangles::Skinning;

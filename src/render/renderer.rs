@@ -175,6 +175,12 @@ impl Renderer {
         self.arrangement = arrangement;
     }
 
+    /// Sets who moves the vertices of skins of the next frames; at first [`Skinning::of_adapter`]. Pictures differ by rounding only.
+    pub fn set_skinning(&mut self, skinning: Skinning) {
+        self.skins = Skins::new(skinning);
+        self.meshes = MeshCache::default();
+    }
+
     /// Counts how often the sun map was drawn: only when shapes or its box moved.
     #[must_use]
     pub fn sun_map_draws(&self) -> u64 {

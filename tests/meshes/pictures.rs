@@ -8,7 +8,7 @@ use inbetween::camera::Camera;
 use inbetween::flip::{DEFAULT_TOLERANCE, compare};
 use inbetween::frame::Frame;
 use inbetween::model::{Material, TriangleMesh};
-use inbetween::render::{Arrangement, Gpu, Image, Offscreen, Renderer, node_picture};
+use inbetween::render::{Arrangement, Gpu, Image, Offscreen, Renderer, Skinning, node_picture};
 use inbetween::scene::SceneGraph;
 use inbetween::view::frame_of_scene;
 
@@ -167,10 +167,23 @@ fn what_is_culled_and_sorted_is_the_same_picture() {
     }
 }
 
+#[test]
+fn skins_look_the_same_whoever_moves_them() {
+    let mut studio = Studio::new();
+    let mut frame = frame(&bars());
+    frame.items.iter_mut().filter(|item| item.node % 2 == 1).for_each(|item| item.outlined = true);
+    let pictures = [Skinning::Processor, Skinning::Shader].map(|skinning| {
+        studio.renderer.set_skinning(skinning);
+        studio.draw(&frame)
+    });
+    let found = compare(&pictures[0], &pictures[1]).expect("they are of one size");
+    assert!(found.scores().is_within(DEFAULT_TOLERANCE), "{:?}", found.scores());
+}
+
 /// The identity picture names the node that a pixel shows: where all other nodes are hidden the pixel stays.
 #[test]
 fn the_identity_picture_shows_what_the_picture_shows() {
-    let mut studio = Studio::new();
+    let studio = Studio::new();
     for scene in [materials(), open(), bars()] {
         let whole = frame(&scene);
         let identities = node_picture(&studio.gpu, &whole, WIDTH, HEIGHT).expect("a picture");

@@ -104,3 +104,99 @@ fn add<'a>(
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use glam::{Mat4, Vec3};
+
+    use super::*;
+    use crate::frame::View;
+    use crate::model::{Material, Skin, TriangleMesh};
+    use crate::render::arrange::Arrangement;
+    use crate::render::detail::Detail;
+    use crate::render::triangles::Skinning;
+
+    /// Ten skins of one mesh with two joints, each in a pose of its own, and a ghost of the first.
+    fn frame() -> Frame {
+        let mesh = TriangleMesh {
+            name: "triangle".to_owned(),
+            positions: vec![Vec3::ZERO, Vec3::X, Vec3::Y],
+            normals: vec![Vec3::Z; 3],
+            colours: Vec::new(),
+            texture_coordinates: Vec::new(),
+            indices: vec![0, 1, 2],
+            material: Material::default(),
+            skin: Some(Skin {
+                joints: vec![[0, 1, 0, 0]; 3],
+                weights: vec![[0.5, 0.5, 0.0, 0.0]; 3],
+                joint_from_shape: vec![Affine3A::IDENTITY; 2],
+            }),
+        };
+        let view = View {
+            eye_from_world: Affine3A::IDENTITY,
+            world_from_eye: Affine3A::IDENTITY,
+            clip_from_eye: Mat4::IDENTITY,
+            vertical_fov: 1.0,
+            aspect: 1.0,
+        };
+        let mut frame = Frame::empty(view);
+        frame.meshes.push(Arc::new(mesh));
+        for index in 0..10_u8 {
+            let pose = Affine3A::from_translation(Vec3::new(0.1 * f32::from(index), 0.0, -9.0));
+            frame.items.push(DrawItem {
+                mesh: ItemMesh::Skin { mesh: 0, first_joint: frame.world_from_bind.len() as u32 },
+                world_from_shape: pose,
+                half_extents: Vec3::ONE,
+                rounding: 0.0,
+                colour: Vec3::ONE,
+                node: u32::from(index),
+                outlined: false,
+                is_hidden: false,
+            });
+            frame.world_from_bind.extend([pose; 2]);
+        }
+        frame
+    }
+
+    fn draws(skinning: Skinning) -> TriangleDraws {
+        let frame = frame();
+        let mut arranged = Arranged::default();
+        arranged.take(&frame, Detail::FINEST, Arrangement::default());
+        let mut skins = Skins::new(skinning);
+        skins.take(&frame, &arranged, true);
+        let mut draws = TriangleDraws::default();
+        let mut count = 0;
+        draws.pack(&frame, &arranged, true, &skins, |_| {
+            count += 1;
+            count - 1
+        });
+        draws
+    }
+
+    #[test]
+    fn ten_skins_in_ten_poses_are_one_draw_call_where_the_shader_moves_them() {
+        let by_shader = draws(Skinning::Shader);
+        assert_eq!(by_shader.seen, [TriangleDraw { mesh: 0, first_skinned: None, instances: 0..10 }]);
+        assert_eq!(by_shader.casters, [TriangleDraw { mesh: 0, first_skinned: None, instances: 10..20 }]);
+        let by_processor = draws(Skinning::Processor);
+        assert_eq!((by_processor.seen.len(), by_processor.casters.len()), (10, 10));
+        let mut firsts: Vec<_> = by_processor.seen.iter().filter_map(|draw| draw.first_skinned).collect();
+        firsts.sort_unstable();
+        assert!(firsts.iter().copied().eq((0..10).map(|skin| 3 * skin)), "each has vertices of its own: {firsts:?}");
+    }
+
+    #[test]
+    fn skins_are_moved_again_only_when_a_joint_moves() {
+        let mut frame = frame();
+        let mut arranged = Arranged::default();
+        arranged.take(&frame, Detail::FINEST, Arrangement::default());
+        let mut skins = Skins::new(Skinning::Processor);
+        assert!(skins.take(&frame, &arranged, true));
+        assert!(!skins.take(&frame, &arranged, false), "nothing has moved");
+        frame.world_from_bind[3].translation.x += 1.0;
+        assert!(skins.take(&frame, &arranged, false));
+        assert_eq!(skins.vertices.len(), 30);
+    }
+}
