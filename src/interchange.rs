@@ -5,3 +5,4 @@
 pub mod bvh;
 pub mod figure;
 pub mod reduce;
+pub mod retarget;

@@ -7,6 +7,7 @@ mod samples;
 mod spline;
 #[cfg(test)]
 mod tests;
+mod watched;
 
 use glam::Vec3;
 
@@ -16,7 +17,10 @@ use crate::pose::{Pose, RbtIndex};
 use crate::rbt::{LARGEST_COORDINATE, Rbt};
 use crate::words::{Message, texts};
 
+use watched::Points;
+
 pub use samples::{LONGEST_SECONDS, Samples, TooLong};
+pub use watched::Watched;
 
 /// How far a node may be from a sample, in its parent's space.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -98,6 +102,17 @@ const SHORT_MS: u32 = 100;
 /// Keyframes that play as the samples do.
 #[must_use]
 pub fn reduced(samples: &Samples, choice: Choice, interpolation: Interpolation) -> Reduced {
+    reduced_watching(samples, choice, interpolation, &[])
+}
+
+/// The same, where points of nodes have to stay near their places in the world too. [`Choice::Every`] does not look at them.
+#[must_use]
+pub fn reduced_watching(
+    samples: &Samples,
+    choice: Choice,
+    interpolation: Interpolation,
+    watched: &[Watched],
+) -> Reduced {
     let even;
     let (source, keys) = match choice {
         Choice::Every(fps) => {
@@ -105,7 +120,7 @@ pub fn reduced(samples: &Samples, choice: Choice, interpolation: Interpolation) 
             (&even, (0..even.len()).collect())
         }
         Choice::Within(tolerance) => {
-            let tracks = Tracks::of(samples, tolerance);
+            let tracks = Tracks::of(samples, tolerance, watched);
             let keys = match interpolation {
                 Interpolation::Linear => tracks.longest_steps(),
                 Interpolation::CatmullRom => spline::keys(&tracks),
@@ -127,6 +142,7 @@ struct Track {
 struct Tracks<'a> {
     seconds: &'a [f64],
     tracks: Vec<Track>,
+    points: Vec<Points<'a>>,
     /// The square of the largest distance of two quaternions.
     chord_squared: f32,
     /// The square of the largest distance of two translations.
@@ -134,21 +150,26 @@ struct Tracks<'a> {
 }
 
 impl<'a> Tracks<'a> {
-    fn of(samples: &'a Samples, tolerance: Tolerance) -> Self {
+    fn of(samples: &'a Samples, tolerance: Tolerance, watched: &'a [Watched]) -> Self {
         let poses = samples.poses();
-        let nodes = (0..poses[0].len()).map(RbtIndex::new);
-        let tracks = nodes.map(|rbt| Track { rbts: poses.iter().map(|pose| pose.get(rbt)).collect() });
+        let track = |rbt| Track { rbts: poses.iter().map(|pose| pose.get(rbt)).collect() };
         let moves = |track: &Track| track.rbts.iter().any(|rbt| *rbt != track.rbts[0]);
+        let mut place = vec![None; poses[0].len()];
+        let mut tracks = Vec::new();
+        for (node, place) in place.iter_mut().enumerate() {
+            let track = track(RbtIndex::new(node));
+            if moves(&track) {
+                *place = Some(tracks.len());
+                tracks.push(track);
+            }
+        }
         #[expect(clippy::cast_possible_truncation, reason = "poses are f32")]
         let chord = (2.0 * (tolerance.degrees.to_radians() / 4.0).sin()) as f32;
         #[expect(clippy::cast_possible_truncation, reason = "poses are f32")]
         let units = tolerance.units as f32;
-        Self {
-            seconds: samples.seconds(),
-            tracks: tracks.filter(moves).collect(),
-            chord_squared: chord * chord,
-            units_squared: units * units,
-        }
+        let points = watched.iter().map(|watched| Points::of(watched, samples, &place)).collect();
+        let (chord_squared, units_squared) = (chord * chord, units * units);
+        Self { seconds: samples.seconds(), tracks, points, chord_squared, units_squared }
     }
 
     /// Whether two transforms are within the tolerance.
@@ -185,7 +206,14 @@ impl<'a> Tracks<'a> {
         let order = (*first..self.tracks.len()).chain(0..(*first).min(self.tracks.len()));
         let off = order.into_iter().find(|&track| !is_near(&self.tracks[track]));
         *first = off.unwrap_or(*first);
-        off.is_none()
+        let played = |sample| {
+            move |track: usize| {
+                let rbts = &self.tracks[track].rbts;
+                linear_rbt(rbts[from], rbts[to], self.alpha(from, to, sample))
+            }
+        };
+        let is_there = |points: &Points<'_>| (from + 1..to).all(|sample| points.excess(sample, played(sample)) <= 1.0);
+        off.is_none() && self.points.iter().all(is_there)
     }
 
     /// The samples that become keyframes: from each the longest step that is found by doubling and halving.

@@ -1,0 +1,140 @@
+//! Motion from one skeleton to another, by a map of nodes.
+//!
+//! Each mapped node turns in the world as its node of the source does, from rest poses that are aligned: where both have a bone below,
+//! the two bones point the same way at all times. The hips move as the source's, scaled by the length of the legs. Feet that stand stay
+//! in place: their limbs reach.
+
+mod feet;
+mod map;
+mod motion;
+#[cfg(test)]
+mod tests;
+mod way;
+
+use glam::DVec3;
+
+use super::reduce::{Choice, Reduced, Samples, Tolerance, Watched, reduced_watching};
+use crate::interpolation::Interpolation;
+use crate::pose::RbtIndex;
+use crate::rbt::Rbt;
+use crate::scene::SceneGraph;
+use crate::words::{Message, texts};
+
+pub use feet::{Standing, standing};
+pub use map::{LARGEST_MAP_BYTES, MapError, RetargetMap};
+
+use map::Pairs;
+
+/// How far a foot that stands may be off in the keyframes, in parts of the leg's length.
+const STANDS: f32 = 0.002;
+
+/// A scene and its motion.
+#[derive(Clone, Copy, Debug)]
+pub struct Source<'a> {
+    /// The scene.
+    pub scene: &'a SceneGraph,
+    /// Its poses.
+    pub samples: &'a Samples,
+}
+
+/// The motion of another skeleton.
+#[derive(Clone, Debug)]
+pub struct Retargeted {
+    samples: Samples,
+    /// The feet that stand at times, each with the length of its leg.
+    feet: Vec<(Watched, f64)>,
+    /// What was done: a sentence each.
+    notes: Vec<Message>,
+}
+
+/// Keyframes of the motion, and how its feet stand as they play.
+#[derive(Clone, Debug)]
+pub struct RetargetedKeyframes {
+    /// The keyframes.
+    pub reduced: Reduced,
+    /// One for each foot.
+    pub feet: Vec<Standing>,
+    /// What was done: a sentence each.
+    pub notes: Vec<Message>,
+}
+
+/// Gives the source's motion to the mapped nodes of a scene. All others keep their rest pose.
+///
+/// # Errors
+/// The map does not fit the scenes, as a sentence.
+pub fn retargeted(source: Source<'_>, target: &SceneGraph, map: &RetargetMap) -> Result<Retargeted, Message> {
+    let pairs = Pairs::of(map, source.scene, target)?;
+    let motion = motion::Motion::of(source, target, &pairs);
+    let (samples, plants) = feet::stood(&motion, &pairs);
+    let top = target.rbt_path(target.topmost(pairs.nodes[0].onto));
+    let mut notes =
+        vec![texts::retarget_report(texts::count_nodes(pairs.nodes.len()), top, format!("{:.4}", motion.factor))];
+    let feet: Vec<(Watched, f64)> = plants
+        .planted
+        .iter()
+        .zip(&pairs.feet)
+        .map(|(planted, foot)| {
+            #[expect(clippy::cast_possible_truncation, reason = "poses are f32")]
+            let most = STANDS * foot.length as f32;
+            let units = planted.iter().map(|&planted| if planted { most } else { f32::INFINITY }).collect();
+            (watched(target, foot.lower, foot.end, units), foot.length)
+        })
+        .collect();
+    if plants.short > 0 {
+        notes.push(texts::retarget_short(texts::count_frames(plants.short)));
+    }
+    Ok(Retargeted { samples, feet, notes })
+}
+
+impl Retargeted {
+    /// The poses.
+    #[must_use]
+    pub const fn samples(&self) -> &Samples {
+        &self.samples
+    }
+
+    /// Keyframes that play so, and what their feet do.
+    #[must_use]
+    pub fn keyframes(self, choice: Choice, interpolation: Interpolation) -> RetargetedKeyframes {
+        let watched: Vec<Watched> = self.feet.iter().map(|(watched, _)| watched.clone()).collect();
+        let reduced = reduced_watching(&self.samples, choice, interpolation, &watched);
+        let feet: Vec<Standing> =
+            self.feet.iter().map(|(watched, length)| standing(&reduced.animation, watched, *length)).collect();
+        let mut notes = self.notes;
+        notes.push(reduced.message());
+        if !feet.is_empty() {
+            let times: usize = feet.iter().map(|foot| foot.stances).sum();
+            let worst = feet.iter().map(|foot| foot.slide).fold(0.0, f64::max);
+            notes.push(texts::retarget_feet(times, format!("{:.2}", 100.0 * worst)));
+        }
+        RetargetedKeyframes { reduced, feet, notes }
+    }
+}
+
+/// The usual tolerance for a scene: 0.5 degree, and a thousandth of the largest extent of its RBT nodes below a node at rest.
+#[must_use]
+pub fn tolerance_for(scene: &SceneGraph, top: RbtIndex) -> Tolerance {
+    let points = scene
+        .rbt_indices()
+        .filter(|&rbt| rbt == top || scene.is_above(top, rbt))
+        .map(|rbt| scene.world_from_rbt(scene.rest_pose(), 0.0, rbt).translation.as_dvec3());
+    let start = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+    let (low, high) = points.fold(start, |(low, high), point| (low.min(point), high.max(point)));
+    Tolerance::for_size((high - low).max_element().max(1e-3))
+}
+
+/// A point of a node, with the nodes above it.
+fn watched(scene: &SceneGraph, last: RbtIndex, point: glam::Vec3, units: Vec<f32>) -> Watched {
+    let above = |&rbt: &RbtIndex| scene.limb_nodes(rbt).upper;
+    let mut chain: Vec<(Rbt, RbtIndex)> = std::iter::successors(Some(last), above)
+        .map(|rbt| {
+            // Control nodes stand between the two.
+            let parent = scene.world_from_parent(scene.rest_pose(), 0.0, rbt);
+            let carrying =
+                above(&rbt).map(|above| scene.world_from_node(scene.rest_pose(), 0.0, scene.rbt_node(above)));
+            (Rbt::from_affine(&carrying.map_or(parent, |carrying| carrying.inverse() * parent)), rbt)
+        })
+        .collect();
+    chain.reverse();
+    Watched { chain, point, units }
+}
