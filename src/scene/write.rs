@@ -258,11 +258,11 @@ fn key_list(track: &Track<Vec4>, channel: Channel, depth: usize) -> String {
 /// What a scene file says of a node besides its name, its transform and its keys, as a JSON object: the end and the limits of a joint; the
 /// kind, the dimensions and the colour of a shape; whether a control node is part of paths.
 #[must_use]
-pub fn node_properties_to_json(node: &Node) -> String {
+pub fn node_properties_to_json(scene: &SceneGraph, node: &Node) -> String {
     let mut fields = Vec::new();
     push_joint(&mut fields, &node.joint);
     if let NodeKind::Shape(placed) = &node.kind {
-        fields.push(format!("\"shape\": {}", shape(&placed.shape)));
+        fields.push(format!("\"shape\": {}", shape(scene, &placed.shape)));
         push_colour(&mut fields, placed);
     }
     push_in_paths(&mut fields, node);
