@@ -158,3 +158,43 @@ pub fn rectangle_px(
     let extent = most - least;
     (extent.x >= 1.0 && extent.y >= 1.0).then_some([least.x as u32, least.y as u32, extent.x as u32, extent.y as u32])
 }
+
+#[cfg(test)]
+mod tests {
+    use glam::Affine3A;
+
+    use super::*;
+    use crate::scene::Shape;
+    use crate::scene::shapes::{Capsule, Cone, Cylinder, Plane, RoundedBox, Sphere};
+    use crate::unit_mesh::triangle_mesh;
+
+    #[test]
+    fn an_items_box_holds_its_finest_mesh() {
+        let shapes = [
+            Shape::Box(RoundedBox { size: Vec3::new(1.0, 2.0, 0.5), bevel: 0.1 }),
+            Shape::Sphere(Sphere { radius: 0.7 }),
+            Shape::Cylinder(Cylinder { radius: 0.4, height: 1.5 }),
+            Shape::Cone(Cone { radius: 0.5, height: 1.2 }),
+            Shape::Capsule(Capsule { radius: 0.3, height: 1.4 }),
+            Shape::Plane(Plane { size: [4.0, 6.0] }),
+        ];
+        for shape in shapes {
+            let kind = shape.mesh().expect("all of these have a unit mesh");
+            let item = DrawItem {
+                mesh: kind.into(),
+                world_from_shape: Affine3A::IDENTITY,
+                half_extents: shape.half_extents(),
+                rounding: shape.rounding(),
+                colour: Vec3::ONE,
+                outlined: false,
+                is_hidden: false,
+                node: 0,
+            };
+            let [x, y, z] = Bounds::of(&item).half_edges_in_world;
+            let half = Vec3::new(x.x, y.y, z.z);
+            for position in triangle_mesh(&shape, String::new()).positions {
+                assert!(position.abs().cmple(half + 1e-6).all(), "{kind:?}: {position} outside {half}");
+            }
+        }
+    }
+}
