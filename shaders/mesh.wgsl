@@ -44,7 +44,8 @@ fn shaded(pixel: MeshPixel, is_front: bool, base: vec4f) -> vec4f {
     if material.emissive.w > 0.5 {
         return finished(base.rgb, 1.0);
     }
-    let normal = normalize(pixel.normal) * select(-1.0, 1.0, is_front);
+    let turned = pixel.normal * select(-1.0, 1.0, is_front);
+    let normal = turned * inverseSqrt(max(dot(turned, turned), 1e-30));
     let to_eye = normalize(globals.eye_in_world.xyz - pixel.in_world);
     let to_sun = globals.towards_sun_in_world.xyz;
     let arriving = sun_arriving(map_position(pixel.in_world, normal));
@@ -59,7 +60,7 @@ fn shaded(pixel: MeshPixel, is_front: bool, base: vec4f) -> vec4f {
     // The highlight of other shapes, the twelfth power of the squared cosine between normal and half vector, is that of roughness 0.7.
     let half_squared = pow2(max(facing_sun + dot(normal, to_eye), 0.0)) / max(2.0 + 2.0 * dot(to_sun, to_eye), 0.001);
     let sharpness = 12.0 * pow2(pow2(0.7 / max(roughness, 0.12)));
-    let highlight = pow(half_squared, sharpness) * sun * min(0.16 * (0.75 + sharpness / 48.0), 6.0);
+    let highlight = pow(max(half_squared, 1e-9), sharpness) * sun * min(0.16 * (0.75 + sharpness / 48.0), 6.0);
     // A metal shows its surroundings in its colour: the ground below, the sky above, the more blurred the rougher it is.
     let mirrored = reflect(-to_eye, normal).y;
     let sharp = mix(8.0, 1.5, roughness);

@@ -147,7 +147,7 @@ pub struct ArcballMark {
 }
 
 /// All data of one picture.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Frame {
     /// The camera's matrices.
     pub view: View,
@@ -165,6 +165,30 @@ pub struct Frame {
     pub meshes: Vec<Arc<TriangleMesh>>,
     /// For the joints of all skins, shape space in the bind pose to world space.
     pub world_from_bind: Vec<Affine3A>,
+}
+
+impl PartialEq for Frame {
+    /// Meshes are equal only if they are the same: frames are compared for each picture.
+    fn eq(&self, other: &Self) -> bool {
+        let Self { view, items, ghosts, lines, dots, arcball, meshes, world_from_bind } = self;
+        (view, items, ghosts, lines, dots, arcball, world_from_bind)
+            == (
+                &other.view,
+                &other.items,
+                &other.ghosts,
+                &other.lines,
+                &other.dots,
+                &other.arcball,
+                &other.world_from_bind,
+            )
+            && are_same_meshes(meshes, &other.meshes)
+    }
+}
+
+/// Whether two frames have the very same meshes.
+#[must_use]
+pub fn are_same_meshes(one: &[Arc<TriangleMesh>], other: &[Arc<TriangleMesh>]) -> bool {
+    one.len() == other.len() && one.iter().zip(other).all(|(one, other)| Arc::ptr_eq(one, other))
 }
 
 impl Frame {

@@ -293,7 +293,7 @@ fn the_arcball_is_a_circle_of_its_size() {
 fn a_mirrored_shape_looks_like_itself() {
     let at = Affine3A::from_translation(Vec3::new(0.0, 0.25, 0.0));
     let shape = Shape::Box(RoundedBox { size: Vec3::new(1.0, 0.6, 0.8), bevel: 0.1 });
-    let plain = draw(&frame(vec![item(shape, "#c0a020", at)]));
+    let plain = draw(&frame(vec![item(shape.clone(), "#c0a020", at)]));
     let mirrored = draw(&frame(vec![item(shape, "#c0a020", at * Affine3A::from_scale(Vec3::new(-1.0, 1.0, 1.0)))]));
     let differing = plain.rgba.iter().zip(&mirrored.rgba).filter(|(a, b)| a.abs_diff(**b) > 3).count();
     assert!(differing < 40, "{differing}");

@@ -13,7 +13,7 @@ use inbetween::editor::{
     TimelineEdit, ViewCommand, Written,
 };
 use inbetween::keyframe::{KeyframeIndex, keyframes_to_json};
-use inbetween::scene::{Channel, KeyValue, built_in_scene, scene_from_json, scene_to_json};
+use inbetween::scene::{Channel, KeyValue, SceneFiles, built_in_scene, scene_from_json, scene_to_json};
 use inbetween::words::texts;
 
 /// The cylinder, whose control node has keys of its translation at 0, 2 and 4 s, of its rotation at 0, 2, 3 and 4, of its scale at 0, 2, 4.
@@ -239,7 +239,8 @@ fn a_scene_is_saved_and_opened_again() {
     edit(&mut editor, SceneEdit::PutControlAbove("robot1".into()));
     assert_eq!(editor.proposed_scene_path(), PathBuf::from("two-robots.json"));
     let effects = apply(&mut editor, Command::File(FileCommand::SaveSceneAs("lamp.json".into())));
-    let [Effect::WriteScene { path, text, is_known: false }] = effects.as_slice() else { panic!("{effects:?}") };
+    let [Effect::WriteScene { path, files, is_known: false }] = effects.as_slice() else { panic!("{effects:?}") };
+    let SceneFiles { text, meshes: None } = files else { panic!("{files:?}") };
     assert_eq!(*text, scene_to_json(editor.scene()));
     assert!(editor.has_unsaved_scene(), "it is not written yet");
     assert!(editor.scene_written(path, Err(texts::STORAGE_PERMISSION_DENIED.into())).is_err());

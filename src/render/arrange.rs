@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use glam::{Affine3A, Vec3};
 
-use crate::frame::{DrawItem, Frame, ItemMesh};
+use crate::frame::{DrawItem, Frame, ItemMesh, are_same_meshes};
 use crate::model::TriangleMesh;
 use crate::render::bounds::{Bounds, Sight, ViewSides};
 use crate::render::detail::Detail;
@@ -49,7 +49,7 @@ impl Arranged {
     pub fn take(&mut self, frame: &Frame, detail: Detail, arrangement: Arrangement) -> bool {
         let has_moved = frame.items != self.items
             || frame.world_from_bind != self.world_from_bind
-            || !are_same(&frame.meshes, &self.meshes);
+            || !are_same_meshes(&frame.meshes, &self.meshes);
         if has_moved {
             self.meshes.clone_from(&frame.meshes);
             self.world_from_bind.clone_from(&frame.world_from_bind);
@@ -102,11 +102,6 @@ impl Arranged {
             indices.sort_unstable_by_key(|&index| (self.distance_keys[index as usize], index));
         }
     }
-}
-
-/// Whether two frames have the very same meshes.
-pub fn are_same(one: &[Arc<TriangleMesh>], other: &[Arc<TriangleMesh>]) -> bool {
-    one.len() == other.len() && one.iter().zip(other).all(|(one, other)| Arc::ptr_eq(one, other))
 }
 
 #[cfg(test)]

@@ -2,6 +2,10 @@
 
 use std::fmt::Write as _;
 
+use glam::Vec3;
+use inbetween::gltf::data_uri;
+use inbetween::model::{Material, MeshLibrary, TriangleMesh};
+
 use crate::student;
 
 /// The files that all cases can read, as `../shared/NAME`.
@@ -94,6 +98,7 @@ pub fn base(spec: &str) -> String {
         "long-python" => format!("names = '{}'\n", "a".repeat(count)),
         "zeros" => "\0".repeat(count),
         "scene" => scene(count),
+        "mesh" => mesh(),
         "samples" => samples(),
         "hotkeys" => "key i\nkey >\nkey +\nkey y\nwait 1s\nkey t\nwait 10s\nkey <\nundo\n".to_owned(),
         "joints" => NODES.iter().map(|(path, _)| format!("{path}\n")).collect(),
@@ -243,6 +248,23 @@ fn scene(version: usize) -> String {
 }}
 "##
     )
+}
+
+/// A scene with a mesh of one triangle.
+fn mesh() -> String {
+    let triangle = TriangleMesh {
+        name: "triangle".to_owned(),
+        positions: vec![Vec3::new(-1.0, -1.0, 0.0), Vec3::new(1.0, -1.0, 0.0), Vec3::new(0.0, 1.0, 0.0)],
+        normals: vec![Vec3::Z; 3],
+        colours: Vec::new(),
+        texture_coordinates: Vec::new(),
+        indices: vec![0, 1, 2],
+        material: Material::default(),
+        skin: None,
+    };
+    let uri = data_uri("model/gltf-binary", &MeshLibrary::to_glb(&[triangle]));
+    let (head, nodes) = (format!("\"meshes\": \"{uri}\",\n  \"nodes\""), "\"mesh\": { \"name\": \"triangle\" }");
+    scene(3).replacen("\"nodes\"", &head, 1).replacen("\"cylinder\": { \"radius\": 0.1, \"height\": 2 }", nodes, 1)
 }
 
 /// Samples that hold keyframe 1 of four until key time 1.

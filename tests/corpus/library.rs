@@ -66,15 +66,16 @@ pub fn editor() -> String {
         let _ = writeln!(text, "{shown}\t{}", editor.message_text());
     }
     let path = Path::new("folder/walk.json");
-    let kept = || Ok(Written { kept: Some(PathBuf::from("folder/walk.json~")), other_links: 0 });
-    let linked = || Ok(Written { kept: None, other_links: 2 });
+    let kept = || Ok(Written { kept: Some(PathBuf::from("folder/walk.json~")), ..Written::default() });
+    let linked = || Ok(Written { other_links: 2, ..Written::default() });
+    let kept_meshes = || Ok(Written { kept_meshes: Some(PathBuf::from("folder/walk.glb~")), ..Written::default() });
     let failed = || texts::foreign("No space left on device");
     let effects: [(&str, Effect); 2] = [
         ("keyframes written", |editor, path, outcome| drop(editor.keyframes_written(path, outcome))),
         ("scene written", |editor, path, outcome| drop(editor.scene_written(path, outcome))),
     ];
     for (name, effect) in effects {
-        for outcome in [Ok(Written::default()), kept(), linked(), Err(failed())] {
+        for outcome in [Ok(Written::default()), kept(), linked(), kept_meshes(), Err(failed())] {
             effect(&mut editor, path, outcome);
             let _ = writeln!(text, "{name}\t{}", editor.message_text());
         }
@@ -151,6 +152,9 @@ pub fn window_and_failures() -> String {
         texts::settings_not_understood(path(), reason()),
         texts::settings_copied(path()),
         texts::settings_not_kept(reason()),
+        texts::SCENE_MESHES_APART.into(),
+        texts::SCENE_MESHES_OUTSIDE.into(),
+        texts::scene_moves_skin("\"arm\"", "\"arm/skin\""),
         texts::STORAGE_READ_ONLY.into(),
         texts::STORAGE_PERMISSION_DENIED.into(),
         texts::STORAGE_IN_USE.into(),

@@ -84,7 +84,7 @@ fn editor() -> String {
     let mut text = String::new();
     let _ = editor.apply(Command::Edit(Edit::CreateKeyframe));
     for other_links in [1, 2] {
-        let _ = editor.keyframes_written(Path::new("walk.json"), Ok(Written { kept: None, other_links }));
+        let _ = editor.keyframes_written(Path::new("walk.json"), Ok(Written { other_links, ..Written::default() }));
         let _ = writeln!(text, "{other_links} links\t{}", editor.message_text());
     }
     let _ = editor.apply(Command::File(FileCommand::ReloadScene));

@@ -2,10 +2,16 @@
 
 use std::fs;
 use std::path::Path;
+use std::sync::Arc;
 
-use inbetween::files::scene::{load, load_file, save};
+use inbetween::editor::{Editor, FileAccess};
+use inbetween::files::read_known;
+use inbetween::files::scene::{editor_of, load, load_file, save};
+use inbetween::journal::play_alone;
 use inbetween::model::{MeshLibrary, TriangleMesh};
 use inbetween::scene::{SceneGraph, scene_from_json, scene_to_json, scene_to_json_beside};
+use inbetween::script::{Disk, DiskStop, Restore, Runner, imported_line, parse};
+use inbetween::storage::KnownFiles;
 
 use super::models::{ball, bar, bent, coloured, cube, glb, scene, squares, text, text_within};
 
@@ -68,7 +74,7 @@ fn what_is_wrong_with_meshes_is_said() {
         load(Some(&at("scene.json"))).map(|_| ()).unwrap_err().to_string()
     };
     assert!(
-        of_file("lost.glb").ends_with(r#"scene.json: meshes: "lost.glb": there is no such file"#),
+        of_file("lost.glb").ends_with(r#"scene.json: meshes: "lost.glb": there is no such file or folder"#),
         "{}",
         of_file("lost.glb")
     );
@@ -121,4 +127,56 @@ fn control_nodes_come_and_go_under_a_skin() {
     let moved = super::models::scene(&models(), control);
     let refused = moved.without_control(moved.find("arm").unwrap()).unwrap_err().to_string();
     assert_eq!(refused, r#"node "arm" moves the skin of "arm/skin", so it stays"#);
+}
+
+/// Runs a script on a scene that was read from a file.
+#[track_caller]
+fn run(file: &Path, script: &str) -> Editor {
+    let scene = load(Some(file)).unwrap();
+    let lines = parse(script.as_bytes(), &scene).unwrap();
+    let editor = editor_of(scene, Some(file), file.with_file_name("animation.json"));
+    let disk = Runner::new(Disk::new(editor, None)).run(&lines, |_| Ok::<_, DiskStop>(())).unwrap();
+    let (editor, refused) = disk.finish();
+    assert!(refused.is_empty(), "{refused:?}");
+    editor
+}
+
+#[test]
+fn a_scene_that_is_saved_elsewhere_brings_its_meshes() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    let scene = all();
+    save(&scene, &at("house.json")).unwrap();
+    fs::create_dir(at("other")).unwrap();
+    fs::write(at("other/tower.glb"), "mine").unwrap();
+    let tower = at("other/tower.json");
+    let said = run(&at("house.json"), &format!("save-scene {}\n", tower.display())).message_text();
+    assert!(said.contains("tower.json") && said.contains("tower.glb.bak"), "{said}");
+    assert!(load_file(&tower).unwrap() == scene);
+    assert_eq!(fs::read(at("other/tower.glb")).unwrap(), fs::read(at("house.glb")).unwrap());
+    assert_eq!(fs::read_to_string(at("other/tower.glb.bak")).unwrap(), "mine");
+    // Again to where it is now: the meshes are its own.
+    let editor = run(&at("house.json"), &format!("save-scene {}\n", at("house.json").display()));
+    assert!(**editor.scene() == scene && !at("house.glb.bak").exists());
+}
+
+#[test]
+fn journals_hold_the_meshes_of_their_scene() {
+    let folder = tempfile::tempdir().unwrap();
+    let house = folder.path().join("house.json");
+    let scene = Arc::new(all());
+    save(&scene, &house).unwrap();
+    let begun = Restore::Scene { scene: Arc::clone(&scene), path: Some(house.clone()) }.line().unwrap();
+    let (editor, played) = play_alone(format!("{begun}\n").as_bytes());
+    assert!(played.damage.is_none() && **editor.scene() == *scene);
+    assert!(!editor.has_unsaved_scene());
+    // What is read again is written down whole.
+    let bytes = read_known(&mut KnownFiles::default(), FileAccess::SceneRead, &house).unwrap();
+    let read = imported_line(true, &house, &bytes).unwrap();
+    fs::remove_file(folder.path().join("house.glb")).unwrap();
+    let (editor, played) = play_alone(format!("{begun}\n{read}\n").as_bytes());
+    assert!(played.damage.is_none() && **editor.scene() == *scene, "{}", editor.message_text());
+    let snapshot = Restore::Snapshot(Box::new(editor.snapshot())).line().unwrap();
+    let (editor, played) = play_alone(format!("{snapshot}\n").as_bytes());
+    assert!(played.damage.is_none() && **editor.scene() == *scene);
 }

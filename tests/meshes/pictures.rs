@@ -7,10 +7,12 @@ use glam::Vec2;
 use inbetween::camera::Camera;
 use inbetween::flip::{DEFAULT_TOLERANCE, compare};
 use inbetween::frame::Frame;
+use inbetween::keyframe::{Keyframe, KeyframeList};
 use inbetween::model::{Material, TriangleMesh};
+use inbetween::rbt::Rbt;
 use inbetween::render::{Arrangement, Gpu, Image, Offscreen, Renderer, Skinning, node_picture};
 use inbetween::scene::SceneGraph;
-use inbetween::view::frame_of_scene;
+use inbetween::view::{Neighbours, add_ghosts, frame_of_scene};
 
 use super::models::{add_square, ball, bar, bent, coloured, cube, empty, ring, scene, squares};
 
@@ -126,6 +128,40 @@ fn bars() -> SceneGraph {
     scene(&[bar("bar", 24, 16)], &seen(&nodes))
 }
 
+/// A bar with a skin, a ring with a hole and a cube, the first two with an outline, and where the next keyframe has them.
+fn ghosts() -> Frame {
+    let mut ring_mesh = empty("ring");
+    add_square(&mut ring_mesh, glam::Vec3::ZERO, glam::Vec3::X, glam::Vec3::Y);
+    (ring_mesh.material.texture, ring_mesh.material.alpha_cutoff) = (Some(ring()), Some(0.5));
+    let carried = |name: &str, x: f32, shape: &str| {
+        format!(r##"{{"name": "{name}", "translation": [{x}, -0.4, 0], "children": [{shape}]}}"##)
+    };
+    let nodes = [
+        bent("arm", -2.0, 0.0),
+        carried("leaf", 0.0, &placed("ring", "ring", r##""scale": 0.8, "colour": "#ffffff""##)),
+        carried("die", 2.2, &placed("cube", "cube", r##""scale": 0.6, "colour": "#3d7cc8""##)),
+    ];
+    let scene = scene(&[bar("bar", 24, 16), ring_mesh, cube("cube")], &seen(&nodes.join(",")));
+    let mut next = scene.rest_pose().clone();
+    let mut turn = |path: &str, moved: glam::Vec3, angle: f32| {
+        let rbt = scene.find_rbt(path).expect("it is there");
+        let before = next.get(rbt);
+        next.set(rbt, Rbt::new(before.translation + moved, before.rotation * glam::Quat::from_rotation_z(angle)));
+    };
+    turn("arm/upper", glam::Vec3::ZERO, -1.0);
+    turn("leaf", glam::Vec3::new(0.5, 0.6, -0.5), 0.0);
+    turn("die", glam::Vec3::new(0.4, 0.9, 0.0), 0.5);
+    let keyframes = KeyframeList::new(vec![Keyframe::new(scene.rest_pose().clone()), Keyframe::new(next)]);
+    let mut frame = frame(&scene);
+    let neighbours = Neighbours { keyframes: &keyframes, from: [0, 0], count: 1, only: &[] };
+    add_ghosts(&mut frame, &scene, 0.0, neighbours);
+    for item in &mut frame.items {
+        let path = &scene.nodes()[item.node as usize].path;
+        item.outlined = path.starts_with("arm") || path.starts_with("leaf");
+    }
+    frame
+}
+
 #[track_caller]
 fn check_golden(name: &str, drawn: &Image) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/goldens").join(format!("{name}.png"));
@@ -150,13 +186,15 @@ fn meshes_look_as_they_did() {
     for (name, scene) in [("mesh-materials", materials()), ("mesh-open", open()), ("mesh-bars", bars())] {
         check_golden(name, &studio.draw(&frame(&scene)));
     }
+    let ghosts = ghosts();
+    assert_eq!(ghosts.ghosts.len(), 3);
+    check_golden("mesh-ghosts", &studio.draw(&ghosts));
 }
 
 #[test]
 fn what_is_culled_and_sorted_is_the_same_picture() {
     let mut studio = Studio::new();
-    for scene in [materials(), open(), bars()] {
-        let mut frame = frame(&scene);
+    for mut frame in [frame(&materials()), frame(&open()), frame(&bars()), ghosts()] {
         for item in frame.items.iter_mut().step_by(3) {
             item.outlined = true;
         }

@@ -9,9 +9,9 @@ use std::sync::Arc;
 use glam::Affine3A;
 
 use crate::blend::{self, SkinVertices, SkinnedVertex};
-use crate::frame::{Frame, ItemMesh};
+use crate::frame::{Frame, ItemMesh, are_same_meshes};
 use crate::model::TriangleMesh;
-use crate::render::arrange::{Arranged, are_same};
+use crate::render::arrange::Arranged;
 use crate::render::instances::rows;
 
 /// Who moves the vertices of skins.
@@ -24,7 +24,7 @@ pub enum Skinning {
 }
 
 impl Skinning {
-    /// What is faster: the processor where it also draws, as measured by `cargo bench --bench meshes`.
+    /// What is faster: the processor where it also draws, as measured by `cargo bench --bench skins`.
     #[must_use]
     pub const fn of_adapter(is_software: bool) -> Self {
         if is_software { Self::Processor } else { Self::Shader }
@@ -81,7 +81,7 @@ impl Skins {
         let casters = frame.items.iter().filter(|_| is_map_due).map(|item| item.mesh);
         let ghosts = frame.ghosts.iter().map(|ghost| ghost.item.mesh);
         let wanted: Vec<(u32, u32)> = seen.chain(casters).chain(ghosts).filter_map(skin).collect();
-        let has_meshes = are_same(&self.meshes, &frame.meshes);
+        let has_meshes = are_same_meshes(&self.meshes, &frame.meshes);
         let is_there = has_meshes
             && self.world_from_bind == frame.world_from_bind
             && wanted.iter().all(|(_, first_joint)| self.places.contains_key(first_joint));

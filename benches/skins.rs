@@ -1,4 +1,4 @@
-//! What a skinned model of 65,000 triangles and 60 joints costs at 1280x720: `cargo bench --bench meshes`.
+//! What a skinned model of 65,000 triangles and 60 joints costs at 1280x720: `cargo bench --bench skins`.
 //!
 //! Pictures a second of one model and of ten in ten poses, with the skin moved by the processor and by the vertex shader, and how long
 //! reading the model's file takes.
