@@ -11,11 +11,14 @@ mod motion;
 mod tests;
 mod way;
 
-use glam::DVec3;
+use glam::{DVec3, Vec3};
+use num_rational::BigRational;
+use num_traits::FromPrimitive as _;
 
-use super::reduce::{Choice, Reduced, Samples, Tolerance, Watched, reduced_watching};
+use super::reduce::{Choice, LONGEST_SECONDS, Reduced, Samples, Tolerance, Watched, reduced_watching};
 use crate::interpolation::Interpolation;
-use crate::pose::RbtIndex;
+use crate::keyframe::{Animation, PlayRange, to_f64};
+use crate::pose::{Pose, RbtIndex};
 use crate::rbt::Rbt;
 use crate::scene::SceneGraph;
 use crate::words::{Message, texts};
@@ -41,6 +44,7 @@ pub struct Source<'a> {
 #[derive(Clone, Debug)]
 pub struct Retargeted {
     samples: Samples,
+    top: RbtIndex,
     /// The feet that stand at times, each with the length of its leg.
     feet: Vec<(Watched, f64)>,
     /// What was done: a sentence each.
@@ -66,9 +70,15 @@ pub fn retargeted(source: Source<'_>, target: &SceneGraph, map: &RetargetMap) ->
     let pairs = Pairs::of(map, source.scene, target)?;
     let motion = motion::Motion::of(source, target, &pairs);
     let (samples, plants) = feet::stood(&motion, &pairs);
-    let top = target.rbt_path(target.topmost(pairs.nodes[0].onto));
-    let mut notes =
-        vec![texts::retarget_report(texts::count_nodes(pairs.nodes.len()), top, format!("{:.4}", motion.factor))];
+    if let Some(node) = samples.poses().iter().flat_map(Pose::iter).position(|rbt| !rbt.is_in_bounds()) {
+        return Err(texts::bvh_too_far(target.rbt_path(RbtIndex::new(node % target.rbt_count()))));
+    }
+    let top = target.topmost(pairs.nodes[0].onto);
+    let mut notes = vec![texts::retarget_report(
+        texts::count_nodes(pairs.nodes.len()),
+        target.rbt_path(top),
+        format!("{:.4}", motion.factor),
+    )];
     let feet: Vec<(Watched, f64)> = plants
         .planted
         .iter()
@@ -83,10 +93,16 @@ pub fn retargeted(source: Source<'_>, target: &SceneGraph, map: &RetargetMap) ->
     if plants.short > 0 {
         notes.push(texts::retarget_short(texts::count_frames(plants.short)));
     }
-    Ok(Retargeted { samples, feet, notes })
+    Ok(Retargeted { samples, top, feet, notes })
 }
 
 impl Retargeted {
+    /// The topmost node of the skeleton that moves.
+    #[must_use]
+    pub const fn top(&self) -> RbtIndex {
+        self.top
+    }
+
     /// The poses.
     #[must_use]
     pub const fn samples(&self) -> &Samples {
@@ -111,6 +127,33 @@ impl Retargeted {
     }
 }
 
+/// How often an animation is sampled, in frames a second.
+const FRAMES_A_SECOND: f64 = 60.0;
+/// The most nodes times samples.
+const MOST_NODE_SAMPLES: f64 = 8_388_608.0;
+
+/// The poses of an animation of a scene, 60 a second.
+///
+/// # Errors
+/// It has too few keyframes or is too long, as a sentence.
+pub fn sampled(scene: &SceneGraph, animation: &Animation) -> Result<Samples, Message> {
+    let range = PlayRange::new(&animation.keyframes).map_err(|error| error.message())?;
+    let unit = f64::from(animation.ms_between_keyframes) / 1000.0;
+    let seconds = to_f64(&range.timing().total()) * unit;
+    #[expect(clippy::cast_precision_loss, reason = "no scene has 2^52 nodes")]
+    let most = (MOST_NODE_SAMPLES / scene.rbt_count() as f64 / FRAMES_A_SECOND).min(LONGEST_SECONDS);
+    if seconds > most {
+        return Err(texts::reduced_too_long(format!("{seconds}"), format!("{most:.0}")));
+    }
+    let pose_at = |seconds: f64| {
+        let elapsed = BigRational::from_f64(seconds / unit).unwrap_or_default();
+        let pose = range.pose_at(range.timing().key_time_at(&elapsed), animation.interpolation);
+        // Key times are within the range.
+        pose.unwrap_or_else(|_| scene.rest_pose().clone())
+    };
+    Samples::of(seconds, FRAMES_A_SECOND, pose_at).map_err(|error| error.message())
+}
+
 /// The usual tolerance for a scene: 0.5 degree, and a thousandth of the largest extent of its RBT nodes below a node at rest.
 #[must_use]
 pub fn tolerance_for(scene: &SceneGraph, top: RbtIndex) -> Tolerance {
@@ -124,7 +167,7 @@ pub fn tolerance_for(scene: &SceneGraph, top: RbtIndex) -> Tolerance {
 }
 
 /// A point of a node, with the nodes above it.
-fn watched(scene: &SceneGraph, last: RbtIndex, point: glam::Vec3, units: Vec<f32>) -> Watched {
+fn watched(scene: &SceneGraph, last: RbtIndex, point: Vec3, units: Vec<f32>) -> Watched {
     let above = |&rbt: &RbtIndex| scene.limb_nodes(rbt).upper;
     let mut chain: Vec<(Rbt, RbtIndex)> = std::iter::successors(Some(last), above)
         .map(|rbt| {

@@ -133,7 +133,7 @@ fn size(scene: &SceneGraph, nodes: impl Iterator<Item = RbtIndex>) -> f64 {
 fn followers(source: &SceneGraph, target: &SceneGraph, pairs: &Pairs, turn: DQuat) -> Vec<Follower> {
     let (from_rest, rest) = (world(source, source.rest_pose()), world(target, target.rest_pose()));
     let follower = |&pair: &Pair| {
-        let bones = bones(target, pairs, pair, &rest, &from_rest);
+        let bones = bones(source, target, pairs, pair, [&rest, &from_rest]);
         let align = bones.map_or(DQuat::IDENTITY, |(own, other)| DQuat::from_rotation_arc(own, turn * other));
         let from = rotation(&from_rest[pair.from.get()]).conjugate();
         Follower { pair, from_rest: from, aligned: align * rotation(&rest[pair.onto.get()]) }
@@ -144,11 +144,11 @@ fn followers(source: &SceneGraph, target: &SceneGraph, pairs: &Pairs, turn: DQua
 /// Where the bones of a mapped node point at rest, its own and that of the source: to the only mapped node below, or to the end of a
 /// limb. `None` where there is no such bone.
 fn bones(
+    source: &SceneGraph,
     target: &SceneGraph,
     pairs: &Pairs,
     pair: Pair,
-    rest: &[DAffine3],
-    from_rest: &[DAffine3],
+    [rest, from_rest]: [&[DAffine3]; 2],
 ) -> Option<(DVec3, DVec3)> {
     let direction = |to: DVec3, from: DVec3| (to - from).try_normalize().filter(|_| to.distance(from) > SHORTEST_BONE);
     let is_next = |below: &&Pair| {
@@ -163,18 +163,21 @@ fn bones(
             let end = target.node(target.rbt_node(pair.onto)).joint.reach?;
             let foot = pairs.feet.iter().find(|foot| foot.lower == pair.onto);
             let other_tip = foot.map(|foot| place(from_rest, foot.from_end));
-            (place(rest, (pair.onto, end)), other_tip.or_else(|| tip(pair.from, from_rest))?)
+            (place(rest, (pair.onto, end)), other_tip.or_else(|| tip(source, pair.from, from_rest))?)
         }
         _ => return None,
     };
     Some((direction(own_tip, own)?, direction(other_tip, other)?))
 }
 
-/// Where the bone of a node of the source ends: at the next node in the order of poses that is not at the same place. Below a node of an
-/// arm that is the hand.
-fn tip(rbt: RbtIndex, world: &[DAffine3]) -> Option<DVec3> {
+/// Where the bone of a node of the source ends: at the end of its limb, or at the first node below that is not at the same place.
+fn tip(source: &SceneGraph, rbt: RbtIndex, world: &[DAffine3]) -> Option<DVec3> {
     let own = world[rbt.get()].translation;
-    world[rbt.get() + 1..].iter().map(|below| below.translation).find(|tip| tip.distance(own) > SHORTEST_BONE)
+    if let Some(end) = source.node(source.rbt_node(rbt)).joint.reach {
+        return Some(place(world, (rbt, end)));
+    }
+    let below = source.rbt_indices().skip(rbt.get() + 1).take_while(|&below| source.is_above(rbt, below));
+    below.map(|below| world[below.get()].translation).find(|tip| tip.distance(own) > SHORTEST_BONE)
 }
 
 /// The rotations that stand between RBT nodes: those of control nodes, and those above all.
