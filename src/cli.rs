@@ -18,9 +18,11 @@ mod diff;
 mod drivers;
 mod each;
 mod error;
+mod export_model;
 mod generate;
 mod grade;
 mod help;
+mod import;
 mod info;
 mod join;
 mod mistyped;
@@ -32,9 +34,11 @@ mod reading;
 mod recover;
 mod reference;
 mod render;
+mod retarget;
 mod sample;
 mod script;
 mod targets;
+mod told;
 mod verify;
 mod window;
 
@@ -143,6 +147,9 @@ fn perform(arguments: Arguments) -> Result<Ended, CliError> {
         Subcommand::Diagnose(arguments) => diagnose::run(&arguments, common)?,
         Subcommand::Grade(arguments) => return grade::run(&arguments, common),
         Subcommand::Recover(arguments) => recover::run(&arguments, common)?,
+        Subcommand::Import(arguments) => import::run(&arguments, common)?,
+        Subcommand::Export(arguments) => export_model::run(&arguments, common)?,
+        Subcommand::Retarget(arguments) => retarget::run(&arguments, common)?,
         Subcommand::Completions(arguments) => generate::completions(&arguments)?,
         Subcommand::Man(arguments) => generate::man(&arguments, common)?,
         Subcommand::Help(arguments) => help::run(&arguments)?,

@@ -11,7 +11,7 @@ mod known;
 pub mod poses;
 pub mod scene;
 
-pub use animation::keyframes;
+pub use animation::{keyframes, keyframes_in};
 pub use beginning::begun;
 pub use error::{FileError, WorkError};
 pub use image::{LARGEST_IMAGE_BYTES, image, image_size};

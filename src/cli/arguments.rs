@@ -6,14 +6,18 @@ mod convert;
 mod diagnose;
 mod diff;
 mod examples;
+mod export;
 mod generate;
 mod grade;
 mod help;
+mod import;
 mod info;
 mod join;
 mod progress;
 mod recover;
+mod reduction;
 mod render;
+mod retarget;
 mod sample;
 mod script;
 mod values;
@@ -28,13 +32,16 @@ pub use compare::CompareArguments;
 pub use convert::ConvertArguments;
 pub use diagnose::DiagnoseArguments;
 pub use diff::DiffArguments;
+pub use export::{ExportArguments, ModelFormat};
 pub use generate::{CompletionsArguments, ManArguments};
 pub use grade::GradeArguments;
+pub use import::ImportArguments;
 pub use info::InfoArguments;
 pub use join::JoinArguments;
 pub use progress::ProgressKind;
 pub use recover::RecoverArguments;
 pub use render::RenderArguments;
+pub use retarget::RetargetArguments;
 pub use sample::{SampleArguments, SampleFormat, Space};
 pub use script::ScriptArguments;
 pub use verify::VerifyArguments;
@@ -99,6 +106,15 @@ pub enum Subcommand {
     /// Make a film of the numbered images in a folder, which may have been drawn in parts, on many machines.
     #[command(long_about = join::HELP)]
     Join(JoinArguments),
+    /// Make a scene and keyframes of another program's file: a BVH capture.
+    #[command(long_about = import::HELP)]
+    Import(ImportArguments),
+    /// Write the scene and an animation as a file of another program: a BVH capture.
+    #[command(long_about = export::HELP)]
+    Export(ExportArguments),
+    /// Give the motion of one skeleton, such as a captured person, to another one, such as a robot.
+    #[command(long_about = retarget::HELP)]
+    Retarget(RetargetArguments),
     /// Render what DIR/pictures.json lists and compare it with the references beside it. Exit status: 1 on a difference or a missing reference.
     Verify(VerifyArguments),
     /// Compare two PNG images by the differences that an eye notices (FLIP). Exit status: 0 within the tolerance, 1 beyond, 2 trouble.

@@ -156,8 +156,7 @@ impl Conversion<'_> {
             let scene = Arc::new(self.scene.clone());
             let text = KeyframesText { scene, keyframes, interpolation, ms_between_keyframes };
             if !text.can_be_read() {
-                let problem =
-                    format!("{} MiB, the most that is read, would not hold the keyframes", LARGEST_FILE_BYTES >> 20);
+                let problem = texts::model_too_large(LARGEST_FILE_BYTES >> 20);
                 return Err(CliError::bad_input(self.target.display(), problem));
             }
             return self.write(&text);

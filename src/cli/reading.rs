@@ -19,6 +19,15 @@ impl Notes {
         self.0.extend(warnings.into_iter().map(|warning| format!("{name}: warning: {warning}")));
     }
 
+    /// Adds what was inferred from a file, and warnings about it.
+    fn note(&mut self, file: &Path, reading: &Reading, common: Common<'_>) {
+        let name = input_name(file);
+        if let (Some(report), false) = (&reading.report, common.is_quiet) {
+            self.0.push(texts::reading_as_text(&name, report.summary.clone()).to_string());
+        }
+        self.warn(&name, reading.warnings());
+    }
+
     /// Says them.
     pub fn say(&self) {
         if !self.0.is_empty() {
@@ -39,11 +48,7 @@ pub fn noted_keyframes(
     notes: &mut Notes,
 ) -> Result<Reading, FileError> {
     let reading = files::keyframes(file, scene)?;
-    let name = input_name(file);
-    if let (Some(report), false) = (&reading.report, common.is_quiet) {
-        notes.0.push(texts::reading_as_text(&name, report.summary.clone()).to_string());
-    }
-    notes.warn(&name, reading.warnings());
+    notes.note(file, &reading, common);
     Ok(reading)
 }
 
@@ -54,6 +59,18 @@ pub fn noted_keyframes(
 pub fn keyframes(file: &Path, scene: &SceneGraph, common: Common<'_>) -> Result<Reading, FileError> {
     let mut notes = Notes::default();
     let reading = noted_keyframes(file, scene, common, &mut notes)?;
+    notes.say();
+    Ok(reading)
+}
+
+/// The same of bytes that were read already.
+///
+/// # Errors
+/// [`FileError`] with everything that is wrong with the file.
+pub fn keyframes_in(bytes: &[u8], file: &Path, scene: &SceneGraph, common: Common<'_>) -> Result<Reading, FileError> {
+    let mut notes = Notes::default();
+    let reading = files::keyframes_in(bytes, file, scene)?;
+    notes.note(file, &reading, common);
     notes.say();
     Ok(reading)
 }

@@ -15,8 +15,15 @@ use crate::text_layouts::{Reading, read_keyframes};
 /// # Errors
 /// [`FileError`] with everything that is wrong with it.
 pub fn keyframes(file: &Path, scene: &SceneGraph) -> Result<Reading, FileError> {
-    let bytes = super::read(file, LARGEST_FILE_BYTES)?;
-    read_keyframes(&bytes, scene).map_err(|problems| FileError::all(storage::input_name(file), problems))
+    keyframes_in(&super::read(file, LARGEST_FILE_BYTES)?, file, scene)
+}
+
+/// The same of bytes that were read already; `file` is for the error.
+///
+/// # Errors
+/// [`FileError`] with everything that is wrong with it.
+pub fn keyframes_in(bytes: &[u8], file: &Path, scene: &SceneGraph) -> Result<Reading, FileError> {
+    read_keyframes(bytes, scene).map_err(|problems| FileError::all(storage::input_name(file), problems))
 }
 
 impl Animation {

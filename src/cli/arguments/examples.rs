@@ -9,7 +9,7 @@ struct Below {
     examples: &'static [&'static str],
 }
 
-const ALL: [Below; 18] = [
+const ALL: [Below; 21] = [
     Below {
         command: "check",
         page: "command-line",
@@ -53,6 +53,28 @@ const ALL: [Below; 18] = [
         ],
     },
     Below { command: "join", page: "farms", examples: &["inbetween join frames/ --fps 30 -o walk.mp4"] },
+    Below {
+        command: "import",
+        page: "models",
+        examples: &[
+            "inbetween import capture.bvh -o captured.json --keyframes motion.json",
+            "inbetween import capture.bvh -o captured.json --keyframes motion.json --every 10",
+        ],
+    },
+    Below {
+        command: "export",
+        page: "models",
+        examples: &["inbetween export walk.json -o walk.bvh", "inbetween export walk.json -o walk.bvh --fps 120"],
+    },
+    Below {
+        command: "retarget",
+        page: "models",
+        examples: &[
+            "inbetween retarget capture.bvh --onto two-robots:robot1 -o walk.json",
+            "inbetween retarget capture.bvh --onto two-robots -o walk.json --write-map map.json",
+            "inbetween retarget walk.json --onto two-robots:robot2 -o other.json",
+        ],
+    },
     Below {
         command: "verify",
         page: "ci",

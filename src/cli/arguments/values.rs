@@ -19,6 +19,12 @@ pub fn seconds(text: &str) -> Result<f64, String> {
     seconds.ok_or_else(|| format!("{text:?} is not a number of seconds from -1e6 to 1e6"))
 }
 
+/// A number above 0, at most 1e6.
+pub fn positive(text: &str) -> Result<f64, String> {
+    let number = text.trim().parse().ok().filter(|number: &f64| *number > 0.0 && *number <= 1e6);
+    number.ok_or_else(|| format!("{text:?} is not a number above 0, and at most 1e6"))
+}
+
 /// The longest side of a picture that can be asked for, in pixels. What the GPU adapter takes may be less.
 const LONGEST_SIDE: u32 = 65_536;
 

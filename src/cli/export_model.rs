@@ -1,0 +1,64 @@
+//! `inbetween export`: a scene and an animation to a file of another program.
+
+use std::path::Path;
+
+use clap::ValueEnum as _;
+use serde_json::json;
+
+use super::arguments::{ExportArguments, ModelFormat};
+use super::places::Places;
+use super::told::Report;
+use super::{CliError, Common, misuse, reading, scene};
+use crate::interchange::bvh::BvhText;
+use crate::keyframe::Animation;
+use crate::storage::{self, input_name, output_name};
+use crate::words::{one_of, texts};
+
+/// Writes the file, and prints the report.
+///
+/// # Errors
+/// [`CliError`]: bad keyframes, a scene that the format cannot say, an output that cannot be written.
+pub fn run(arguments: &ExportArguments, common: Common<'_>) -> Result<(), CliError> {
+    let output = &arguments.output;
+    let format = format_of(arguments)?;
+    let places = Places::with_scene(common.scene);
+    let places = arguments.file.iter().fold(places, |places, file| places.reads("FILE", file));
+    places.writes("--output", output).check()?;
+    let scene = scene::load(common.scene)?;
+    let animation = match &arguments.file {
+        None => None,
+        Some(file) => {
+            let animation = Animation::of(reading::keyframes(file, &scene, common)?.file, arguments.interpolation);
+            animation.play_range(file)?;
+            Some(animation)
+        }
+    };
+    let name = arguments.file.as_deref().map_or_else(|| scene.name().to_owned(), input_name);
+    let notes = match format {
+        ModelFormat::Bvh => {
+            let text = BvhText::new(&scene, animation.as_ref(), arguments.fps);
+            let text = text.map_err(|problem| CliError::bad_input(&name, problem))?;
+            storage::write_with(output, |out| text.write(out)).map_err(|reason| CliError::unwritten(output, reason))?;
+            text.notes()
+        }
+    };
+    let fields = json!({"output": output_name(output), "format": format.ending()});
+    Report { name, notes, fields, is_json: arguments.json, data: vec![output] }.tell(common)
+}
+
+/// The format that is asked for, or that the output's ending names.
+fn format_of(arguments: &ExportArguments) -> Result<ModelFormat, CliError> {
+    let formats = ModelFormat::value_variants();
+    let ending = Path::new(&arguments.output).extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
+    let of_ending = formats.iter().copied().find(|format| ending.as_deref() == Some(format.ending()));
+    match (arguments.format, of_ending) {
+        (Some(asked), Some(found)) if asked != found => {
+            let option = format!("--format {}", asked.ending());
+            Err(misuse(&texts::places_ending_contradicts(found.ending(), option).to_string()))
+        }
+        (asked, found) => asked.or(found).ok_or_else(|| {
+            let endings: Vec<String> = formats.iter().map(|format| format!(".{}", format.ending())).collect();
+            misuse(&texts::model_ending(one_of(&endings)).to_string())
+        }),
+    }
+}
