@@ -35,7 +35,7 @@ struct Row {
     text: Cell,
 }
 
-const ROWS: [Row; 17] = [
+const ROWS: [Row; 20] = [
     Row {
         command: "check",
         standard_input: Does("check -"),
@@ -105,6 +105,36 @@ const ROWS: [Row; 17] = [
         json: Does("join frames --fps 2 -o out.gif --json"),
         quiet: Does("join frames --fps 2 -o out.gif --quiet"),
         text: Nothing,
+    },
+    Row {
+        command: "import",
+        standard_input: Does("import - -o out.json"),
+        input: "robots.bvh",
+        standard_output: Does("import robots.bvh -o -"),
+        several: Refuses("import robots.bvh robots.bvh -o out.json"),
+        json: Does("import robots.bvh -o out.json --json"),
+        quiet: Does("import robots.bvh -o out.json --quiet"),
+        text: Nothing,
+    },
+    Row {
+        command: "export",
+        standard_input: Does("export - -o out.bvh"),
+        input: "rows.txt",
+        standard_output: Does("export a.json -o - --format bvh"),
+        several: Refuses("export a.json b.json -o out.bvh"),
+        json: Does("export rows.txt -o out.bvh --json"),
+        quiet: Does("export rows.txt -o out.bvh --quiet"),
+        text: Does("export rows.txt -o out.bvh"),
+    },
+    Row {
+        command: "retarget",
+        standard_input: Does("retarget - --onto two-robots:robot1 -o out.json"),
+        input: "robots.bvh",
+        standard_output: Does("retarget robots.bvh --onto two-robots -o -"),
+        several: Refuses("retarget a.json b.json --onto two-robots -o out.json"),
+        json: Does("retarget a.json --onto two-robots:robot2 -o out.json --json"),
+        quiet: Does("retarget rows.txt --onto two-robots:robot2 -o out.json --quiet"),
+        text: Does("retarget rows.txt --onto two-robots:robot2 -o out.json"),
     },
     Row {
         command: "verify",
@@ -218,6 +248,7 @@ fn prepared() -> Sandbox {
     let list = json!({"format": "inbetween.pictures", "version": 1, "pictures": shots});
     sandbox.write("references/pictures.json", list.to_string());
     sandbox.run(&["verify", "references", "--update"]).succeeds();
+    sandbox.run(&["export", "a.json", "-o", "robots.bvh", "--fps", "10"]).succeeds();
     sandbox.run(&["render", "a.json", "-o", "frames/", "--fps", "2", "--size", "16x12"]).succeeds();
     sandbox
 }

@@ -22,6 +22,7 @@ mod grade_start;
 mod help;
 mod journal;
 mod marks;
+mod models;
 mod other_files;
 mod overrides;
 mod places;

@@ -9,7 +9,7 @@ use inbetween::model::{Material, MeshLibrary, TriangleMesh};
 use crate::student;
 
 /// The files that all cases can read, as `../shared/NAME`.
-pub const SHARED: [(&str, &str); 12] = [
+pub const SHARED: [(&str, &str); 13] = [
     ("good.json", "keyframes 4"),
     ("six.json", "keyframes 6"),
     ("slow.json", "slow 6"),
@@ -22,6 +22,7 @@ pub const SHARED: [(&str, &str); 12] = [
     ("samples.csv", "samples"),
     ("hotkeys.txt", "hotkeys"),
     ("joints.txt", "joints"),
+    ("person.bvh", "capture"),
 ];
 
 /// The RBT nodes of the built-in scene and their offsets.
@@ -119,9 +120,65 @@ pub fn base(spec: &str) -> String {
         "rubric-toml" => RUBRIC_TOML.to_owned(),
         "pictures" => PICTURES.to_owned(),
         "settings" => SETTINGS.to_owned(),
+        "capture" => CAPTURE.to_owned(),
+        "many-joints" => format!("HIERARCHY\n{}", "ROOT a { }\n".repeat(count)),
+        "deep-joints" => format!("HIERARCHY\nROOT a {{ {}", "JOINT a { ".repeat(count)),
         _ => panic!("{spec} is no base"),
     }
 }
+
+/// A captured person: three frames of a step.
+const CAPTURE: &str = "HIERARCHY
+ROOT Hips
+{
+  OFFSET 0 0 0
+  CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation
+  JOINT LeftUpLeg
+  {
+    OFFSET 10 -5 0
+    CHANNELS 1 Xrotation
+    JOINT LeftLeg
+    {
+      OFFSET 0 -42 0
+      CHANNELS 1 Xrotation
+      JOINT LeftFoot
+      {
+        OFFSET 0 -40 0
+        CHANNELS 0
+        End Site { OFFSET 0 -8 18 }
+      }
+    }
+  }
+  JOINT RightUpLeg
+  {
+    OFFSET -10 -5 0
+    CHANNELS 1 Xrotation
+    JOINT RightLeg
+    {
+      OFFSET 0 -42 0
+      CHANNELS 1 Xrotation
+      JOINT RightFoot
+      {
+        OFFSET 0 -40 0
+        CHANNELS 0
+        End Site { OFFSET 0 -8 18 }
+      }
+    }
+  }
+  JOINT Head
+  {
+    OFFSET 0 50 0
+    CHANNELS 1 Yrotation
+    End Site { OFFSET 0 20 0 }
+  }
+}
+MOTION
+Frames: 3
+Frame Time: 0.1
+0 95 0 0 0 0 0 0 0 0 0
+0 94 5 0 0 5 -20 25 15 5 10
+0 95 10 0 0 0 -30 10 20 20 0
+";
 
 /// Unit quaternions w, x, y, z of few digits.
 const ROTATIONS: [[&str; 4]; 4] =

@@ -128,7 +128,7 @@ fn a_captured_walk_onto_a_robot_keeps_its_feet() {
                 assert!(foot.stances >= 5 && foot.slide < 0.005, "turned: {turned}, {interpolation:?}: {foot:?}");
             }
             let said = keyframes.notes.last().unwrap().to_string();
-            assert!(said.starts_with("its feet stand 1"), "{said}");
+            assert!(said.starts_with("feet stand 1"), "{said}");
         }
         // The walk goes as far as the legs are longer, along z.
         let hips = |pose: &Pose| pose.get(robot).translation;
