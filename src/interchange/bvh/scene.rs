@@ -35,7 +35,24 @@ pub struct CapturedScene {
 /// # Errors
 /// A capture without extent or too large a one, or one too long for an animation, as a sentence.
 pub fn scene_of(capture: &Capture, name: &str, scale: Option<f64>) -> Result<CapturedScene, Message> {
-    let measured = Measured::of(capture);
+    let turned = standing(capture, name, scale, true)?;
+    match turned {
+        // Only a person tells which way is up.
+        Standing { is_turned: true, is_person: false, .. } => Ok(standing(capture, name, scale, false)?.made),
+        Standing { made, .. } => Ok(made),
+    }
+}
+
+/// A scene, and what decides whether its up axis was guessed well.
+struct Standing {
+    made: CapturedScene,
+    is_turned: bool,
+    is_person: bool,
+}
+
+/// The scene of a capture. `may_turn`: whether y becomes the up axis where it seems to be z.
+fn standing(capture: &Capture, name: &str, scale: Option<f64>, may_turn: bool) -> Result<Standing, Message> {
+    let measured = Measured::of(capture, may_turn);
     if !(measured.height > 0.0) {
         return Err(texts::BVH_NO_SIZE.into());
     }
@@ -48,7 +65,8 @@ pub fn scene_of(capture: &Capture, name: &str, scale: Option<f64>) -> Result<Cap
     let error = |error: SceneError| error.message();
     let plain = build(&[]).map_err(error)?;
     // Limbs can be told once there is a tree.
-    let joints = Figure::of(&plain).map_or_else(Vec::new, |figure| joints_of(&plain, &figure));
+    let figure = Figure::of(&plain);
+    let joints = figure.as_ref().map_or_else(Vec::new, |figure| joints_of(&plain, figure));
     let scene = build(&joints).map_err(error)?;
     let mut samples: Option<Samples> = None;
     for frame in 0..capture.frames {
@@ -61,7 +79,8 @@ pub fn scene_of(capture: &Capture, name: &str, scale: Option<f64>) -> Result<Cap
             }
         }
     }
-    Ok(CapturedScene { notes: notes(capture, &measured, factor, scale.is_some(), renamed), scene, samples })
+    let made = CapturedScene { notes: notes(capture, &measured, factor, scale.is_some(), renamed), scene, samples };
+    Ok(Standing { made, is_turned: measured.upright != DQuat::IDENTITY, is_person: figure.is_some() })
 }
 
 fn notes(capture: &Capture, measured: &Measured, factor: f64, is_asked: bool, renamed: Vec<String>) -> Vec<Message> {
@@ -110,7 +129,7 @@ struct Measured {
 }
 
 impl Measured {
-    fn of(capture: &Capture) -> Self {
+    fn of(capture: &Capture, may_turn: bool) -> Self {
         let extent = |points: &[DVec3]| {
             let start = (DVec3::INFINITY, DVec3::NEG_INFINITY);
             points.iter().fold(start, |(low, high), &point| (low.min(point), high.max(point)))
@@ -123,7 +142,7 @@ impl Measured {
             let (low, high) = extent(&points(frame, DQuat::IDENTITY));
             high.z - low.z > 1.5 * (high.y - low.y)
         };
-        let is_z_up = is_flat(None) && is_flat(first);
+        let is_z_up = may_turn && is_flat(None) && is_flat(first);
         let upright = if is_z_up { DQuat::from_rotation_x(-std::f64::consts::FRAC_PI_2) } else { DQuat::IDENTITY };
         let rest = points(None, upright);
         let (rest_low, rest_high) = extent(&rest);

@@ -168,6 +168,14 @@ fn limbs_are_told_whatever_way_a_person_faces() {
 }
 
 #[test]
+fn what_is_flat_and_no_person_keeps_its_up_axis() {
+    let text = "HIERARCHY\nROOT a { JOINT b { OFFSET 0 1 9 } }\nMOTION\nFrames: 0\nFrame Time: 1\n";
+    let made = scene_of(&parsed(text).unwrap(), "a", Some(1.0)).unwrap();
+    assert_eq!(made.scene.rest_pose().get(made.scene.find_rbt("a/b").unwrap()).translation, Vec3::new(0.0, 1.0, 9.0));
+    assert!(made.notes.iter().all(|note| note.id() != "bvh.turned"));
+}
+
+#[test]
 fn what_is_wrong_is_said_with_its_line() {
     let rest = "MOTION\nFrames: 1\nFrame Time: 0.1\n";
     for (text, said) in [
