@@ -4,5 +4,6 @@
 
 pub mod bvh;
 pub mod figure;
+pub mod gltf_out;
 pub mod reduce;
 pub mod retarget;

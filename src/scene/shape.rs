@@ -122,6 +122,12 @@ impl Shape {
         }
     }
 
+    /// The name of its kind in scene files: `box`.
+    #[must_use]
+    pub fn kind_name(&self) -> &'static str {
+        self.solid().name()
+    }
+
     /// Which unit mesh this shape is an instance of; `None` for a triangle mesh.
     #[must_use]
     pub fn mesh(&self) -> Option<MeshKind> {

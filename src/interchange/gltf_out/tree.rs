@@ -1,0 +1,127 @@
+//! The nodes of a scene, with meshes, materials and the camera.
+
+use std::collections::HashMap;
+
+use glam::{Quat, Vec3};
+use serde_json::{Map, Value, json};
+
+use super::{Export, Report};
+use crate::camera;
+use crate::gltf::{Writer, json as gltf};
+use crate::model::Material;
+use crate::scene::{Channel, Node, NodeKind, PlacedShape, node_properties_to_json};
+use crate::unit_mesh::triangle_mesh;
+
+/// The key of our own properties among those of other programs.
+pub const OWN: &str = "inbetween";
+
+/// Writes all nodes and the scene; returns the index in the file of each node of the scene, `None` of those that are left out.
+pub fn write(writer: &mut Writer, export: Export<'_>, report: &mut Report) -> Vec<Option<gltf::Index>> {
+    let scene = export.scene;
+    let eyes: Vec<usize> = scene.eyes().iter().map(|&eye| scene.rbt_node(eye).get()).collect();
+    writer.root.cameras.push(gltf::Camera {
+        kind: "perspective".to_owned(),
+        perspective: Some(gltf::Perspective {
+            yfov: scene.vertical_fov(),
+            znear: camera::NEAR,
+            ..gltf::Perspective::default()
+        }),
+        ..gltf::Camera::default()
+    });
+    let mut meshes = Meshes::default();
+    let mut indices: Vec<Option<gltf::Index>> = Vec::with_capacity(scene.nodes().len());
+    let mut roots = Vec::new();
+    for (id, node) in scene.nodes_with_ids() {
+        let mut written = gltf::Node { name: Some(node.name.clone()), ..gltf::Node::default() };
+        let kind = match &node.kind {
+            NodeKind::Rbt(rbt) => {
+                let rest = scene.rest_pose().get(*rbt);
+                place(&mut written, rest.translation, rest.rotation, Vec3::ONE);
+                written.camera = eyes.contains(&id.get()).then_some(0);
+                "rbt"
+            }
+            NodeKind::Control(tracks) => {
+                // Where it stands at 0 s.
+                let numbers = |channel| tracks.get(channel).map(|track| track.value_at(0.0));
+                let translation = numbers(Channel::Translation).map_or(Vec3::ZERO, glam::Vec4::truncate);
+                let rotation = numbers(Channel::Rotation).map_or(Quat::IDENTITY, Quat::from_vec4);
+                let scale = numbers(Channel::Scale).map_or(Vec3::ONE, glam::Vec4::truncate);
+                place(&mut written, translation, rotation, scale);
+                "control"
+            }
+            NodeKind::Shape(_) if !export.has_meshes => {
+                report.shapes_left_out += 1;
+                indices.push(None);
+                continue;
+            }
+            NodeKind::Shape(placed) => {
+                let placement = placed.placement();
+                place(&mut written, placement.translation, placement.rotation, placement.scale);
+                written.mesh = Some(meshes.index(writer, placed));
+                if placed.tracks().get(Channel::Colour).is_some() {
+                    report.colours_left_out.push(node.path.clone());
+                }
+                "shape"
+            }
+        };
+        written.extras = Some(extras(node, kind));
+        let index = writer.root.nodes.len();
+        writer.root.nodes.push(written);
+        indices.push(Some(index));
+        match node.parent.and_then(|parent| indices[parent.get()]) {
+            Some(parent) => writer.root.nodes[parent].children.push(index),
+            None => roots.push(index),
+        }
+    }
+    let paths: Vec<&str> = scene.eyes().iter().map(|&eye| scene.rbt_path(eye)).collect();
+    let own = json!({ "name": scene.name(), "eyes": paths, "vertical_fov_degrees": scene.vertical_fov_degrees() });
+    writer.root.scenes.push(gltf::Scene {
+        name: Some(scene.name().to_owned()),
+        nodes: roots,
+        extras: Some(json!({ OWN: own })),
+    });
+    writer.root.scene = Some(0);
+    report.nodes = writer.root.nodes.len();
+    indices
+}
+
+fn place(node: &mut gltf::Node, translation: Vec3, rotation: Quat, scale: Vec3) {
+    node.translation = (translation != Vec3::ZERO).then_some(translation.to_array());
+    node.rotation = (rotation != Quat::IDENTITY).then_some(rotation.to_array());
+    node.scale = (scale != Vec3::ONE).then_some(scale.to_array());
+}
+
+fn extras(node: &Node, kind: &str) -> Value {
+    let properties: Map<String, Value> =
+        serde_json::from_str(&node_properties_to_json(node)).expect("scene files are JSON");
+    let mut own = Map::from_iter([("path".to_owned(), json!(node.path)), ("kind".to_owned(), json!(kind))]);
+    own.extend(properties);
+    json!({ OWN: own })
+}
+
+/// The meshes so far.
+#[derive(Default)]
+struct Meshes {
+    /// By the shape and the colour as text.
+    by_shape: HashMap<String, gltf::Index>,
+    /// How many there are of each kind.
+    kinds: HashMap<&'static str, usize>,
+}
+
+impl Meshes {
+    /// The mesh of a shape in its colour: a new one, or the one that an equal shape has.
+    fn index(&mut self, writer: &mut Writer, placed: &PlacedShape) -> gltf::Index {
+        let colour = placed.colour_at(0.0);
+        let key = format!("{:?} {colour:?}", placed.shape);
+        if let Some(&mesh) = self.by_shape.get(&key) {
+            return mesh;
+        }
+        let kind = placed.shape.kind_name();
+        let number = self.kinds.entry(kind).or_default();
+        *number += 1;
+        let material = writer.material(&Material::default(), colour);
+        let mesh = writer.mesh(&triangle_mesh(&placed.shape, format!("{kind} {number}")), material);
+        self.by_shape.insert(key, mesh);
+        mesh
+    }
+}
