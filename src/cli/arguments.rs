@@ -32,7 +32,7 @@ pub use compare::CompareArguments;
 pub use convert::ConvertArguments;
 pub use diagnose::DiagnoseArguments;
 pub use diff::DiffArguments;
-pub use export::{ExportArguments, ModelFormat};
+pub use export::{DEFAULT_FRAMES_PER_SECOND, ExportArguments, ModelFormat};
 pub use generate::{CompletionsArguments, ManArguments};
 pub use grade::GradeArguments;
 pub use import::ImportArguments;
@@ -109,7 +109,7 @@ pub enum Subcommand {
     /// Make a scene and keyframes of another program's file: a BVH capture.
     #[command(long_about = import::HELP)]
     Import(ImportArguments),
-    /// Write the scene and an animation as a file of another program: a BVH capture.
+    /// Write the scene and an animation as a file of another program: glTF or a BVH capture.
     #[command(long_about = export::HELP)]
     Export(ExportArguments),
     /// Give the motion of one skeleton, such as a captured person, to another one, such as a robot.

@@ -5,12 +5,14 @@ use std::path::Path;
 use clap::ValueEnum as _;
 use serde_json::json;
 
-use super::arguments::{ExportArguments, ModelFormat};
+use super::arguments::{DEFAULT_FRAMES_PER_SECOND, ExportArguments, ModelFormat};
 use super::places::Places;
 use super::told::Report;
-use super::{CliError, Common, misuse, reading, scene};
+use super::{CliError, Common, import, misuse, reading, scene};
 use crate::interchange::bvh::BvhText;
+use crate::interchange::gltf_out::{self, Export};
 use crate::keyframe::Animation;
+use crate::scene::SceneGraph;
 use crate::storage::{self, input_name, output_name};
 use crate::words::{one_of, texts};
 
@@ -21,6 +23,9 @@ use crate::words::{one_of, texts};
 pub fn run(arguments: &ExportArguments, common: Common<'_>) -> Result<(), CliError> {
     let output = &arguments.output;
     let format = format_of(arguments)?;
+    if let (ModelFormat::Bvh, Some(option)) = (format, arguments.only_gltf()) {
+        return Err(misuse(&texts::model_only_of(option, "glTF").to_string()));
+    }
     let places = Places::with_scene(common.scene);
     let places = arguments.file.iter().fold(places, |places, file| places.reads("FILE", file));
     places.writes("--output", output).check()?;
@@ -34,16 +39,50 @@ pub fn run(arguments: &ExportArguments, common: Common<'_>) -> Result<(), CliErr
         }
     };
     let name = arguments.file.as_deref().map_or_else(|| scene.name().to_owned(), input_name);
+    let mut fields = json!({"output": output_name(output), "format": format.ending()});
     let notes = match format {
         ModelFormat::Bvh => {
-            let text = BvhText::new(&scene, animation.as_ref(), arguments.fps);
+            let fps = arguments.fps.unwrap_or(DEFAULT_FRAMES_PER_SECOND);
+            let text = BvhText::new(&scene, animation.as_ref(), fps);
             let text = text.map_err(|problem| CliError::bad_input(&name, problem))?;
             storage::write_with(output, |out| text.write(out)).map_err(|reason| CliError::unwritten(output, reason))?;
             text.notes()
         }
+        ModelFormat::Glb | ModelFormat::Gltf => {
+            let (bytes, report) = gltf(arguments, format, &scene, animation.as_ref());
+            storage::write_with(output, |out| out.write_all(&bytes))
+                .map_err(|reason| CliError::unwritten(output, reason))?;
+            fields["nodes"] = json!(report.nodes);
+            fields["channels"] = json!(report.channels);
+            fields["keys"] = json!(report.keys);
+            fields["exactness"] = report.exactness.as_ref().map(gltf_out::Exactness::json).into();
+            report.messages()
+        }
     };
-    let fields = json!({"output": output_name(output), "format": format.ending()});
     Report { name, notes, fields, is_json: arguments.json, data: vec![output] }.tell(common)
+}
+
+/// The bytes of a glTF file, and what is to be said of it.
+fn gltf(
+    arguments: &ExportArguments,
+    format: ModelFormat,
+    scene: &SceneGraph,
+    animation: Option<&Animation>,
+) -> (Vec<u8>, gltf_out::Report) {
+    let name = arguments.file.as_deref().map(import::scene_name).unwrap_or_default();
+    let export = Export {
+        animation: animation.map(|animation| (animation, &*name)),
+        tolerance: arguments.tolerance.unwrap_or_default(),
+        curves: arguments.curves.unwrap_or_default(),
+        frames_per_second: arguments.fps,
+        has_meshes: !arguments.no_meshes,
+        ..Export::of(scene)
+    };
+    if format == ModelFormat::Glb {
+        return export.glb();
+    }
+    let (text, report) = export.gltf();
+    (text.into_bytes(), report)
 }
 
 /// The format that is asked for, or that the output's ending names.

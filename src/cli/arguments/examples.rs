@@ -64,7 +64,11 @@ const ALL: [Below; 21] = [
     Below {
         command: "export",
         page: "models",
-        examples: &["inbetween export walk.json -o walk.bvh", "inbetween export walk.json -o walk.bvh --fps 120"],
+        examples: &[
+            "inbetween export walk.json -o walk.glb",
+            "inbetween export walk.json -o walk.gltf --curves cubic --tolerance 0.1,0.001",
+            "inbetween export walk.json -o walk.bvh --fps 120",
+        ],
     },
     Below {
         command: "retarget",

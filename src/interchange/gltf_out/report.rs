@@ -71,7 +71,7 @@ pub struct Report {
 }
 
 impl Report {
-    /// The report in sentences: what there is, and how exact it is.
+    /// The report in sentences: what there is, how exact it is, and the warnings.
     #[must_use]
     pub fn messages(&self) -> Vec<Message> {
         let mut messages = vec![match &self.exactness {
@@ -83,10 +83,11 @@ impl Report {
             messages.push(texts::gltf_out_turned(at_most(turned.off), &turned.node, whole_ms(turned.seconds)));
             messages.push(texts::gltf_out_moved(at_most(moved.off), &moved.node, whole_ms(moved.seconds)));
         }
+        messages.extend(self.warnings());
         messages
     }
 
-    /// What a user must know: a bound that could not be met, and what was left out.
+    /// Of these sentences those that a user must know: a bound that could not be met, and what was left out.
     #[must_use]
     pub fn warnings(&self) -> Vec<Message> {
         let mut messages = Vec::new();
