@@ -1,5 +1,6 @@
 //! Scenes and animations as glTF: read back by a player of its own, and compared with what the program plays.
 
+mod meshes;
 mod player;
 
 use glam::{DMat4, DVec3, Quat, Vec3};

@@ -25,6 +25,7 @@ pub struct Player {
     pub root: json::Root,
     pub parents: Vec<Option<usize>>,
     channels: Vec<Channel>,
+    binary: Vec<u8>,
 }
 
 impl Player {
@@ -40,15 +41,7 @@ impl Player {
                 assert_eq!(parents[child].replace(index), None, "a node has one parent");
             }
         }
-        let floats = |accessor: usize| -> Vec<f64> {
-            let accessor = &root.accessors[accessor];
-            assert_eq!(accessor.component_type, 5126);
-            let parts = BTreeMap::from([("SCALAR", 1), ("VEC3", 3), ("VEC4", 4)])[accessor.kind.as_str()];
-            let view = &root.buffer_views[accessor.buffer_view.unwrap()];
-            let start = view.byte_offset.unwrap_or(0) + accessor.byte_offset.unwrap_or(0);
-            let bytes = &binary[start..start + 4 * parts * accessor.count];
-            bytes.chunks_exact(4).map(|float| f32::from_le_bytes(float.try_into().unwrap()).into()).collect()
-        };
+        let floats = |accessor: usize| floats(&root, binary, accessor);
         let mut channels = Vec::new();
         for animation in &root.animations {
             for channel in &animation.channels {
@@ -67,7 +60,13 @@ impl Player {
                 });
             }
         }
-        Self { root, parents, channels }
+        Self { root, parents, channels, binary: binary.to_vec() }
+    }
+
+    /// The matrices of an accessor.
+    pub fn matrices(&self, accessor: usize) -> Vec<DMat4> {
+        let floats = floats(&self.root, &self.binary, accessor);
+        floats.chunks_exact(16).map(DMat4::from_cols_slice).collect()
     }
 
     /// The times of the keys of a node's property.
@@ -121,6 +120,17 @@ impl Player {
         let name = self.root.nodes[node].name.clone().unwrap();
         self.parents[node].map_or(name.clone(), |parent| format!("{}/{name}", self.names(parent)))
     }
+}
+
+/// The numbers of an accessor of floats.
+fn floats(root: &json::Root, binary: &[u8], accessor: usize) -> Vec<f64> {
+    let accessor = &root.accessors[accessor];
+    assert_eq!(accessor.component_type, 5126);
+    let parts = BTreeMap::from([("SCALAR", 1), ("VEC3", 3), ("VEC4", 4), ("MAT4", 16)])[accessor.kind.as_str()];
+    let view = &root.buffer_views[accessor.buffer_view.unwrap()];
+    let start = view.byte_offset.unwrap_or(0) + accessor.byte_offset.unwrap_or(0);
+    let bytes = &binary[start..start + 4 * parts * accessor.count];
+    bytes.chunks_exact(4).map(|float| f32::from_le_bytes(float.try_into().unwrap()).into()).collect()
 }
 
 impl Channel {

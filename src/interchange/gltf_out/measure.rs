@@ -1,7 +1,5 @@
 //! How far what readers show is from what the program plays: for every node in the world, at many times.
 
-use std::sync::Arc;
-
 use glam::{DMat3, DQuat, DVec3, DVec4, Quat, Vec3};
 
 use super::keyed::{Keyed, Reader};
@@ -58,7 +56,7 @@ impl Off {
 pub struct Tree {
     parents: Vec<Option<usize>>,
     rest: Vec<Local>,
-    /// Whether each node is in the file.
+    /// Whether each node is in the file at its own place.
     is_written: Vec<bool>,
     /// Whether scales may be above any node: then axes are compared besides rotations.
     is_scaled: bool,
@@ -90,8 +88,12 @@ impl Tree {
             NodeKind::Control(tracks) => tracks.get(Channel::Scale).is_some(),
             NodeKind::Rbt(_) | NodeKind::Shape(_) => false,
         });
-        let is_written = |node: &Arc<Node>| has_shapes || !matches!(node.kind, NodeKind::Shape(_));
-        let is_written = scene.nodes().iter().map(is_written).collect();
+        // Joints place skins, and are measured themselves.
+        let is_written = |(id, node): (NodeId, &Node)| match node.kind {
+            NodeKind::Shape(_) => has_shapes && scene.skin(id).is_none(),
+            NodeKind::Rbt(_) | NodeKind::Control(_) => true,
+        };
+        let is_written = scene.nodes_with_ids().map(is_written).collect();
         let parents = scene.nodes().iter().map(|node| node.parent.map(NodeId::get)).collect();
         Self { parents, rest: rest.collect(), is_written, is_scaled }
     }
