@@ -12,6 +12,7 @@ mod convert;
 mod diagnose;
 mod diff;
 mod even;
+mod export;
 mod feedback;
 mod films;
 mod formats;

@@ -155,6 +155,8 @@ pub fn window_and_failures() -> String {
         texts::SCENE_MESHES_APART.into(),
         texts::SCENE_MESHES_OUTSIDE.into(),
         texts::scene_moves_skin("\"arm\"", "\"arm/skin\""),
+        texts::gltf_out_no_shapes(1),
+        texts::gltf_out_no_colours(1, "robot/ball"),
         texts::STORAGE_READ_ONLY.into(),
         texts::STORAGE_PERMISSION_DENIED.into(),
         texts::STORAGE_IN_USE.into(),

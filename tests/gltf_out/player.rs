@@ -105,14 +105,15 @@ impl Player {
         pose
     }
 
-    /// `world_from_node` of each node, parents first.
+    /// `world_from_node` of each node.
     pub fn world(&self, seconds: f64, blend: Blend) -> Vec<DMat4> {
-        let mut world: Vec<DMat4> = Vec::new();
-        for (node, (translation, rotation, scale)) in self.pose(seconds, blend).into_iter().enumerate() {
-            let own = DMat4::from_scale_rotation_translation(scale, rotation, translation);
-            world.push(self.parents[node].map_or(own, |parent| world[parent] * own));
-        }
-        world
+        let own = |(translation, rotation, scale)| DMat4::from_scale_rotation_translation(scale, rotation, translation);
+        let parent_from_node: Vec<DMat4> = self.pose(seconds, blend).into_iter().map(own).collect();
+        let world = |node: usize| {
+            let up = std::iter::successors(Some(node), |&at| self.parents[at]);
+            up.fold(DMat4::IDENTITY, |world, at| parent_from_node[at] * world)
+        };
+        (0..parent_from_node.len()).map(world).collect()
     }
 
     /// The path that a node has by the names of those above it.
