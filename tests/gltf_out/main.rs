@@ -63,7 +63,7 @@ fn worst(player: &Player, scene: &SceneGraph, animation: Option<&Animation>, jum
     let mut worst = (0.0_f64, 0.0_f64);
     for step in 0..=389 {
         let seconds = last * f64::from(step) / 389.0;
-        if jumps.iter().any(|jump| (seconds - jump).abs() < 1e-3) {
+        if jumps.iter().any(|jump| (seconds - jump).abs() < 1.1e-3) {
             continue;
         }
         let pose = animation.zip(range.as_ref()).map_or_else(
@@ -219,7 +219,10 @@ fn keyframes_are_keys_with_their_poses_and_what_rests_has_no_channel() {
     // The easing of keyframe 1 is `hold`: nothing moves until just before keyframe 2.
     let held: Vec<f64> = player.times(node("a"), "rotation").iter().copied().filter(|time| *time <= 0.5).collect();
     assert_eq!(held.len(), 3, "{held:?}");
-    assert!(0.5 - held[1] <= 2e-5, "{held:?}");
+    assert!(0.5 - held[1] <= 1.0 / 1024.0, "{held:?}");
+    // Blender makes one key of two that are closer than 1/100 of its 24 frames a second.
+    let apart = held.windows(2).map(|pair| pair[1] - pair[0]).fold(f64::INFINITY, f64::min);
+    assert!(apart > 0.01 / 24.0, "{held:?}");
     // Keys before 0 s are cut off there, and later ones go on.
     assert_eq!(player.times(node("wheel"), "translation"), [0.0, 3.0]);
     assert_eq!(player.pose(0.0, Blend::Slerp)[node("wheel")].0, DVec3::X);

@@ -153,12 +153,20 @@ fn shares(tree: &Tree, motions: &[Motion], tolerance: Tolerance) -> Vec<f64> {
     motions.iter().map(share).collect()
 }
 
-/// Times to measure at: so many between any two neighbouring ends of spans, and these ends.
+/// Times to measure at: so many between any two neighbouring ends of spans, but not in jumps.
 fn times(motions: &[Motion], of_span: usize) -> Vec<f64> {
-    let spans = motions.iter().filter(|motion| !motion.is_constant()).flat_map(|motion| &motion.spans);
-    let mut ends: Vec<f64> = spans.flat_map(|span| span.seconds).collect();
+    let moving = || motions.iter().filter(|motion| !motion.is_constant());
+    let mut ends: Vec<f64> = moving().flat_map(|motion| &motion.spans).flat_map(|span| span.seconds).collect();
     ends.sort_by(f64::total_cmp);
     ends.dedup();
+    let mut jumps: Vec<[f64; 2]> = moving().flat_map(Motion::jumps).collect();
+    jumps.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    jumps.dedup();
+    // All are short, so one that begins before another ends before it, or as good as that.
+    let is_in_jump = |seconds: f64| {
+        let begun = jumps.partition_point(|jump| jump[0] <= seconds);
+        jumps[..begun].last().is_some_and(|jump| seconds <= jump[1])
+    };
     let most = MOST_TIMES * of_span / TIMES_OF_SPAN;
     let of_span = of_span.min(most / ends.len().max(1)).max(2);
     let inner = |pair: &[f64]| {
@@ -166,5 +174,5 @@ fn times(motions: &[Motion], of_span: usize) -> Vec<f64> {
         // Not in the middle of equal parts, where errors that are symmetric would vanish together.
         (0..of_span).map(move |part| start + length * (part as f64 + 0.618) / of_span as f64).collect::<Vec<f64>>()
     };
-    ends.windows(2).flat_map(inner).collect()
+    ends.windows(2).flat_map(inner).filter(|&seconds| !is_in_jump(seconds)).collect()
 }

@@ -165,14 +165,22 @@ impl Cells {
             _ if cell == last => self.ends[1],
             _ => self.ends[0] + (self.ends[1] - self.ends[0]) * cell as f64 / last as f64,
         };
-        let mut keys = vec![self.ends[0]];
+        let mut keys = vec![0];
         let (mut from, mut step) = (0, 1);
         while from < last {
             step = self.longest_step(from, step, tolerance);
             from += step;
-            keys.push(fraction(from));
+            keys.push(from);
         }
-        keys
+        // What is left for the last step may be so short that readers take its two keys for one.
+        if let [.., before, inner, _] = keys[..] {
+            let middle = usize::midpoint(before, last);
+            if self.fits(before, middle, tolerance) && self.fits(middle, last, tolerance) && middle < inner {
+                let at = keys.len() - 2;
+                keys[at] = middle;
+            }
+        }
+        keys.into_iter().map(fraction).collect()
     }
 
     /// The longest step that fits, found from one that was so before.

@@ -9,8 +9,9 @@ use crate::keyframe::{Animation, Easing, Keyframe, PlayRange, to_f64};
 use crate::pose::RbtIndex;
 use crate::scene::{Channel, NodeKind, SceneGraph, Tracks};
 
-/// The shortest time in which a jump is written: two keys of one time are not allowed.
-const JUMP_SECONDS: f64 = 1.0 / 65536.0;
+/// The shortest time in which a jump is written. Two keys of one time are not allowed, and Blender makes one of keys that are closer than
+/// 1/100 of its frames.
+const JUMP_SECONDS: f64 = 1.0 / 1024.0;
 /// What counts as a jump, in components of quaternions and in scene units.
 const SMALLEST_JUMP: f64 = 1e-6;
 /// A fraction of a span in which nothing moves by more than a jump, unless it jumps.
@@ -172,6 +173,15 @@ impl Motion {
         let after = self.spans.partition_point(|span| span.seconds[0] <= seconds);
         let Some(span) = after.checked_sub(1).map(|index| &self.spans[index]) else { return self.first };
         span.value(self.property, ((seconds - span.seconds[0]) / span.length()).min(1.0))
+    }
+
+    /// From when to when in seconds it jumps.
+    pub fn jumps(&self) -> impl Iterator<Item = [f64; 2]> + '_ {
+        self.spans.iter().flat_map(|span| {
+            let [start, end] = span.smooth(self.property).map(|fraction| span.seconds[0] + fraction * span.length());
+            let jumps = [[span.seconds[0], start], [end, span.seconds[1]]];
+            jumps.into_iter().filter(|[from, to]| from < to)
+        })
     }
 
     /// Whether it has one value at all times.
