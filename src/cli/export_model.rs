@@ -14,7 +14,7 @@ use crate::interchange::gltf_out::{self, Export};
 use crate::keyframe::Animation;
 use crate::scene::SceneGraph;
 use crate::storage::{self, input_name, output_name};
-use crate::words::{one_of, texts};
+use crate::words::{one_of, quoted, texts};
 
 /// Writes the file, and prints the report.
 ///
@@ -23,8 +23,12 @@ use crate::words::{one_of, texts};
 pub fn run(arguments: &ExportArguments, common: Common<'_>) -> Result<(), CliError> {
     let output = &arguments.output;
     let format = format_of(arguments)?;
-    if let (ModelFormat::Bvh, Some(option)) = (format, arguments.only_gltf()) {
-        return Err(misuse(&texts::model_only_of(option, "glTF").to_string()));
+    let misplaced = match format {
+        ModelFormat::Bvh => arguments.only_gltf().map(|option| texts::model_only_of(option, "glTF")),
+        ModelFormat::Glb | ModelFormat::Gltf => arguments.only_bvh().map(|option| texts::model_only_of(option, "BVH")),
+    };
+    if let Some(sentence) = misplaced {
+        return Err(misuse(&sentence.to_string()));
     }
     let places = Places::with_scene(common.scene);
     let places = arguments.file.iter().fold(places, |places, file| places.reads("FILE", file));
@@ -43,7 +47,11 @@ pub fn run(arguments: &ExportArguments, common: Common<'_>) -> Result<(), CliErr
     let notes = match format {
         ModelFormat::Bvh => {
             let fps = arguments.fps.unwrap_or(DEFAULT_FRAMES_PER_SECOND);
-            let text = BvhText::new(&scene, animation.as_ref(), fps);
+            let top = arguments.node.as_deref().map(|path| {
+                let problem = || CliError::bad_input(scene.name(), texts::retarget_no_node(quoted(path)));
+                scene.find_rbt(path).ok_or_else(problem)
+            });
+            let text = BvhText::new(&scene, animation.as_ref(), top.transpose()?, fps);
             let text = text.map_err(|problem| CliError::bad_input(&name, problem))?;
             storage::write_with(output, |out| text.write(out)).map_err(|reason| CliError::unwritten(output, reason))?;
             text.notes()

@@ -45,6 +45,9 @@ pub struct ExportArguments {
     /// glTF: leave the shapes out.
     #[arg(long)]
     pub no_meshes: bool,
+    /// BVH: write only this RBT node and those below it, as one skeleton.
+    #[arg(long, value_name = "PATH")]
+    pub node: Option<String>,
     /// Frames a second, 1 to 1000: in glTF a key for each, in place of a tolerance [default: as the tolerance needs; 60 in BVH].
     #[arg(long, value_name = "N", conflicts_with = "tolerance", value_parser = clap::value_parser!(u32).range(1..=1000))]
     pub fps: Option<u32>,
@@ -87,6 +90,11 @@ impl ExportArguments {
             (self.no_meshes, "--no-meshes"),
         ];
         given.into_iter().find_map(|(is_given, name)| is_given.then_some(name))
+    }
+
+    /// The same of BVH.
+    pub fn only_bvh(&self) -> Option<&'static str> {
+        self.node.is_some().then_some("--node")
     }
 }
 

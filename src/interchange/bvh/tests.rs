@@ -251,7 +251,7 @@ fn poses(animation: &Animation, fps: u32, frames: usize) -> Vec<Pose> {
 }
 
 fn written(scene: &SceneGraph, animation: Option<&Animation>, fps: u32) -> (String, Vec<String>) {
-    let text = BvhText::new(scene, animation, fps).unwrap();
+    let text = BvhText::new(scene, animation, None, fps).unwrap();
     let mut bytes = Vec::new();
     text.write(&mut bytes).unwrap();
     (String::from_utf8(bytes).unwrap(), text.notes().iter().map(ToString::to_string).collect())
@@ -282,6 +282,18 @@ fn what_is_written_reads_back_with_the_same_poses() {
             }
         }
     }
+}
+
+#[test]
+fn one_skeleton_of_several_is_written_alone() {
+    let scene = built_in_scene("two-robots").unwrap();
+    let text = BvhText::new(&scene, None, scene.find_rbt("robot2"), 60).unwrap();
+    let mut bytes = Vec::new();
+    text.write(&mut bytes).unwrap();
+    let capture = read_bvh(&bytes).unwrap();
+    assert_eq!((capture.joint_count(), capture.joints[0].name.as_str()), (10, "robot2"));
+    assert_eq!(capture.locals(Some(0))[0].translation, DVec3::new(2.0, 1.0, 0.0));
+    assert_eq!(text.notes().len(), 2, "one root is no reason for a note");
 }
 
 #[test]
@@ -319,7 +331,7 @@ fn scales_are_part_of_positions_and_shears_are_refused() {
     assert!(text.ends_with("MOTION\nFrames: 1\nFrame Time: 0.016666666666666666\n0 0 0 0 0 0 0 0 0\n"), "{text}");
     assert_eq!(notes[1], "shapes, colours and eyes are left out: the format has joints alone");
     let sheared = scene(r#"{"name": "b", "rotation": {"euler_degrees": [0, 0, 40]}}"#);
-    let said = BvhText::new(&sheared, None, 60).map(|_| ()).unwrap_err().to_string();
+    let said = BvhText::new(&sheared, None, None, 60).map(|_| ()).unwrap_err().to_string();
     assert_eq!(said, "node a/b: scales above it turn its axes out of square, which the format cannot say");
 }
 

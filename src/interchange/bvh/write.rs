@@ -25,7 +25,10 @@ pub struct BvhText<'a> {
     animation: Option<(PlayRange<'a>, Interpolation, u32)>,
     fps: u32,
     frames: usize,
-    parents: Vec<Option<RbtIndex>>,
+    /// The nodes that are joints, parents first.
+    joints: Vec<RbtIndex>,
+    /// For each joint the joint above it.
+    parents: Vec<Option<usize>>,
     /// From its parent, at rest, in the space of the parent without its scale.
     offsets: Vec<DVec3>,
     /// Whether a joint has positions of its own.
@@ -33,11 +36,17 @@ pub struct BvhText<'a> {
 }
 
 impl<'a> BvhText<'a> {
-    /// The file's content. `fps`: frames a second, at least 1. Scales of control nodes become part of the positions.
+    /// The file's content. `top`: only this node and those below it are joints. `fps`: frames a second, at least 1. Scales of control
+    /// nodes become part of the positions.
     ///
     /// # Errors
     /// Too few keyframes, or a node that scales shear, as a sentence.
-    pub fn new(scene: &'a SceneGraph, animation: Option<&'a Animation>, fps: u32) -> Result<Self, Message> {
+    pub fn new(
+        scene: &'a SceneGraph,
+        animation: Option<&'a Animation>,
+        top: Option<RbtIndex>,
+        fps: u32,
+    ) -> Result<Self, Message> {
         let animation = animation.map(|animation| {
             let range = PlayRange::new(&animation.keyframes).map_err(|error: SampleError| error.message())?;
             Ok::<_, Message>((range, animation.interpolation, animation.ms_between_keyframes))
@@ -48,21 +57,17 @@ impl<'a> BvhText<'a> {
             // The last frame is not before the end.
             (seconds * whole(fps as usize)).ceil().to_integer().to_usize().unwrap_or(usize::MAX - 1) + 1
         });
-        let parent = |rbt| scene.limb_nodes(rbt).upper;
-        let mut text = Self {
-            scene,
-            animation,
-            fps,
-            frames,
-            parents: scene.rbt_indices().map(parent).collect(),
-            offsets: Vec::new(),
-            moves: scene.rbt_indices().map(|rbt| parent(rbt).is_none()).collect(),
-        };
+        let is_joint = |rbt: &RbtIndex| top.is_none_or(|top| *rbt == top || scene.is_above(top, *rbt));
+        let joints: Vec<RbtIndex> = scene.rbt_indices().filter(is_joint).collect();
+        let parent = |&rbt: &RbtIndex| joints.binary_search(&scene.limb_nodes(rbt).upper?).ok();
+        let parents: Vec<Option<usize>> = joints.iter().map(parent).collect();
+        let moves = parents.iter().map(Option::is_none).collect();
+        let mut text = Self { scene, animation, fps, frames, joints, parents, offsets: Vec::new(), moves };
         text.offsets = text.locals_of(scene.rest_pose(), 0.0)?.iter().map(|local| local.translation).collect();
         let size = text.offsets.iter().map(|offset| offset.length()).fold(1e-3, f64::max);
         for frame in 0..frames {
-            for (rbt, local) in text.locals(frame)?.iter().enumerate() {
-                text.moves[rbt] |= local.translation.distance(text.offsets[rbt]) > STILL * size;
+            for (joint, local) in text.locals(frame)?.iter().enumerate() {
+                text.moves[joint] |= local.translation.distance(text.offsets[joint]) > STILL * size;
             }
         }
         Ok(text)
@@ -81,13 +86,16 @@ impl<'a> BvhText<'a> {
         if roots > 1 {
             notes.push(texts::bvh_roots(roots));
         }
-        let is_moving = |rbt: &RbtIndex| self.moves[rbt.get()] && self.parents[rbt.get()].is_some();
-        let moving: Vec<&str> =
-            self.scene.rbt_indices().filter(is_moving).map(|rbt| self.scene.rbt_path(rbt)).collect();
+        let is_moving = |&joint: &usize| self.moves[joint] && self.parents[joint].is_some();
+        let moving: Vec<&str> = (0..self.joints.len()).filter(is_moving).map(|joint| self.path(joint)).collect();
         if !moving.is_empty() {
             notes.push(texts::bvh_moving(moving.join(", ")));
         }
         notes
+    }
+
+    fn path(&self, joint: usize) -> &'a str {
+        self.scene.rbt_path(self.joints[joint])
     }
 
     /// Writes the text.
@@ -102,12 +110,12 @@ impl<'a> BvhText<'a> {
         for frame in 0..self.frames {
             let locals = self.locals(frame).map_err(|error| io::Error::other(error.to_string()))?;
             let mut numbers = Vec::with_capacity(6 * locals.len());
-            for (rbt, local) in locals.iter().enumerate() {
-                if self.moves[rbt] {
+            for (joint, local) in locals.iter().enumerate() {
+                if self.moves[joint] {
                     numbers.extend(local.translation.to_array());
                 }
-                angles[rbt] = nearest_angles(local.rotation, angles[rbt]);
-                numbers.extend(angles[rbt]);
+                angles[joint] = nearest_angles(local.rotation, angles[joint]);
+                numbers.extend(angles[joint]);
             }
             for (index, &number) in numbers.iter().enumerate() {
                 text.push_str(if index == 0 { "" } else { " " });
@@ -122,32 +130,31 @@ impl<'a> BvhText<'a> {
 
     /// The joints. Roots have no offset: their positions are in the frames, where all programs read them alike.
     fn push_tree(&self, text: &mut String) {
-        let mut open: Vec<RbtIndex> = Vec::new();
+        let mut open: Vec<usize> = Vec::new();
         let mut has_child = vec![false; self.parents.len()];
         for parent in self.parents.iter().flatten() {
-            has_child[parent.get()] = true;
+            has_child[*parent] = true;
         }
         let indent = |text: &mut String, depth: usize| text.extend(std::iter::repeat_n('\t', depth));
-        let close = |text: &mut String, open: &mut Vec<RbtIndex>| {
+        let close = |text: &mut String, open: &mut Vec<usize>| {
             open.pop();
             indent(text, open.len());
             text.push_str("}\n");
         };
-        for rbt in self.scene.rbt_indices() {
-            let parent = self.parents[rbt.get()];
+        for (joint, &parent) in self.parents.iter().enumerate() {
             while open.last().copied() != parent {
                 close(text, &mut open);
             }
             let depth = open.len();
-            let name = &self.scene.node(self.scene.rbt_node(rbt)).name;
+            let name = &self.scene.node(self.scene.rbt_node(self.joints[joint])).name;
             indent(text, depth);
             let _ = writeln!(text, "{} {}", if parent.is_some() { "JOINT" } else { "ROOT" }, plain(name));
             indent(text, depth);
             text.push_str("{\n");
-            self.push_joint(text, rbt, depth + 1);
-            open.push(rbt);
-            if !has_child[rbt.get()] {
-                let end = self.scene.limb_end(rbt, 0.0).unwrap_or_default().as_dvec3();
+            self.push_joint(text, joint, depth + 1);
+            open.push(joint);
+            if !has_child[joint] {
+                let end = self.scene.limb_end(self.joints[joint], 0.0).unwrap_or_default().as_dvec3();
                 for line in ["End Site", "{"] {
                     indent(text, depth + 1);
                     text.push_str(line);
@@ -163,11 +170,11 @@ impl<'a> BvhText<'a> {
         }
     }
 
-    fn push_joint(&self, text: &mut String, rbt: RbtIndex, depth: usize) {
-        let is_root = self.parents[rbt.get()].is_none();
-        push_offset(text, if is_root { DVec3::ZERO } else { self.offsets[rbt.get()] }, depth);
+    fn push_joint(&self, text: &mut String, joint: usize, depth: usize) {
+        let is_root = self.parents[joint].is_none();
+        push_offset(text, if is_root { DVec3::ZERO } else { self.offsets[joint] }, depth);
         text.extend(std::iter::repeat_n('\t', depth));
-        text.push_str(if self.moves[rbt.get()] {
+        text.push_str(if self.moves[joint] {
             "CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation\n"
         } else {
             "CHANNELS 3 Zrotation Xrotation Yrotation\n"
@@ -191,14 +198,14 @@ impl<'a> BvhText<'a> {
         let world_from_node = self.scene.world_from_nodes_with(seconds, |rbt| pose.get(rbt).to_affine());
         let mut world_from_joint: Vec<Rigid> = Vec::with_capacity(self.parents.len());
         let mut locals = Vec::with_capacity(self.parents.len());
-        for rbt in self.scene.rbt_indices() {
+        for (joint, &rbt) in self.joints.iter().enumerate() {
             let node = self.scene.rbt_node(rbt);
-            let sheared = || texts::bvh_sheared(self.scene.rbt_path(rbt));
+            let sheared = || texts::bvh_sheared(self.path(joint));
             let world = rigid(&world_from_node[node.get()]).ok_or_else(sheared)?;
-            locals.push(match self.parents[rbt.get()] {
+            locals.push(match self.parents[joint] {
                 None => world,
                 Some(parent) => {
-                    let above: Rigid = world_from_joint[parent.get()];
+                    let above: Rigid = world_from_joint[parent];
                     let back = above.rotation.conjugate();
                     Rigid {
                         translation: back * (world.translation - above.translation),
