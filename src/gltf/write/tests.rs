@@ -1,3 +1,5 @@
+//! Files that are written, read back by nothing but their JSON and their bytes.
+
 use std::sync::Arc;
 
 use glam::{Affine3A, Quat, Vec2, Vec3, Vec4};
