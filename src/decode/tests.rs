@@ -96,13 +96,13 @@ fn shapes_and_values_of_scenes_are_named() {
         let sentence = scene_from_json(&text).unwrap_err().to_string();
         assert!(sentence.contains(expected), "{sentence}");
     };
-    let shape = r#"expected a shape: { "box": … }, or sphere, cylinder, cone, capsule or plane in place of box"#;
+    let shape = r#"expected a shape: { "box": … }, or sphere, cylinder, cone, capsule, plane or mesh in place of box"#;
     refused(r#""shape": 5"#, &format!("found 5, {shape}"));
     refused(r#""shape": "sphere""#, &format!("found the text \"sphere\", {shape}"));
     refused(r#""shape": {}"#, shape);
     refused(
         r#""shape": {"ball": {}}"#,
-        r#"unknown field "ball", expected box, sphere, cylinder, cone, capsule or plane"#,
+        r#"unknown field "ball", expected box, sphere, cylinder, cone, capsule, plane or mesh"#,
     );
     refused(r#""shape": {"sphere": {"radius": 1}, "box": {}}"#, "expected one shape");
     refused(r#""shape": {"sphere": 1}"#, "found 1, expected an object");

@@ -12,10 +12,10 @@ use crate::render::detail::Detail;
 use crate::render::gpu::{Gpu, GpuError};
 use crate::render::instances::{INSTANCES_START, Instance, Packed};
 use crate::render::mesh::{Vertex, geometry};
-use crate::render::pipelines::{DEPTH_FORMAT, Form, material_layout, surface_buffer};
+use crate::render::pipelines::{DEPTH_FORMAT, Form};
 use crate::render::renderer::Viewport;
 use crate::render::shaders::{self, Source, Variant};
-use crate::render::triangles::{MeshCache, MeshForm, Skinning, Skins};
+use crate::render::triangles::{MeshCache, MeshForm, Skinning, Skins, material_layout, surface_buffer};
 use crate::render::uniforms::Globals;
 
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R32Uint;

@@ -2,11 +2,12 @@
 
 mod cache;
 mod draws;
+mod layouts;
 mod mips;
 mod skins;
 mod surface;
 
 pub use cache::{MeshCache, MeshForm};
 pub use draws::{TriangleDraw, TriangleDraws};
+pub use layouts::{joints_layout, material_layout, surface_buffer, weights_buffer};
 pub use skins::{JointRows, Skinning, Skins};
-pub use surface::SurfaceVertex;

@@ -4,10 +4,13 @@ use std::io::{Cursor, Write as _};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use glam::{Affine3A, Vec2, Vec3, Vec4};
 use inbetween::editor::{Command, Editor, FileAccess, FileCommand};
+use inbetween::gltf::data_uri;
 use inbetween::interpolation::Interpolation;
 use inbetween::journal::Writer;
 use inbetween::keyframe::{Keyframe, KeyframeList, keyframes_to_json};
+use inbetween::model::{Material, MeshLibrary, Skin, TriangleMesh};
 use inbetween::picture::Image;
 use inbetween::scene::{built_in_scene, built_in_scene_names, scene_to_json};
 use inbetween::script::{self, Action};
@@ -127,7 +130,31 @@ def main(camera):
 
 pub fn scenes() -> Vec<Vec<u8>> {
     let built_in = built_in_scene_names().filter_map(built_in_scene).map(|scene| scene_to_json(&scene).into_bytes());
-    built_in.chain([SCENE.as_bytes().to_vec()]).collect()
+    built_in.chain([SCENE.as_bytes().to_vec(), mesh_scene().into_bytes()]).collect()
+}
+
+/// A scene with a mesh of one triangle that two joints move.
+fn mesh_scene() -> String {
+    let triangle = TriangleMesh {
+        name: "triangle".to_owned(),
+        positions: vec![Vec3::new(-1.0, -1.0, 0.0), Vec3::new(1.0, -1.0, 0.0), Vec3::new(0.0, 1.0, 0.0)],
+        normals: vec![Vec3::Z; 3],
+        colours: vec![Vec4::ONE; 3],
+        texture_coordinates: vec![Vec2::ZERO, Vec2::X, Vec2::Y],
+        indices: vec![0, 1, 2],
+        material: Material { alpha_cutoff: Some(0.5), ..Material::default() },
+        skin: Some(Skin {
+            joints: vec![[0, 1, 0, 0]; 3],
+            weights: vec![[0.25, 0.75, 0.0, 0.0]; 3],
+            joint_from_shape: vec![Affine3A::IDENTITY; 2],
+        }),
+    };
+    let uri = data_uri("model/gltf-binary", &MeshLibrary::to_glb(&[triangle]));
+    format!(
+        r#"{{"format": "inbetween.scene", "version": 3, "name": "mesh", "eyes": ["sky"], "meshes": "{uri}", "nodes": [
+        {{"name": "sky", "children": [{{"name": "a", "control": {{}}, "children": []}}]}},
+        {{"name": "skin", "shape": {{"mesh": {{"name": "triangle", "joints": ["sky", "sky/a"]}}}}}}]}}"#
+    )
 }
 
 pub fn settings() -> Vec<Vec<u8>> {

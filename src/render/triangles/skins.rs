@@ -1,7 +1,11 @@
 //! What joints make of the vertices of skins.
 //!
 //! A driver that draws on the processor runs vertex shaders on one thread, and again for each pass. So the processor moves the vertices
-//! there, once a picture, by wide instructions; a GPU does it itself, from a texture with the joints' matrices.
+//! there, once a picture, by wide instructions; a GPU does it itself, from a texture with the joints' matrices, and takes one draw call
+//! for all instances of a mesh.
+//!
+//! `cargo bench --bench skins` measures both. A picture of 65,000 triangles with 60 joints at 1280x720, with their shadow, takes llvmpipe
+//! 54 ms on all threads together if the processor moves the vertices, 57 ms if the vertex shader does; ten of them take 275 and 284 ms.
 
 use std::collections::HashMap;
 use std::sync::Arc;

@@ -158,8 +158,8 @@ impl Solid for MeshShape {
         None
     }
 
-    fn check(&self, _: NodeChecks<'_>) -> Result<(), SceneError> {
-        Ok(())
+    fn check(&self, checks: NodeChecks<'_>) -> Result<(), SceneError> {
+        checks.coordinates("shape.mesh", self.measures.half_extents).map(|_| ())
     }
 
     fn half_extents(&self) -> Vec3 {
