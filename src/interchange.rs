@@ -7,3 +7,6 @@ pub mod figure;
 pub mod gltf_out;
 pub mod reduce;
 pub mod retarget;
+
+/// The most nodes times poses of a dense animation: some hundred megabytes.
+const MOST_NODE_POSES: usize = 1 << 23;

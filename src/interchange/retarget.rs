@@ -15,6 +15,7 @@ use glam::{DVec3, Vec3};
 use num_rational::BigRational;
 use num_traits::FromPrimitive as _;
 
+use super::MOST_NODE_POSES;
 use super::reduce::{Choice, LONGEST_SECONDS, Reduced, Samples, Tolerance, Watched, reduced_watching};
 use crate::interpolation::Interpolation;
 use crate::keyframe::{Animation, PlayRange, to_f64};
@@ -65,8 +66,12 @@ pub struct RetargetedKeyframes {
 /// Gives the source's motion to the mapped nodes of a scene. All others keep their rest pose.
 ///
 /// # Errors
-/// The map does not fit the scenes, as a sentence.
+/// The map does not fit the scenes, or there are too many samples, as a sentence.
 pub fn retargeted(source: Source<'_>, target: &SceneGraph, map: &RetargetMap) -> Result<Retargeted, Message> {
+    let (frames, nodes) = (source.samples.len(), target.rbt_count());
+    if frames.saturating_mul(nodes) > MOST_NODE_POSES {
+        return Err(texts::bvh_too_many_frames(frames, nodes, MOST_NODE_POSES));
+    }
     let pairs = Pairs::of(map, source.scene, target)?;
     let motion = motion::Motion::of(source, target, &pairs);
     let (samples, plants) = feet::stood(&motion, &pairs);
@@ -129,8 +134,6 @@ impl Retargeted {
 
 /// How often an animation is sampled, in frames a second.
 const FRAMES_A_SECOND: f64 = 60.0;
-/// The most nodes times samples.
-const MOST_NODE_SAMPLES: f64 = 8_388_608.0;
 
 /// The poses of an animation of a scene, 60 a second.
 ///
@@ -141,7 +144,7 @@ pub fn sampled(scene: &SceneGraph, animation: &Animation) -> Result<Samples, Mes
     let unit = f64::from(animation.ms_between_keyframes) / 1000.0;
     let seconds = to_f64(&range.timing().total()) * unit;
     #[expect(clippy::cast_precision_loss, reason = "no scene has 2^52 nodes")]
-    let most = (MOST_NODE_SAMPLES / scene.rbt_count() as f64 / FRAMES_A_SECOND).min(LONGEST_SECONDS);
+    let most = (MOST_NODE_POSES as f64 / scene.rbt_count() as f64 / FRAMES_A_SECOND).min(LONGEST_SECONDS);
     if seconds > most {
         return Err(texts::reduced_too_long(format!("{seconds}"), format!("{most:.0}")));
     }

@@ -1,6 +1,7 @@
 //! Reads BVH: words up to `MOTION`, lines after it.
 
 use super::{BvhError, Capture, CapturedJoint, Channel};
+use crate::interchange::MOST_NODE_POSES;
 use crate::text::without_byte_order_mark;
 use crate::words::{Argument, Message, quoted, texts};
 
@@ -12,8 +13,6 @@ pub const LARGEST_BVH_BYTES: u64 = 256 << 20;
 const MOST_JOINTS: usize = 4096;
 /// The most levels of joints: a scene has room for them and for what they carry.
 const MOST_DEPTH: usize = 250;
-/// The most joints times frames.
-const MOST_JOINT_FRAMES: usize = 1 << 23;
 /// The longest name that is kept, in characters.
 const LONGEST_NAME: usize = 64;
 /// The seconds from a frame to the next.
@@ -222,9 +221,9 @@ fn motion(joints: Vec<CapturedJoint>, words: &Words<'_>) -> Result<Capture, BvhE
     }
     let frame_seconds = if is_in_range { seconds } else { 1.0 };
     let width: usize = joints.iter().map(|joint| joint.channels.len()).sum();
-    let most_frames = MOST_JOINT_FRAMES / joints.len();
+    let most_frames = MOST_NODE_POSES / joints.len();
     let too_many = |line, frames: usize| {
-        let problem = texts::bvh_too_many_frames(frames, joints.len(), MOST_JOINT_FRAMES);
+        let problem = texts::bvh_too_many_frames(frames, joints.len(), MOST_NODE_POSES);
         BvhError { line, problem }
     };
     let mut values = Vec::new();

@@ -1,3 +1,5 @@
+//! Small captures in, scenes and sentences out; scenes out and in again.
+
 use glam::{EulerRot, Quat, Vec3};
 
 use super::*;

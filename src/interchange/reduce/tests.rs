@@ -1,3 +1,5 @@
+//! Dense animations with known shapes, reduced and played again.
+
 use glam::Quat;
 
 use super::*;

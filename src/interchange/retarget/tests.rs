@@ -1,3 +1,5 @@
+//! A walker that the tests make, onto a robot; and maps, right and wrong.
+
 use std::f64::consts::PI;
 use std::fmt::Write as _;
 
