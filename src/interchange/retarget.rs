@@ -29,6 +29,9 @@ pub use map::{LARGEST_MAP_BYTES, MapError, RetargetMap};
 
 use map::Pairs;
 
+/// The longest time between samples, in seconds: a foot must not go on between two.
+const LONGEST_STEP: f64 = 0.02;
+
 /// How far a foot that stands may be off in the keyframes, in parts of the leg's length.
 const STANDS: f32 = 0.002;
 
@@ -57,7 +60,7 @@ pub struct Retargeted {
 pub struct RetargetedKeyframes {
     /// The keyframes.
     pub reduced: Reduced,
-    /// One for each foot.
+    /// One for each foot that stands at times.
     pub feet: Vec<Standing>,
     /// What was done: a sentence each.
     pub notes: Vec<Message>,
@@ -68,11 +71,15 @@ pub struct RetargetedKeyframes {
 /// # Errors
 /// The map does not fit the scenes, or there are too many samples, as a sentence.
 pub fn retargeted(source: Source<'_>, target: &SceneGraph, map: &RetargetMap) -> Result<Retargeted, Message> {
-    let (frames, nodes) = (source.samples.len(), target.rbt_count());
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a number of samples")]
+    let finer = (source.samples.duration() / LONGEST_STEP) as usize;
+    let (frames, nodes) = (source.samples.len() + finer, target.rbt_count());
     if frames.saturating_mul(nodes) > MOST_NODE_POSES {
         return Err(texts::bvh_too_many_frames(frames, nodes, MOST_NODE_POSES));
     }
     let pairs = Pairs::of(map, source.scene, target)?;
+    let samples = source.samples.at_least_every(LONGEST_STEP);
+    let source = Source { samples: &samples, ..source };
     let motion = motion::Motion::of(source, target, &pairs);
     let (samples, plants) = feet::stood(&motion, &pairs);
     if let Some(node) = samples.poses().iter().flat_map(Pose::iter).position(|rbt| !rbt.is_in_bounds()) {
@@ -88,6 +95,8 @@ pub fn retargeted(source: Source<'_>, target: &SceneGraph, map: &RetargetMap) ->
         .planted
         .iter()
         .zip(&pairs.feet)
+        // One that is never planted flies or slides all the time.
+        .filter(|(planted, _)| planted.contains(&true))
         .map(|(planted, foot)| {
             #[expect(clippy::cast_possible_truncation, reason = "poses are f32")]
             let most = STANDS * foot.length as f32;

@@ -123,6 +123,24 @@ impl Samples {
         between(&self.poses[after - 1], &self.poses[after], (seconds - start) / (end - start))
     }
 
+    /// The same samples, and more of them where two are farther apart than `longest` seconds.
+    #[must_use]
+    pub fn at_least_every(&self, longest: f64) -> Self {
+        let mut finer = Self { seconds: vec![self.seconds[0]], poses: vec![self.poses[0].clone()] };
+        for (times, poses) in self.seconds.windows(2).zip(self.poses.windows(2)) {
+            let parts = ((times[1] - times[0]) / longest).ceil();
+            let mut part = 1.0;
+            while part < parts {
+                finer.seconds.push(times[0] + (times[1] - times[0]) * part / parts);
+                finer.poses.push(between(&poses[0], &poses[1], part / parts));
+                part += 1.0;
+            }
+            finer.seconds.push(times[1]);
+            finer.poses.push(poses[1].clone());
+        }
+        finer
+    }
+
     /// The same animation with so many samples a second, and one at the end. `fps`: above 0.
     #[must_use]
     pub fn every(&self, fps: f64) -> Self {

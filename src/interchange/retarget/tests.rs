@@ -261,8 +261,8 @@ fn a_dragged_foot_is_lifted_before_it_moves() {
         assert!(pair[0].distance(pair[1]) < 0.3, "{pair:?}");
     }
     assert!(way.ends[299].xz().distance(natural[299].xz()) < 0.02);
-    // One that never stands is lifted all the time.
+    // One that never stands goes its way.
     let sliding: Vec<DVec3> = seconds.iter().map(|&at| DVec3::new(3.0 * at, 0.0, 0.0)).collect();
     let way = FootWay::of(&sliding, &seconds, 0.0, leg);
-    assert!(!way.planted.contains(&true) && way.ends.iter().all(|end| end.y > 0.02 * leg));
+    assert!(!way.planted.contains(&true) && way.ends == sliding);
 }

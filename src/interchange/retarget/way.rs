@@ -182,6 +182,7 @@ impl Natural<'_> {
             lift = f64::min(lift, smooth(time / step));
             place = stance.place.lerp(place, smooth(time / step - 1.0));
         }
-        (place, natural.y.max(lift * low))
+        // A foot that never stands has no ground over which it could be lifted.
+        (place, if stances.is_empty() { natural.y } else { natural.y.max(lift * low) })
     }
 }
