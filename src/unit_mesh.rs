@@ -62,6 +62,7 @@ pub struct Geometry {
 }
 
 /// All meshes, computed once per process.
+#[must_use]
 pub fn geometry() -> &'static Geometry {
     static GEOMETRY: LazyLock<Geometry> = LazyLock::new(|| {
         let mut geometry = Geometry::default();

@@ -72,7 +72,7 @@ impl Writer {
 
     /// Points of vertices, with their bounds.
     pub fn positions(&mut self, values: &[Vec3]) -> Index {
-        self.bounded(Purpose::Vertices, Form::floats("VEC3"), values, |value| value.to_array())
+        self.bounded(Purpose::Vertices, Form::floats("VEC3"), values, Vec3::to_array)
     }
 
     /// Vectors of vertices.

@@ -99,7 +99,7 @@ fn prepare_ahead() {
     // Without a thread it is done when it is needed.
     let _ = thread::Builder::new().name("prepare".to_owned()).spawn(|| {
         shaders::parse_usual();
-        mesh::geometry();
+        let _ = mesh::geometry();
     });
 }
 

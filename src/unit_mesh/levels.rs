@@ -42,11 +42,13 @@ impl Level {
     }
 
     /// The finest mesh of a kind.
+    #[must_use]
     pub fn finest(kind: MeshKind) -> Self {
         LEVELS[LEVELS_OF_KIND[kind as usize].0]
     }
 
     /// Half extents and rounding of the instance for a shape's half extents and rounding.
+    #[must_use]
     pub fn fitted(self, half_extents: Vec3, rounding: f32) -> (Vec3, f32) {
         let fitted = rounding * self.radius;
         match self.kind {

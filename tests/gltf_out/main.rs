@@ -26,28 +26,28 @@ fn known(name: &str, scene: &SceneGraph) -> Animation {
     Animation::of(keyframes_from_json(known.text.as_bytes(), scene).unwrap(), None)
 }
 
+fn strip(value: &mut Value) {
+    match value {
+        Value::Object(fields) => {
+            fields.remove("extras");
+            fields.values_mut().for_each(strip);
+        }
+        Value::Array(items) => items.iter_mut().for_each(strip),
+        _ => {}
+    }
+}
+
 /// The file without what programs may drop.
 fn without_extras(file: &[u8]) -> Player {
     let container = inbetween::gltf::Container::of(file).unwrap();
     let mut root: Value = serde_json::from_slice(container.json).unwrap();
-    fn strip(value: &mut Value) {
-        match value {
-            Value::Object(fields) => {
-                fields.remove("extras");
-                fields.values_mut().for_each(strip);
-            }
-            Value::Array(items) => items.iter_mut().for_each(strip),
-            _ => {}
-        }
-    }
     strip(&mut root);
-    let root: json::Root = serde_json::from_value(root).unwrap();
-    Player::new(root, container.binary.unwrap_or_default())
+    Player::new(serde_json::from_value(root).unwrap(), container.binary.unwrap_or_default())
 }
 
 /// The largest angle in degrees between the axes of two matrices, and the distance of their origins.
 fn off(a: DMat4, b: DMat4) -> (f64, f64) {
-    let axis = |matrix: DMat4, axis| DVec3::from(matrix.col(axis).truncate()).normalize();
+    let axis = |matrix: DMat4, axis| matrix.col(axis).truncate().normalize();
     let angle = (0..3).map(|at| 2.0 * (0.5 * axis(a, at).distance(axis(b, at))).min(1.0).asin()).fold(0.0, f64::max);
     (angle.to_degrees(), a.w_axis.distance(b.w_axis))
 }

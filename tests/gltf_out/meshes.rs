@@ -96,7 +96,7 @@ fn meshes_have_their_names_and_materials_and_the_colour_of_the_shape() {
     let [red, green, blue, opacity] = metallic.base_color_factor.unwrap();
     assert_eq!((red, blue, opacity), (1.0, 0.0, 1.0));
     assert!((green - 0.2158).abs() < 1e-3, "#80 in linear light: {green}");
-    assert_eq!(DVec3::from(glam::Vec3::from(node("plate").scale.unwrap()).as_dvec3()), DVec3::new(2.0, 1.0, 1.0));
+    assert_eq!(Vec3::from(node("plate").scale.unwrap()).as_dvec3(), DVec3::new(2.0, 1.0, 1.0));
     let extras = &node("skin").extras.as_ref().unwrap()["inbetween"];
     assert_eq!(extras["shape"], json!({"mesh": {"name": "bent", "joints": ["body/low", "body/high"]}}));
     assert_eq!(extras["path"], "body/low/skin");
