@@ -40,11 +40,11 @@ impl SkinVertices {
     pub fn new(mesh: &TriangleMesh, skin: &Skin) -> Self {
         let count = skin.joint_from_shape.len();
         let vertices = mesh.positions.iter().zip(&mesh.normals).zip(skin.joints.iter().zip(&skin.weights));
-        let vertex = |((&position, &normal), (&joints, &weights)): ((&Vec3, &Vec3), (&[u8; 4], &[f32; 4]))| {
+        let vertices = vertices.map(|((&position, &normal), (&joints, &weights))| {
             let joints = joints.map(|joint| if usize::from(joint) < count { joint } else { 0 });
             SkinVertex { position, normal, joints, weights }
-        };
-        Self(vertices.map(vertex).collect())
+        });
+        Self(vertices.collect())
     }
 
     /// How many there are.

@@ -58,7 +58,7 @@ pub(super) fn meshes_beside(scene: &Path) -> impl FnOnce(&str) -> Result<Vec<u8>
 /// # Errors
 /// [`FileError`]: a file cannot be written; the scene's file is then unchanged.
 pub fn save(scene: &SceneGraph, path: &Path) -> Result<Vec<PathBuf>, FileError> {
-    let failed = |path: &Path, error: StorageError| FileError::new(&storage::output_name(path), error);
+    let failed = |path: &Path, error: StorageError| FileError::new(storage::output_name(path), error);
     let SceneFiles { text, meshes } = SceneFiles::new(scene, path);
     let mut kept = Vec::new();
     let all = meshes.iter().map(|meshes| (&*meshes.path, &*meshes.glb)).chain([(path, text.as_bytes())]);

@@ -103,6 +103,13 @@ struct Recipe {
     blend: bool,
 }
 
+impl Recipe {
+    /// Whether it reads the surface of meshes of triangles, and their material.
+    const fn has_surface(&self) -> bool {
+        matches!(self.source, Source::Mesh | Source::Masked)
+    }
+}
+
 impl Kind {
     const fn is_shadow(self) -> bool {
         matches!(self, Self::Shadow | Self::LargeShadow)
@@ -304,6 +311,26 @@ impl Pipelines {
         })
     }
 
+    /// The bind groups of a pipeline.
+    fn layout(&self, device: &wgpu::Device, kind: Kind, form: Form, recipe: &Recipe) -> wgpu::PipelineLayout {
+        let second = match kind {
+            Kind::Shape | Kind::Plane => Some(&self.sun_map_layout),
+            Kind::Outline => Some(&self.mask_layout),
+            _ => None,
+        };
+        let groups = [
+            Some(&self.globals_layout),
+            second,
+            recipe.has_surface().then_some(&self.material_layout),
+            (form.corner() == Corner::Skin).then_some(&self.joints_layout),
+        ];
+        device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+            label: None,
+            bind_group_layouts: &groups[..groups.iter().rposition(Option::is_some).map_or(0, |last| last + 1)],
+            immediate_size: 0,
+        })
+    }
+
     fn make(
         &self,
         device: &wgpu::Device,
@@ -312,23 +339,8 @@ impl Pipelines {
         recipe: &Recipe,
         module: &wgpu::ShaderModule,
     ) -> wgpu::RenderPipeline {
-        let second = match kind {
-            Kind::Shape | Kind::Plane => Some(&self.sun_map_layout),
-            Kind::Outline => Some(&self.mask_layout),
-            _ => None,
-        };
-        let has_surface = matches!(recipe.source, Source::Mesh | Source::Masked);
-        let groups = [
-            Some(&self.globals_layout),
-            second,
-            has_surface.then_some(&self.material_layout),
-            (form.corner() == Corner::Skin).then_some(&self.joints_layout),
-        ];
-        let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-            label: None,
-            bind_group_layouts: &groups[..groups.iter().rposition(Option::is_some).map_or(0, |last| last + 1)],
-            immediate_size: 0,
-        });
+        let has_surface = recipe.has_surface();
+        let layout = self.layout(device, kind, form, recipe);
         let is_mask = matches!(kind, Kind::MaskAll | Kind::MaskVisible);
         let target = wgpu::ColorTargetState {
             format: if is_mask { MASK_FORMAT } else { self.target_format },
