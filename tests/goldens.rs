@@ -3,8 +3,8 @@
 //! `UPDATE_GOLDENS=1 cargo test --test goldens` takes what is drawn now. A missing golden fails. A failure writes what was drawn and the
 //! difference under `target/goldens/`.
 
-use std::fs;
-use std::path::{Path, PathBuf};
+#[path = "common/golden.rs"]
+mod golden;
 
 use glam::{Quat, Vec2, Vec3};
 use inbetween::camera::Camera;
@@ -15,6 +15,8 @@ use inbetween::pose::Pose;
 use inbetween::render::{Gpu, Image, Offscreen, Renderer};
 use inbetween::scene::{SceneGraph, built_in_scene};
 use inbetween::view::frame_of_scene;
+
+use golden::check_golden;
 
 const WIDTH: u16 = 320;
 const HEIGHT: u16 = 240;
@@ -65,49 +67,19 @@ fn cylinder(seconds: f64) -> Image {
     draw(&scene, scene.rest_pose(), seconds)
 }
 
-fn golden_path(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/goldens").join(format!("{name}.png"))
-}
-
-#[track_caller]
-fn check(name: &str, drawn: &Image) {
-    let path = golden_path(name);
-    if std::env::var_os("UPDATE_GOLDENS").is_some_and(|value| value == "1") {
-        fs::create_dir_all(path.parent().expect("it is in a folder")).expect("a folder");
-        fs::write(&path, drawn.to_png().expect("a PNG")).expect("a golden");
-        return;
-    }
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("../goldens");
-    fs::create_dir_all(&folder).expect("a folder");
-    let actual = folder.join(format!("{name}-actual.png"));
-    let keep = |path: &Path, image: &Image| fs::write(path, image.to_png().expect("a PNG")).expect("a file");
-    let Ok(golden) = fs::read(&path) else {
-        keep(&actual, drawn);
-        panic!("the golden {} is missing; {} was drawn", path.display(), actual.display());
-    };
-    let golden = Image::from_png(&golden).expect("a golden is a PNG");
-    let found = compare(&golden, drawn).expect("a golden has the picture's size");
-    if !found.scores().is_within(DEFAULT_TOLERANCE) {
-        let difference = folder.join(format!("{name}-difference.png"));
-        keep(&actual, drawn);
-        keep(&difference, &found.difference());
-        panic!("{name} scores {}: see {} and {}", found.scores().score, actual.display(), difference.display());
-    }
-}
-
 #[test]
 fn two_robots_at_rest() {
-    check("rest", &rest());
+    check_golden("rest", &rest());
 }
 
 #[test]
 fn the_cylinder_at_a_second_and_a_half() {
-    check("cylinder", &cylinder(1.5));
+    check_golden("cylinder", &cylinder(1.5));
 }
 
 #[test]
 fn two_robots_in_between() {
-    check("waving", &waving(0));
+    check_golden("waving", &waving(0));
 }
 
 #[test]

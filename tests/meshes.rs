@@ -2,6 +2,8 @@
 
 #[path = "meshes/files.rs"]
 mod files;
+#[path = "common/golden.rs"]
+mod golden;
 #[path = "meshes/models.rs"]
 mod models;
 #[path = "meshes/picking.rs"]

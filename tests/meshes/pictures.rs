@@ -1,8 +1,5 @@
 //! Pictures of meshes: against what they must look like, and against each other.
 
-use std::fs;
-use std::path::Path;
-
 use glam::Vec2;
 use inbetween::camera::Camera;
 use inbetween::flip::{DEFAULT_TOLERANCE, compare};
@@ -14,6 +11,7 @@ use inbetween::render::{Arrangement, Gpu, Image, Offscreen, Renderer, Skinning, 
 use inbetween::scene::SceneGraph;
 use inbetween::view::{Neighbours, add_ghosts, frame_of_scene};
 
+use super::golden::check_golden;
 use super::models::{add_square, ball, bar, bent, coloured, cube, empty, ring, scene, squares};
 
 const WIDTH: u32 = 320;
@@ -160,24 +158,6 @@ fn ghosts() -> Frame {
         item.outlined = path.starts_with("arm") || path.starts_with("leaf");
     }
     frame
-}
-
-#[track_caller]
-fn check_golden(name: &str, drawn: &Image) {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/goldens").join(format!("{name}.png"));
-    if std::env::var_os("UPDATE_GOLDENS").is_some_and(|value| value == "1") {
-        fs::write(&path, drawn.to_png().expect("a PNG")).expect("a golden");
-        return;
-    }
-    let golden = Image::from_png(&fs::read(&path).expect("the golden is there")).expect("a golden is a PNG");
-    let found = compare(&golden, drawn).expect("a golden has the picture's size");
-    if !found.scores().is_within(DEFAULT_TOLERANCE) {
-        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("../goldens");
-        fs::create_dir_all(&folder).expect("a folder");
-        let actual = folder.join(format!("{name}-actual.png"));
-        fs::write(&actual, drawn.to_png().expect("a PNG")).expect("a file");
-        panic!("{name} differs: {:?}; {} was drawn", found.scores(), actual.display());
-    }
 }
 
 #[test]
