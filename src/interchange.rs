@@ -4,6 +4,7 @@
 
 pub mod bvh;
 pub mod figure;
+pub mod gltf_in;
 pub mod gltf_out;
 pub mod reduce;
 pub mod retarget;

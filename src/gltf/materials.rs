@@ -8,7 +8,7 @@ use glam::{Mat2, Vec2, Vec3, Vec4};
 use image::{ImageDecoder, ImageFormat, ImageReader};
 use serde::Deserialize;
 
-use super::document::{Document, GltfError, ReadFile, UNDERSTOOD, bytes_of};
+use super::document::{Document, GltfError, MOST_BUFFER_BYTES, ReadFile, UNDERSTOOD, bytes_of};
 use super::json::{self, Index};
 use crate::model::{Material, Texture, Wrap};
 use crate::words::{Message, all_of, texts};
@@ -37,6 +37,7 @@ pub struct MaterialReader<'a, 'f> {
     read_file: &'a mut ReadFile<'f>,
     pictures: HashMap<Index, Option<Picture>>,
     pixels_left: u64,
+    bytes_left: usize,
 }
 
 /// A picture that was read.
@@ -67,7 +68,13 @@ impl Default for Transform {
 impl<'a, 'f> MaterialReader<'a, 'f> {
     /// A reader of a file's materials; `read_file` reads pictures beside it.
     pub fn new(document: &'a Document<'a>, read_file: &'a mut ReadFile<'f>) -> Self {
-        Self { document, read_file, pictures: HashMap::new(), pixels_left: MOST_MILLION_PIXELS << 20 }
+        Self {
+            document,
+            read_file,
+            pictures: HashMap::new(),
+            pixels_left: MOST_MILLION_PIXELS << 20,
+            bytes_left: MOST_BUFFER_BYTES,
+        }
     }
 
     /// Reads a material. `notes` gets what was left out.
@@ -172,7 +179,11 @@ impl<'a, 'f> MaterialReader<'a, 'f> {
             (None, Some(uri)) => bytes_of(uri, self.read_file),
             (None, None) => Err(texts::GLTF_NOTE_PICTURE_KIND.into()),
         };
-        Ok(file.and_then(|file| decoded(file.into(), &mut self.pixels_left)))
+        Ok(file.and_then(|file| {
+            let left = self.bytes_left.checked_sub(file.len());
+            self.bytes_left = left.ok_or_else(|| texts::gltf_note_pictures_large(MOST_BUFFER_BYTES >> 20))?;
+            decoded(file.into(), &mut self.pixels_left)
+        }))
     }
 }
 

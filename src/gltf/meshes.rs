@@ -1,6 +1,7 @@
 //! Primitives as triangle meshes (glTF 2.0, section 3.7), and the library of a scene's meshes.
 
 use std::collections::{BTreeMap, HashSet};
+use std::hash::BuildHasher;
 use std::sync::Arc;
 
 use glam::{Affine3A, Mat4, Vec2, Vec3, Vec4};
@@ -92,7 +93,9 @@ impl<'a, 'f> MeshReader<'a, 'f> {
         let MaterialRead { mut material, colour, coordinates, coordinates_moved } = self.material(json, notes)?;
         let mut texture_coordinates: Vec<Vec2> = attribute.vectors(&format!("TEXCOORD_{coordinates}"))?;
         if let Some((turned, moved)) = coordinates_moved {
-            texture_coordinates.iter_mut().for_each(|at| *at = turned * *at + moved);
+            for at in &mut texture_coordinates {
+                *at = turned * *at + moved;
+            }
         }
         if material.texture.is_some() && texture_coordinates.is_empty() {
             material.texture = None;
@@ -218,7 +221,9 @@ impl Attributes<'_> {
         } else {
             self.vectors("COLOR_0")?
         };
-        colours.iter_mut().for_each(|colour| *colour = colour.clamp(Vec4::ZERO, Vec4::ONE));
+        for colour in &mut colours {
+            *colour = colour.clamp(Vec4::ZERO, Vec4::ONE);
+        }
         Ok(colours)
     }
 
@@ -327,7 +332,7 @@ impl MeshLibrary {
 }
 
 /// A name that is not taken yet: the wanted one, `otherwise` in place of an empty one, with a number if needed.
-pub fn unique_name(wanted: &str, otherwise: &str, taken: &mut HashSet<String>) -> String {
+pub fn unique_name(wanted: &str, otherwise: &str, taken: &mut HashSet<String, impl BuildHasher>) -> String {
     let wanted = if wanted.is_empty() { otherwise } else { wanted };
     let mut name = wanted.to_owned();
     let mut number = 1;

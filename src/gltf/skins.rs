@@ -44,7 +44,9 @@ impl Weights {
             let sum: f32 = vertex.iter().map(|(_, weight)| weight).sum();
             if vertex.iter().any(|(_, weight)| *weight < 0.0) || !sum.is_finite() || sum < SUM_BOUND {
                 let weights: Vec<f32> = vertex.iter().map(|(_, weight)| *weight).collect();
-                return Err(GltfError::new(at, texts::gltf_weights(index, format!("{weights:?}"))));
+                // Joints of no weight are left out by now.
+                let weights = if weights.is_empty() { "0".to_owned() } else { format!("{weights:?}") };
+                return Err(GltfError::new(at, texts::gltf_weights(index, weights)));
             }
             if let Some((joint, _)) = vertex.iter().find(|(joint, _)| *joint as usize >= self.joint_count) {
                 return Err(GltfError::new(at, texts::gltf_joint(index, *joint, self.joint_count)));
@@ -59,9 +61,13 @@ impl Weights {
             }
             if is_off || is_dropped {
                 let sum: f32 = vertex.iter().map(|(_, weight)| weight).sum();
-                vertex.iter_mut().for_each(|(_, weight)| *weight /= sum);
+                for (_, weight) in &mut vertex {
+                    *weight /= sum;
+                }
             }
-            vertex.iter().for_each(|(joint, _)| is_used[*joint as usize] = true);
+            for (joint, _) in &vertex {
+                is_used[*joint as usize] = true;
+            }
             four.push(vertex);
         }
         if normalised > 0 {

@@ -2,12 +2,15 @@
 
 use crate::words::{Message, quoted, texts};
 
+/// The most characters of a URI that are repeated.
+const MOST_SHOWN: usize = 60;
+
 /// The path that a URI means: relative to the folder of the file that names it, with `/` between folders, never out of that folder.
 ///
 /// # Errors
 /// A message: the URI is of another kind, leads out of the folder, or is no text once `%20` and the like are decoded.
 pub fn relative_path(uri: &str) -> Result<String, Message> {
-    let refused = || texts::gltf_uri(quoted(uri));
+    let refused = || texts::gltf_uri(quoted(&uri.chars().take(MOST_SHOWN).collect::<String>()));
     let path = percent_decoded(uri).ok_or_else(refused)?;
     // A backslash is a separator and a colon a drive or a stream to some systems.
     if path.contains(['\\', ':', '\0']) {

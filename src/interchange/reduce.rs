@@ -44,7 +44,7 @@ impl Tolerance {
     }
 
     /// How far two transforms are apart.
-    fn between(a: Rbt, b: Rbt) -> Self {
+    pub(super) fn between(a: Rbt, b: Rbt) -> Self {
         let (qa, qb) = (a.rotation.as_dquat(), b.rotation.as_dquat());
         let chord = (qa - qb).length().min((qa + qb).length());
         let radians = 4.0 * (chord / 2.0).min(1.0).asin();
@@ -296,7 +296,7 @@ fn pace(steps: &[f64]) -> (u32, f64) {
 }
 
 /// The pose that follows `to` after a step like that from `from`.
-fn beyond(from: &Pose, to: &Pose) -> Pose {
+pub(super) fn beyond(from: &Pose, to: &Pose) -> Pose {
     Pose::new(from.iter().zip(to.iter()).map(|(from, to)| beyond_rbt(from, to)).collect())
 }
 

@@ -1,4 +1,11 @@
 //! Models of other programs: glTF files made by hand for each thing that a file can hold.
 
+#[path = "../common/golden.rs"]
+mod golden;
+mod importing;
 mod make;
+mod meshes;
+mod mutants;
+mod pictures;
 mod reading;
+mod trips;

@@ -3,6 +3,9 @@
 use inbetween::gltf::{data_uri, glb};
 use serde_json::{Value, json};
 
+/// A channel of an animation: node, path, times, values, interpolation.
+pub type Channel<'a> = (usize, &'a str, &'a [f32], &'a [f32], &'a str);
+
 /// A glTF file in the making: its JSON, and the bytes of its one buffer.
 #[derive(Clone)]
 pub struct Model {
@@ -78,8 +81,8 @@ impl Model {
         )
     }
 
-    /// Adds an animation of channels: node, path, times, values, interpolation.
-    pub fn animation(&mut self, name: &str, channels: &[(usize, &str, &[f32], &[f32], &str)]) -> usize {
+    /// Adds an animation of channels.
+    pub fn animation(&mut self, name: &str, channels: &[Channel<'_>]) -> usize {
         let mut animation = json!({ "name": name, "channels": [], "samplers": [] });
         for (number, (node, path, times, values, interpolation)) in channels.iter().enumerate() {
             let input = self.floats("SCALAR", times);
