@@ -8,6 +8,7 @@ mod beginning;
 mod error;
 mod image;
 mod known;
+pub mod model;
 pub mod poses;
 pub mod scene;
 

@@ -53,3 +53,58 @@ fn a_motion_goes_onto_a_robot_by_a_map_that_can_be_edited() {
     assert_eq!((&said["output"], said["feet"].as_array().unwrap().len()), (&Value::from("b.json"), 2));
     assert!(said["feet"][0]["slide"].as_f64().unwrap() < 0.01, "{said}");
 }
+
+#[test]
+fn a_gltf_model_is_imported_with_its_meshes_beside_the_scene() {
+    let sandbox = Sandbox::new();
+    sandbox.write("a.json", keyframe_file(6).to_string());
+    sandbox.run(&["export", "a.json", "-o", "a.glb", "--tolerance", "1,0.1"]).succeeds();
+    let said = sandbox.run(&["import", "a.glb", "-o", "scene.json", "--keyframes", "keyframes.json"]).succeeds();
+    assert!(said.lines().next().is_some_and(|line| line.starts_with("a.glb: 119 nodes; ")), "{said}");
+    let scene = scene_from_json(&sandbox.read("scene.json")).unwrap();
+    assert_eq!(keyframes(&sandbox, "keyframes.json", &scene), 6);
+    // Without what this program says in it, the shapes are meshes.
+    let text = sandbox.run(&["export", "a.json", "-o", "-", "--format", "gltf", "--tolerance", "1,0.1"]).stdout;
+    sandbox.write("b.gltf", text.replace("\"inbetween\"", "\"other\""));
+    let before = sandbox.names();
+    sandbox.run(&["import", "b.gltf", "-o", "b.json"]).succeeds();
+    let made: Vec<String> = sandbox.names().into_iter().filter(|name| !before.contains(name)).collect();
+    assert_eq!(made, ["b.glb", "b.json"]);
+    assert!(sandbox.read("b.json").contains("\"meshes\": \"b.glb\""));
+    sandbox.run(&["nodes", "--scene", "b.json"]).succeeds();
+    let whole = sandbox.run(&["import", "b.gltf", "-o", "-", "--quiet"]).succeeds();
+    assert!(whole.contains("\"meshes\": \"data:model/gltf-binary;base64,"));
+    // A file of another program that was there is kept.
+    sandbox.write("c.glb", "mine");
+    sandbox.run(&["import", "b.gltf", "-o", "c.json"]).succeeds();
+    assert_eq!(sandbox.read("c.glb.bak"), "mine");
+}
+
+#[test]
+fn files_outside_of_the_folder_of_a_model_are_not_read() {
+    let sandbox = Sandbox::new();
+    let model = |uri: &str| {
+        format!(
+            r#"{{"asset": {{"version": "2.0"}}, "nodes": [{{}}], "buffers": [{{"byteLength": 4, "uri": "{uri}"}}]}}"#
+        )
+    };
+    sandbox.write("beside.bin", "1234");
+    sandbox.write("a.gltf", model("beside.bin"));
+    sandbox.run(&["import", "a.gltf", "-o", "a.json"]).succeeds();
+    for (uri, sentence) in [
+        ("../secret.bin", "is no file in the folder of the glTF file or below it"),
+        ("absent.bin", "a.gltf: /buffers/0: “absent.bin”: "),
+    ] {
+        sandbox.write("a.gltf", model(uri));
+        let outcome = sandbox.run(&["import", "a.gltf", "-o", "b.json"]);
+        assert_eq!(outcome.status, 1);
+        assert!(outcome.stderr.contains(sentence), "{}", outcome.stderr);
+    }
+    #[cfg(unix)]
+    {
+        std::os::unix::fs::symlink("/etc/hostname", sandbox.path("link.bin")).unwrap();
+        sandbox.write("a.gltf", model("link.bin"));
+        let outcome = sandbox.run(&["import", "a.gltf", "-o", "b.json"]);
+        assert!(outcome.stderr.contains("“link.bin” is a link out of the folder of the model"), "{}", outcome.stderr);
+    }
+}

@@ -57,6 +57,8 @@ const ALL: [Below; 21] = [
         command: "import",
         page: "models",
         examples: &[
+            "inbetween import robot.glb -o robot.json --keyframes motion.json",
+            "inbetween import robot.glb -o robot.json --animation Walking --timed",
             "inbetween import capture.bvh -o captured.json --keyframes motion.json",
             "inbetween import capture.bvh -o captured.json --keyframes motion.json --every 10",
         ],

@@ -30,6 +30,11 @@ struct Asked {
 }
 
 impl ReductionArguments {
+    /// Whether nothing is asked for.
+    pub fn is_usual(&self) -> bool {
+        self.tolerance.is_none() && self.every.is_none() && self.interpolation.is_none()
+    }
+
     /// Which keyframes are made. `usual`: the tolerance without arguments.
     pub fn choice(&self, usual: Tolerance) -> Choice {
         match (self.every, self.tolerance) {
