@@ -6,7 +6,7 @@ use glam::Vec3;
 use inbetween::gltf::data_uri;
 use inbetween::model::{Material, MeshLibrary, TriangleMesh};
 
-use crate::student;
+use crate::{models, student};
 
 /// The files that all cases can read, as `../shared/NAME`.
 pub const SHARED: [(&str, &str); 13] = [
@@ -100,6 +100,7 @@ pub fn base(spec: &str) -> String {
         "zeros" => "\0".repeat(count),
         "scene" => scene(count),
         "mesh" => mesh(),
+        "gltf" => models::gltf(),
         "samples" => samples(),
         "hotkeys" => "key i\nkey >\nkey +\nkey y\nwait 1s\nkey t\nwait 10s\nkey <\nundo\n".to_owned(),
         "joints" => NODES.iter().map(|(path, _)| format!("{path}\n")).collect(),

@@ -16,6 +16,7 @@ mod bases;
 mod cases;
 mod library;
 mod messages;
+mod models;
 mod other_files;
 mod random;
 mod run;
