@@ -14,6 +14,8 @@ use crate::parallel::map_in_order;
 /// Rounds of measuring that may make fewer keys, and the most rounds to meet the bound.
 const ROUNDS: usize = 6;
 const MOST_ROUNDS: usize = 20;
+/// So many rounds without a tenth less of the worst error say that single precision allows no less.
+const IDLE_ROUNDS: usize = 4;
 /// The part of the bound that a round aims at.
 const AIM: f64 = 0.95;
 /// Times between two neighbouring ends of spans, while keys are sought; at the end four times as many.
@@ -71,7 +73,10 @@ pub fn within(tree: &Tree, motions: &[Motion], tolerance: Tolerance, curves: Cur
     let mut shares = shares(tree, motions, tolerance);
     let (few, many) = (times(motions, TIMES_OF_SPAN), times(motions, 4 * TIMES_OF_SPAN));
     let mut best: Option<Fitted> = None;
-    for round in 0..MOST_ROUNDS {
+    let (mut least, mut idle) = (f64::INFINITY, 0);
+    let mut round = 0;
+    loop {
+        round += 1;
         let jobs: Vec<(&Motion, f64)> = motions.iter().zip(shares.iter().copied()).collect();
         let keyed = map_in_order(&jobs, |(motion, share)| keys::within(motion, *share, curves));
         let count = |keyed: &[Keyed]| keyed.iter().map(|channel| channel.seconds.len()).sum::<usize>();
@@ -84,8 +89,11 @@ pub fn within(tree: &Tree, motions: &[Motion], tolerance: Tolerance, curves: Cur
                 best = Some(Fitted { keyed: keyed.clone(), off: off.clone() });
             }
         }
-        let is_last = round + 1 == MOST_ROUNDS;
-        if (round + 1 >= ROUNDS && best.is_some()) || is_last {
+        let worst = off.iter().map(|&off| tolerance.part(off)).fold(0.0, f64::max);
+        idle = if worst < 0.9 * least { 0 } else { idle + 1 };
+        least = least.min(worst);
+        let is_last = round == MOST_ROUNDS || (best.is_none() && idle == IDLE_ROUNDS);
+        if (round >= ROUNDS && best.is_some()) || is_last {
             return best.unwrap_or(Fitted { keyed, off });
         }
         let worst_below = worst_below(tree, &off, tolerance);
@@ -93,7 +101,6 @@ pub fn within(tree: &Tree, motions: &[Motion], tolerance: Tolerance, curves: Cur
             *share *= (AIM / worst_below[motion.node]).clamp(0.4, 2.0);
         }
     }
-    unreachable!("the last round returns")
 }
 
 /// For each node the worst part of the bound of all nodes from it down.
