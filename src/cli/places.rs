@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::arguments::ProgressKind;
 use super::{CliError, misuse, scene};
-use crate::storage::Place;
+use crate::storage::{self, Place};
 use crate::words::texts;
 
 /// The inputs and outputs of a command, by the names that the user knows them by.
@@ -28,7 +28,12 @@ impl Places {
     pub fn with_scene(scene: Option<&Path>) -> Self {
         let places = Self::default();
         match scene::file_of(scene) {
-            Some(file) => places.reads("--scene", file),
+            Some(file) => {
+                // Its meshes are as good as part of it.
+                let meshes = Some(file.with_extension("glb")).filter(|meshes| storage::exists(meshes));
+                let places = places.reads("--scene", file);
+                meshes.into_iter().fold(places, |places, meshes| places.reads("--scene", &meshes))
+            }
             None => places,
         }
     }

@@ -303,3 +303,12 @@ fn pictures_too_large_to_compare_are_refused_by_their_heads() {
     assert_eq!(refused.status, Some(2));
     assert!(refused.stderr.starts_with("standard input: a picture of 16384x16384 pixels"), "{}", refused.stderr);
 }
+
+#[test]
+fn the_meshes_beside_a_scene_are_not_written_over() {
+    let sandbox = sandbox();
+    sandbox.write("scene.glb", "meshes");
+    let ran = run(&sandbox, &["sample", "--scene", "scene.json", "-o", "scene.glb"], None);
+    assert_eq!(ran.status, Some(2), "{}", ran.stderr);
+    assert_eq!(std::fs::read(sandbox.path("scene.glb")).unwrap(), b"meshes");
+}
