@@ -48,7 +48,7 @@ pub use comparing::ComparedAnimation;
 pub use document::Document;
 pub use error::CommandError;
 pub use eye::{Eye, WorkEye};
-pub use files::NEW_FILE;
+pub use files::{MODEL_ENDINGS, NEW_FILE};
 pub use framing::Side;
 pub use history::{MOST_STEPS, Reach};
 pub use host::{FileAccess, FileOutcome, Host, PathQuestion, WindowHost, Writing, Written};
@@ -251,6 +251,15 @@ impl Editor {
     #[must_use]
     pub fn with_scene_path(self, path: PathBuf) -> Self {
         Self { scene_path: Some(path), ..self }
+    }
+
+    /// An editor of a document that is in no file yet: neither its scene nor its keyframes are saved.
+    #[must_use]
+    pub fn of_unsaved(document: Document, keyframe_file: PathBuf) -> Self {
+        let mut editor = Self::new(Arc::clone(&document.scene), keyframe_file);
+        editor.saved_scene = Arc::new(document.scene.renamed(""));
+        editor.document = document;
+        editor
     }
 
     /// The scene.

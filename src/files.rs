@@ -13,7 +13,7 @@ pub mod poses;
 pub mod scene;
 
 pub use animation::{keyframes, keyframes_in};
-pub use beginning::begun;
+pub use beginning::{Begun, begun};
 pub use error::{FileError, WorkError};
 pub use image::{LARGEST_IMAGE_BYTES, image, image_size};
 pub use known::{known_at_start, read_known, write_known};

@@ -6,6 +6,7 @@
 mod about;
 mod access;
 pub mod angles;
+mod animations;
 mod axis_letters;
 mod bar;
 mod changed;
@@ -57,6 +58,7 @@ use crate::pose::{Pose, RbtIndex};
 use crate::pose_file::PoseFile;
 use crate::settings::Settings;
 use crate::words::{Message, texts};
+use animations::AnimationQuestion;
 pub use changed::{ChangeAnswer, ChangeOffer};
 use dialogs::Dialog;
 pub use export::Exporting;
@@ -222,6 +224,11 @@ impl Panels {
     /// Asks what to do with unsaved work before another document is shown, and answers as [`Self::ask_before_quitting`].
     pub fn ask_before_going_on(&mut self) {
         self.dialog = Some(Dialog::Unsaved { is_quitting: false });
+    }
+
+    /// Asks which of a model's animations is opened. The answer is a command.
+    pub fn ask_which_animation(&mut self, path: PathBuf, animations: Vec<String>) {
+        self.dialog = Some(Dialog::Animation(AnimationQuestion { path, animations }));
     }
 
     /// Forgets what belongs to a document that is no longer shown: what is folded, chosen and zoomed.

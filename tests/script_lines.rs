@@ -353,7 +353,7 @@ fn refusals_are_sentences() {
 }
 
 /// What is tested elsewhere: times that are waited, pictures, and undo itself.
-const ELSEWHERE: [&str; 27] = [
+const ELSEWHERE: [&str; 28] = [
     // `comparison.rs`.
     "compare-with",
     // `journal.rs` and `cli/journal.rs`.
@@ -378,6 +378,8 @@ const ELSEWHERE: [&str; 27] = [
     "delete-key",
     "seconds",
     "save-scene",
+    // `cli/script.rs`.
+    "export-model",
     // Below.
     "add-keys",
     "move-keys",

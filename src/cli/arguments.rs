@@ -32,7 +32,7 @@ pub use compare::CompareArguments;
 pub use convert::ConvertArguments;
 pub use diagnose::DiagnoseArguments;
 pub use diff::DiffArguments;
-pub use export::{DEFAULT_FRAMES_PER_SECOND, ExportArguments, ModelFormat};
+pub use export::{ExportArguments, ModelFormat};
 pub use generate::{CompletionsArguments, ManArguments};
 pub use grade::GradeArguments;
 pub use import::ImportArguments;

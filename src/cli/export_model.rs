@@ -5,10 +5,11 @@ use std::path::Path;
 use clap::ValueEnum as _;
 use serde_json::json;
 
-use super::arguments::{DEFAULT_FRAMES_PER_SECOND, ExportArguments, ModelFormat};
+use super::arguments::{ExportArguments, ModelFormat};
 use super::places::Places;
 use super::told::Report;
-use super::{CliError, Common, import, misuse, reading, scene};
+use super::{CliError, Common, misuse, reading, scene};
+use crate::files::model::{DEFAULT_FRAMES_PER_SECOND, scene_name};
 use crate::interchange::bvh::BvhText;
 use crate::interchange::gltf_out::{self, Export};
 use crate::keyframe::Animation;
@@ -77,7 +78,7 @@ fn gltf(
     scene: &SceneGraph,
     animation: Option<&Animation>,
 ) -> (Vec<u8>, gltf_out::Report) {
-    let name = arguments.file.as_deref().map(import::scene_name).unwrap_or_default();
+    let name = arguments.file.as_deref().map(scene_name).unwrap_or_default();
     let export = Export {
         animation: animation.map(|animation| (animation, &*name)),
         tolerance: arguments.tolerance.unwrap_or_default(),

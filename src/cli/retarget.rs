@@ -5,10 +5,10 @@ use std::path::{Path, PathBuf};
 use serde_json::json;
 
 use super::arguments::RetargetArguments;
-use super::import::scene_name;
 use super::places::Places;
 use super::told::{Report, write_keyframes};
 use super::{CliError, Common, misuse, reading, scene};
+use crate::files::model::scene_name;
 use crate::files::{self, FileError};
 use crate::interchange::bvh::{CapturedScene, is_bvh, read_bvh, scene_of};
 use crate::interchange::reduce::Samples;

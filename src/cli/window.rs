@@ -6,6 +6,7 @@ use super::arguments::DEFAULT_KEYFRAME_FILE;
 use super::{CliError, misuse, scene};
 use crate::editor::{Command, FileCommand};
 use crate::storage;
+use crate::ui::PathPurpose;
 use crate::window::{ForTests, Signals};
 use crate::words::texts;
 
@@ -19,10 +20,13 @@ pub fn run(scene: Option<&Path>, file: Option<PathBuf>, tests: ForTests) -> Resu
     }
     let signals = Signals::listen();
     let loaded = scene::load(scene)?;
-    let at_start = match &file {
-        Some(file) if storage::exists(file) => vec![Command::File(FileCommand::Import)],
-        _ => Vec::new(),
+    let (at_start, path) = match file {
+        Some(path) if storage::exists(&path) => match PathPurpose::Open.command(path.clone()) {
+            Some(model @ Command::Window(_)) => (vec![model], path.with_file_name(DEFAULT_KEYFRAME_FILE)),
+            _ => (vec![Command::File(FileCommand::Import)], path),
+        },
+        Some(path) => (Vec::new(), path),
+        None => (Vec::new(), PathBuf::from(DEFAULT_KEYFRAME_FILE)),
     };
-    let path = file.unwrap_or_else(|| PathBuf::from(DEFAULT_KEYFRAME_FILE));
     Ok(crate::window::run(scene::editor_of(loaded, scene, path), at_start, &signals, tests)?)
 }

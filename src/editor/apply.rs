@@ -8,7 +8,7 @@ use super::{
     ClipboardCommand, Command, CommandError, Document, Edit, Editor, Effect, GestureCommand, Message, PlaybackCommand,
     SelectionCommand, ViewCommand,
 };
-use crate::keyframe::{Keyframe, KeyframeIndex, KeyframeList, MS_BETWEEN_KEYFRAMES_RANGE};
+use crate::keyframe::{Keyframe, KeyframeIndex, MS_BETWEEN_KEYFRAMES_RANGE};
 use crate::rbt::Rbt;
 use crate::rotation_rules::unit;
 use crate::words::{Argument, Phrase, texts};
@@ -331,13 +331,5 @@ impl Editor {
             _ if was == ms && ms == slowest => texts::pace_slowest(ms),
             _ => texts::pace_is(ms),
         }))
-    }
-
-    /// Replaces the list and copies its current keyframe to the live pose.
-    pub(super) fn install_list(document: &mut Document, keyframes: KeyframeList) {
-        document.keyframes = keyframes;
-        if let Some(keyframe) = document.keyframes.current_keyframe() {
-            document.live_pose = keyframe.pose.clone();
-        }
     }
 }

@@ -55,6 +55,13 @@ pub enum Beginning {
     Scene(&'static str),
     /// The built-in animation of this name, with its scene.
     Animation(&'static str),
+    /// A model or motion of another format, glTF or BVH, as a scene with its keyframes.
+    Model {
+        /// Its file.
+        path: PathBuf,
+        /// Which of its animations, from 0; `None`: the only one, or the one that the user is asked for.
+        animation: Option<usize>,
+    },
 }
 
 /// What concerns the window and its settings, not the scene.
@@ -404,6 +411,10 @@ pub enum FileCommand {
     ChooseSaveSceneAs,
     /// Writes the scene to a file, which becomes its own from now on.
     SaveSceneAs(PathBuf),
+    /// Asks where to write a model of another format.
+    ChooseExportModel,
+    /// Writes the scene and what the keyframes play as a model of another format, by the path's ending.
+    ExportModel(PathBuf),
     /// Gives the pose of this name, or in this file, to the chosen nodes.
     ApplyPose(String),
     /// Writes the pose of the primary chosen node and all below it, or of the whole scene, under this name or to this file.
@@ -507,6 +518,13 @@ pub enum Effect {
     },
     /// Ask where to save the scene.
     ChooseSaveSceneAs,
+    /// Ask where to write a model of another format.
+    ChooseExportModel,
+    /// Write the document as a model by the path's ending and hand the outcome to [`super::Editor::model_written`].
+    WriteModel {
+        /// Which file.
+        path: PathBuf,
+    },
     /// Render what is displayed and hand the path, or what went wrong, to [`super::Editor::screenshot_taken`].
     Screenshot {
         /// Where to; `None`: the next free `inbetween-0001.png` beside the keyframe file.

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::CommandError;
 use crate::interpolation::Interpolation;
-use crate::keyframe::{DEFAULT_MS_BETWEEN_KEYFRAMES, KeyframeList, LARGEST_FILE_BYTES, file_bytes_at_most};
+use crate::keyframe::{Animation, DEFAULT_MS_BETWEEN_KEYFRAMES, KeyframeList, LARGEST_FILE_BYTES, file_bytes_at_most};
 use crate::pose::Pose;
 use crate::scene::{LARGEST_SCENE_BYTES, SceneGraph};
 
@@ -33,6 +33,21 @@ impl Document {
             keyframes: KeyframeList::default(),
             interpolation: Interpolation::default(),
             ms_between_keyframes: DEFAULT_MS_BETWEEN_KEYFRAMES,
+        }
+    }
+
+    /// Takes in an animation, and shows its first keyframe.
+    pub fn install(&mut self, animation: Animation) {
+        let Animation { keyframes, interpolation, ms_between_keyframes } = animation;
+        (self.interpolation, self.ms_between_keyframes) = (interpolation, ms_between_keyframes);
+        self.install_list(keyframes);
+    }
+
+    /// Replaces the list and copies its current keyframe to the live pose.
+    pub(super) fn install_list(&mut self, keyframes: KeyframeList) {
+        self.keyframes = keyframes;
+        if let Some(keyframe) = self.keyframes.current_keyframe() {
+            self.live_pose = keyframe.pose.clone();
         }
     }
 

@@ -13,6 +13,8 @@ use crate::words::texts;
 
 /// The name of a new animation's keyframe file.
 pub const NEW_FILE: &str = "animation.json";
+/// The endings of models and motions of other formats, which are read and written.
+pub const MODEL_ENDINGS: [&str; 3] = ["glb", "gltf", "bvh"];
 
 impl Editor {
     /// Begins a new animation of the scene. Undo brings the old one back; the file stays the new one's.
@@ -52,6 +54,11 @@ impl Editor {
             }
             FileCommand::ChooseSaveSceneAs => Effect::ChooseSaveSceneAs,
             FileCommand::SaveSceneAs(path) => self.write_scene_effect(path),
+            FileCommand::ChooseExportModel => Effect::ChooseExportModel,
+            FileCommand::ExportModel(path) => {
+                self.commit_gesture();
+                Effect::WriteModel { path }
+            }
             FileCommand::ApplyPose(name) => Effect::ReadPose(name),
             FileCommand::SavePose(name) => self.save_pose(name)?,
             FileCommand::Screenshot { path, has_overlays } => Effect::Screenshot { path, has_overlays },
@@ -197,7 +204,7 @@ impl Editor {
         let document = &mut self.document;
         document.interpolation = file.interpolation.unwrap_or(document.interpolation);
         document.ms_between_keyframes = file.ms_between_keyframes.unwrap_or(document.ms_between_keyframes);
-        Self::install_list(document, KeyframeList::new(file.keyframes));
+        document.install_list(KeyframeList::new(file.keyframes));
         // A file of short numbers may be longer by the bound than it is: reading it took as long as counting.
         if !self.keyframes_text().can_be_read() {
             self.document = before;
@@ -248,6 +255,20 @@ impl Editor {
         match outcome {
             Ok(()) => {
                 self.say_outcome(texts::file_screenshot(path.display()));
+                Ok(())
+            }
+            Err(reason) => self.not_written(path, reason),
+        }
+    }
+
+    /// Takes in what was written as a model of another format, or why nothing was.
+    ///
+    /// # Errors
+    /// Why the file is as it was.
+    pub fn model_written(&mut self, path: &Path, outcome: Result<Vec<Message>, Message>) -> Result<(), CommandError> {
+        match outcome {
+            Ok(said) => {
+                said.into_iter().for_each(|said| self.say_outcome(said));
                 Ok(())
             }
             Err(reason) => self.not_written(path, reason),

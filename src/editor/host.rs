@@ -22,6 +22,8 @@ pub enum PathQuestion {
     SaveAs,
     /// Where to save the scene.
     SaveSceneAs,
+    /// Where to write a model of another format.
+    ExportModel,
     /// Where an export is written.
     Export {
         /// What the dialog begins with.
@@ -48,6 +50,8 @@ pub enum FileAccess {
     ScreenshotTaken,
     /// A pose with a name was written.
     PoseWritten,
+    /// A model of another format was written.
+    ModelWritten,
 }
 
 /// What a host is asked to write.
@@ -147,6 +151,12 @@ pub trait Host {
     /// Only where the host cannot go on; a file that cannot be written is an outcome.
     fn write_pose(&mut self, name: &str, text: &str) -> Result<FileOutcome<(PathBuf, Written)>, Self::Stop>;
 
+    /// Writes the document as a model of another format, by the path's ending. Returns what to say of it.
+    ///
+    /// # Errors
+    /// Only where the host cannot go on; a file that cannot be written is an outcome.
+    fn write_model(&mut self, path: &Path) -> Result<FileOutcome<Vec<Message>>, Self::Stop>;
+
     /// The editor was told of a file; `told` is what it made of that.
     ///
     /// # Errors
@@ -210,6 +220,12 @@ pub trait Host {
                 let told = self.editor().pose_written(&name, outcome);
                 return self.told(FileAccess::PoseWritten, &path, told);
             }
+            Effect::WriteModel { path } => {
+                let outcome = self.write_model(&path)?;
+                let told = self.editor().model_written(&path, outcome);
+                return self.told(FileAccess::ModelWritten, &path, told);
+            }
+            Effect::ChooseExportModel => self.window().ask_for_path(PathQuestion::ExportModel),
             Effect::ChooseOpen => self.window().ask_for_path(PathQuestion::Open),
             Effect::ChooseCompare => self.window().ask_for_path(PathQuestion::Compare),
             Effect::ChooseSaveAs => self.window().ask_for_path(PathQuestion::SaveAs),

@@ -1,13 +1,164 @@
-//! Files beside a model of another program.
+//! Models and motion of other programs, read and written: glTF, and the captures of BVH.
 
 use std::path::Path;
 
-use crate::interchange::gltf_in::LARGEST_MODEL_BYTES;
-use crate::storage;
+use super::FileError;
+use crate::editor::Document;
+use crate::interchange::bvh::{self, BvhText, LARGEST_BVH_BYTES, PERSON_HEIGHT, is_bvh, read_bvh};
+use crate::interchange::gltf_in::{self, LARGEST_MODEL_BYTES, is_gltf};
+use crate::interchange::gltf_out::Export;
+use crate::interchange::reduce::{Choice, Samples, Tolerance, reduced};
+use crate::interpolation::Interpolation;
+use crate::keyframe::Animation;
+use crate::scene::SceneGraph;
+use crate::storage::{self, input_name, is_standard};
 use crate::words::{Message, texts};
 
+/// Frames a second of a capture that is written, if nothing else is asked for.
+pub const DEFAULT_FRAMES_PER_SECOND: u32 = 60;
+
+/// How a model is read; by default as it is usual.
+#[derive(Clone, Debug, Default)]
+pub struct ModelOptions {
+    /// The animation of a glTF file, by its name or its number from 0; the first one without a choice.
+    pub animation: Option<String>,
+    /// The number of the scene of a glTF file from 0; the file's own without a choice.
+    pub gltf_scene: Option<usize>,
+    /// Whether the animation of a glTF file becomes timed keys, with the file's times.
+    pub is_timed: bool,
+    /// Scene units for one unit of a capture; without it, what makes a person as tall as the robots.
+    pub scale: Option<f64>,
+}
+
+/// Why there is no model.
+#[derive(Debug)]
+pub enum ModelError {
+    /// Options are for another format than the file's.
+    Misuse(Message),
+    /// The file is none of the known formats or is bad.
+    File(FileError),
+}
+
+/// A model of another program as values.
+#[derive(Debug)]
+pub struct Model {
+    /// The scene with its meshes.
+    pub scene: SceneGraph,
+    /// What moves its poses, if anything does.
+    pub samples: Option<Samples>,
+    /// The keyframes that this program has exported, and what is to be said of them.
+    pub kept: Option<(Animation, Message)>,
+    /// How far keyframes may be from the samples if nothing else is asked for.
+    pub tolerance: Tolerance,
+    /// What was taken, simplified and left out: a sentence each.
+    pub notes: Vec<Message>,
+}
+
+impl Model {
+    /// Reads a model. What it is is told by how its bytes begin.
+    ///
+    /// # Errors
+    /// [`ModelError`]
+    pub fn read(path: &Path, options: &ModelOptions) -> Result<Self, ModelError> {
+        let bytes = super::read(path, LARGEST_MODEL_BYTES.max(LARGEST_BVH_BYTES)).map_err(ModelError::File)?;
+        let is_for_gltf = options.animation.is_some() || options.gltf_scene.is_some() || options.is_timed;
+        let model = if is_bvh(&bytes) {
+            if is_for_gltf {
+                return Err(ModelError::Misuse(texts::MODEL_ONLY_GLTF.into()));
+            }
+            Self::of_bvh(&bytes, path, options)
+        } else if is_gltf(&bytes) {
+            if options.scale.is_some() {
+                return Err(ModelError::Misuse(texts::MODEL_ONLY_CAPTURES.into()));
+            }
+            Self::of_gltf(&bytes, path, options)
+        } else {
+            Err(texts::MODEL_UNKNOWN.into())
+        };
+        model.map_err(|problem| ModelError::File(FileError::new(input_name(path), problem)))
+    }
+
+    fn of_bvh(bytes: &[u8], path: &Path, options: &ModelOptions) -> Result<Self, Message> {
+        let capture = read_bvh(bytes).map_err(|error| error.message())?;
+        let bvh::CapturedScene { scene, samples, notes } = bvh::scene_of(&capture, &scene_name(path), options.scale)?;
+        Ok(Self { scene, samples, kept: None, tolerance: Tolerance::for_size(PERSON_HEIGHT), notes })
+    }
+
+    fn of_gltf(bytes: &[u8], path: &Path, options: &ModelOptions) -> Result<Self, Message> {
+        let ModelOptions { animation, gltf_scene, is_timed, .. } = options.clone();
+        let options = gltf_in::Options { name: scene_name(path), animation, gltf_scene, is_timed };
+        let gltf_in::Imported { scene, moving, tolerance, report } =
+            gltf_in::imported(bytes, &mut beside(path), &options)?;
+        let (samples, kept) = moving.map_or((None, None), |moving| (Some(moving.samples), moving.kept));
+        Ok(Self { scene, samples, kept, tolerance, notes: report })
+    }
+
+    /// The keyframes that are usual, and what is to be said of them; `None` where no pose moves.
+    #[must_use]
+    pub fn usual_keyframes(&self) -> Option<(Animation, Message)> {
+        self.kept.clone().or_else(|| {
+            let reduced = reduced(self.samples.as_ref()?, Choice::Within(self.tolerance), Interpolation::Linear);
+            let said = reduced.message();
+            Some((reduced.animation, said))
+        })
+    }
+}
+
+/// The names of the animations of a glTF file, or their numbers; of any other file none.
+///
+/// # Errors
+/// Why the file cannot be read, without its name.
+pub fn animations(path: &Path) -> Result<Vec<String>, Message> {
+    let bytes = storage::read(path, LARGEST_MODEL_BYTES).map_err(|error| error.message())?;
+    if is_gltf(&bytes) { gltf_in::animations(&bytes) } else { Ok(Vec::new()) }
+}
+
+/// Writes a document as a model, in the format that the path's ending names. Returns what is to be said of it.
+///
+/// # Errors
+/// Why it was not written; a regular file is then unchanged.
+pub fn write(path: &Path, document: &Document) -> Result<Vec<Message>, Message> {
+    let Document { scene, keyframes, interpolation, ms_between_keyframes, .. } = document;
+    let animation = Animation {
+        keyframes: keyframes.clone(),
+        interpolation: *interpolation,
+        ms_between_keyframes: *ms_between_keyframes,
+    };
+    let animation = keyframes.timing().is_some().then_some(&animation);
+    let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase()).unwrap_or_default();
+    let name = scene_name(path);
+    let export = Export { animation: animation.map(|animation| (animation, &*name)), ..Export::of(scene) };
+    let mut said = vec![texts::file_model_written(path.display())];
+    let written = match &*ending {
+        "bvh" => {
+            let text = BvhText::new(scene, animation, None, DEFAULT_FRAMES_PER_SECOND)?;
+            said.extend(text.notes());
+            storage::write_with(path, |out| text.write(out))
+        }
+        "glb" => {
+            let (bytes, report) = export.glb();
+            said.extend(report.messages());
+            storage::write(path, &bytes)
+        }
+        "gltf" => {
+            let (text, report) = export.gltf();
+            said.extend(report.messages());
+            storage::write(path, text.as_bytes())
+        }
+        _ => return Err(texts::FILE_MODEL_ENDING.into()),
+    };
+    written.map(|()| said).map_err(|error| error.message())
+}
+
+/// The name of a scene made of a file.
+#[must_use]
+pub fn scene_name(file: &Path) -> String {
+    let stem = file.file_stem().filter(|_| !is_standard(file));
+    stem.map_or_else(|| "model".to_owned(), |stem| stem.to_string_lossy().into_owned())
+}
+
 /// Reads files that a model names: in its folder or below it, all links followed, and nowhere else.
-pub fn beside(model: &Path) -> impl FnMut(&str) -> Result<Vec<u8>, Message> {
+fn beside(model: &Path) -> impl FnMut(&str) -> Result<Vec<u8>, Message> {
     move |name: &str| {
         if storage::is_standard(model) {
             return Err(texts::gltf_in_no_folder(name));

@@ -14,7 +14,7 @@ use crate::keyframe::keyframes_to_json;
 use crate::scene::{SceneGraph, with_meshes_within};
 use crate::script::{self, Action, Line, NoWindow, Runner, State, Windowless};
 use crate::text_layouts::{ImportError, Imported, Options, import};
-use crate::words::texts;
+use crate::words::{Message, texts};
 
 /// The most lines of a script that is run while grading.
 pub const MOST_LINES: usize = 2_000;
@@ -224,6 +224,12 @@ impl Host for Folder {
             Writing { access: FileAccess::PoseWritten, path: &path, text: &text, meshes: None, is_known: true };
         let written = self.write(writing)?.unwrap_or_else(|| Ok(Written::default()));
         Ok(written.map(|written| (path, written)))
+    }
+
+    /// Nothing is written: no rubric asks for a model.
+    fn write_model(&mut self, path: &Path) -> Result<FileOutcome<Vec<Message>>, String> {
+        plain_name(path)?;
+        Ok(Ok(vec![texts::file_model_not_written(path.display())]))
     }
 
     fn told(&mut self, _access: FileAccess, _path: &Path, _told: Result<(), CommandError>) -> Result<(), String> {

@@ -14,7 +14,7 @@ mod shapes;
 mod sight;
 mod tree;
 
-use self::choice::{chosen_animation, chosen_scene};
+use self::choice::{animation_names, chosen_animation, chosen_scene};
 pub use self::keyframes::Moving;
 use self::keyframes::Played;
 use self::motion::Motion;
@@ -24,7 +24,9 @@ use self::scene::{Allowed, Parts, scene_text, world_from_nodes};
 use self::sight::{FOV_DEGREES, Sight};
 use self::tree::{TreeNode, place};
 use super::reduce::Tolerance;
-use crate::gltf::{Document, GltfError, ReadFile, data_uri};
+use crate::decode;
+use crate::gltf::json::Root;
+use crate::gltf::{Container, Document, GltfError, ReadFile, data_uri};
 use crate::model::MeshLibrary;
 use crate::scene::{LARGEST_MESHES_BYTES, SceneGraph, scene_from_json};
 use crate::text::without_byte_order_mark;
@@ -74,6 +76,16 @@ pub fn is_gltf(bytes: &[u8]) -> bool {
 pub fn imported(file: &[u8], read_file: &mut ReadFile<'_>, options: &Options) -> Result<Imported, Message> {
     let document = Document::read(file, read_file).map_err(|error| error.message())?;
     Import { document: &document, options, notes: Vec::new() }.run(read_file)
+}
+
+/// The names of a file's animations; of one without a name its number.
+///
+/// # Errors
+/// A message with the place in the file: it is no glTF.
+pub fn animations(file: &[u8]) -> Result<Vec<String>, Message> {
+    let container = Container::of(file).map_err(|error| error.message())?;
+    let root: Root = decode::json(container.json).map_err(|error| error.message())?;
+    Ok(animation_names(&root))
 }
 
 struct Import<'a> {

@@ -7,6 +7,7 @@ use super::{Ending, Writer};
 use crate::editor::{Command, CommandError, Editor, FileAccess, FileOutcome, Host, WindowHost, Writing, Written};
 use crate::script::{NoWindow, Restore, Windowless};
 use crate::storage::StorageError;
+use crate::words::Message;
 
 /// A host whose commands are written down before they are done.
 #[derive(Debug)]
@@ -113,6 +114,10 @@ impl<H: Windowless> Host for Journaled<H> {
 
     fn write_pose(&mut self, name: &str, text: &str) -> Result<FileOutcome<(PathBuf, Written)>, H::Stop> {
         self.host.write_pose(name, text)
+    }
+
+    fn write_model(&mut self, path: &Path) -> Result<FileOutcome<Vec<Message>>, H::Stop> {
+        self.host.write_model(path)
     }
 
     fn told(&mut self, access: FileAccess, path: &Path, told: Result<(), CommandError>) -> Result<(), H::Stop> {

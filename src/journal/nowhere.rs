@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use crate::editor::{CommandError, Editor, FileAccess, FileOutcome, Host, WindowHost, Writing, Written};
 use crate::script::{NoWindow, Windowless};
-use crate::words::texts;
+use crate::words::{Message, texts};
 
 /// A host that has no files and no window.
 #[derive(Debug)]
@@ -58,6 +58,10 @@ impl Host for Nowhere {
     }
 
     fn write_pose(&mut self, _: &str, _: &str) -> Result<FileOutcome<(PathBuf, Written)>, Infallible> {
+        Ok(Err(texts::JOURNAL_NO_FILES.into()))
+    }
+
+    fn write_model(&mut self, _: &Path) -> Result<FileOutcome<Vec<Message>>, Infallible> {
         Ok(Err(texts::JOURNAL_NO_FILES.into()))
     }
 

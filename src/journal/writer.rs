@@ -276,7 +276,7 @@ impl Writer {
             FileAccess::KeyframesRead | FileAccess::ComparedRead | FileAccess::SceneRead => return,
             FileAccess::KeyframesWritten => mark::WROTE,
             FileAccess::SceneWritten => mark::WROTE_SCENE,
-            FileAccess::ScreenshotTaken | FileAccess::PoseWritten => mark::WROTE_PICTURE,
+            FileAccess::ScreenshotTaken | FileAccess::PoseWritten | FileAccess::ModelWritten => mark::WROTE_PICTURE,
         };
         self.end_of_ticks();
         self.push(&format!("{mark}{}", mark::quoted(&storage::absolute(path))));

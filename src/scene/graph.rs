@@ -101,7 +101,7 @@ pub struct SceneGraph {
 }
 
 /// The data of a scene besides its nodes. It is shared by scenes that differ only in timed keys.
-#[derive(Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Common {
     pub(super) name: String,
     pub(super) rbt_nodes: Vec<NodeId>,
@@ -134,6 +134,13 @@ impl SceneGraph {
     #[must_use]
     pub fn meshes(&self) -> Option<&Arc<MeshLibrary>> {
         self.common.meshes.as_ref()
+    }
+
+    /// The same scene with another name.
+    #[must_use]
+    pub fn renamed(&self, name: &str) -> Self {
+        let common = Common { name: name.to_owned(), ..(*self.common).clone() };
+        Self { common: Arc::new(common), ..self.clone() }
     }
 
     /// Every node, parents before children.

@@ -104,6 +104,10 @@ impl Host for Disk {
         Ok(files::poses::write(name, text))
     }
 
+    fn write_model(&mut self, path: &Path) -> Result<FileOutcome<Vec<Message>>, DiskStop> {
+        Ok(files::model::write(path, self.editor.document()))
+    }
+
     fn told(&mut self, access: FileAccess, _path: &Path, told: Result<(), CommandError>) -> Result<(), DiskStop> {
         if std::mem::take(&mut self.is_refusing) {
             self.refused.extend(told.err());
@@ -121,7 +125,8 @@ impl Host for Disk {
             FileAccess::KeyframesWritten
             | FileAccess::SceneWritten
             | FileAccess::ScreenshotTaken
-            | FileAccess::PoseWritten => Ok(told?),
+            | FileAccess::PoseWritten
+            | FileAccess::ModelWritten => Ok(told?),
         }
     }
 

@@ -24,6 +24,7 @@ impl WindowHost for NoWindow {
         self.said = Some(match question {
             PathQuestion::Open | PathQuestion::SaveAs => "Without a window there is no dialog: use --keyframes FILE.",
             PathQuestion::Compare => "Without a window there is no dialog: use compare-with FILE.",
+            PathQuestion::ExportModel => "Without a window there is no dialog: use export-model FILE.",
             PathQuestion::SaveSceneAs => "Without a window there is no dialog: use save-scene FILE.",
             PathQuestion::Export { .. } => NO_EXPORT,
         });

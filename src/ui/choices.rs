@@ -1,9 +1,10 @@
 //! Choices with a value: recent files, eyes, interpolations, colours, languages, sizes, steps that
 //! drags snap to. Menus and the command list show the same.
 
+use super::PathPurpose;
 use super::words::Words;
 use crate::editor::gizmo::SnapSteps;
-use crate::editor::{Beginning, Command, Edit, Editor, Eye, FileCommand, ViewCommand, WindowCommand};
+use crate::editor::{Beginning, Command, Edit, Editor, Eye, ViewCommand, WindowCommand};
 use crate::interpolation::Interpolation;
 use crate::scene::{BUILT_IN_ANIMATIONS, built_in_scene_names};
 use crate::settings::{SCALES, Settings, ThemeChoice};
@@ -67,7 +68,7 @@ pub fn choices(editor: &Editor, settings: &Settings, words: Words) -> Vec<Choice
     let mut all = Vec::new();
     let mut add = |topic, label: String, command, is_on| all.push(Choice { topic, label, command, is_on });
     for path in &settings.recent {
-        let command = Command::File(FileCommand::Open(path.clone()));
+        let Some(command) = PathPurpose::Open.command(path.clone()) else { continue };
         add(Topic::Recent, path.display().to_string(), command, false);
     }
     for example in BUILT_IN_ANIMATIONS {

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use crate::editor::{Beginning, Command, FileCommand, NEW_FILE, PathQuestion, WindowCommand};
+use crate::editor::{Beginning, Command, FileCommand, MODEL_ENDINGS, NEW_FILE, PathQuestion, WindowCommand};
 use crate::film::FORMATS;
 use crate::words::{Phrase, texts};
 
@@ -19,6 +19,8 @@ pub enum PathPurpose {
     SaveSceneAs,
     /// To begin with the scene in it.
     OpenScene,
+    /// To write a model of another format to it.
+    ExportModel,
     /// To write a film to it.
     Film,
     /// To write the frames of a film into it: a folder.
@@ -34,6 +36,7 @@ impl PathPurpose {
             PathQuestion::Compare => Self::Compare,
             PathQuestion::SaveAs => Self::SaveAs,
             PathQuestion::SaveSceneAs => Self::SaveSceneAs,
+            PathQuestion::ExportModel => Self::ExportModel,
             PathQuestion::Export { is_folder: false, .. } => Self::Film,
             PathQuestion::Export { is_folder: true, .. } => Self::FilmFolder,
         }
@@ -42,7 +45,12 @@ impl PathPurpose {
     /// The command that a path answers with; `None` where it answers a field of the export dialog.
     #[must_use]
     pub fn command(self, path: PathBuf) -> Option<Command> {
+        let is_model = ends_with_one_of(&path.to_string_lossy(), &MODEL_ENDINGS);
         Some(match self {
+            Self::Open | Self::OpenScene if is_model => {
+                Command::Window(WindowCommand::Begin(Beginning::Model { path, animation: None }))
+            }
+            Self::ExportModel => Command::File(FileCommand::ExportModel(path)),
             Self::Open => Command::File(FileCommand::Open(path)),
             Self::Compare => Command::File(FileCommand::CompareWith(path)),
             Self::SaveAs => Command::File(FileCommand::SaveAs(path)),
@@ -55,7 +63,7 @@ impl PathPurpose {
     /// Whether the path may be of a file that is not there yet.
     #[must_use]
     pub const fn is_saving(self) -> bool {
-        matches!(self, Self::SaveAs | Self::SaveSceneAs | Self::Film)
+        matches!(self, Self::SaveAs | Self::SaveSceneAs | Self::ExportModel | Self::Film)
     }
 
     /// Whether the path is of a folder.
@@ -66,12 +74,14 @@ impl PathPurpose {
 
     /// Whether a file of this name fits, by its ending.
     pub(super) fn fits(self, name: &str) -> bool {
-        let name = name.to_lowercase();
-        let ends_with = |ending: &str| name.strip_suffix(ending).is_some_and(|stem| stem.ends_with('.'));
+        let ends_with = |endings: &[&str]| ends_with_one_of(name, endings);
         match self {
-            Self::Open | Self::Compare => ["json", "txt", "csv"].into_iter().any(ends_with),
-            Self::SaveAs | Self::SaveSceneAs | Self::OpenScene => ends_with("json"),
-            Self::Film => FORMATS.iter().filter(|format| !format.is_still()).any(|format| ends_with(format.ending)),
+            Self::Open => ends_with(&["json", "txt", "csv"]) || ends_with(&MODEL_ENDINGS),
+            Self::Compare => ends_with(&["json", "txt", "csv"]),
+            Self::OpenScene => ends_with(&["json"]) || ends_with(&MODEL_ENDINGS),
+            Self::SaveAs | Self::SaveSceneAs => ends_with(&["json"]),
+            Self::ExportModel => ends_with(&MODEL_ENDINGS),
+            Self::Film => FORMATS.iter().filter(|format| !format.is_still()).any(|format| ends_with(&[format.ending])),
             Self::FilmFolder => false,
         }
     }
@@ -81,6 +91,7 @@ impl PathPurpose {
         match self {
             Self::Open | Self::Compare | Self::SaveAs => NEW_FILE,
             Self::SaveSceneAs | Self::OpenScene => "scene.json",
+            Self::ExportModel => "animation.glb",
             Self::Film => "animation.gif",
             Self::FilmFolder => "frames/",
         }
@@ -94,8 +105,15 @@ impl PathPurpose {
             Self::SaveAs => (texts::SAVE_THE_KEYFRAMES_AS, texts::SAVE),
             Self::SaveSceneAs => (texts::SAVE_THE_SCENE_AS, texts::SAVE),
             Self::OpenScene => (texts::OPEN_A_SCENE_FILE, texts::OPEN),
+            Self::ExportModel => (texts::EXPORT_A_MODEL, texts::EXPORT),
             Self::Film => (texts::EXPORT_TO_A_FILE, texts::CHOOSE),
             Self::FilmFolder => (texts::EXPORT_INTO_A_FOLDER, texts::CHOOSE),
         }
     }
+}
+
+/// Whether a name ends in one of these after a point, in capitals or not.
+fn ends_with_one_of(name: &str, endings: &[&str]) -> bool {
+    let name = name.to_lowercase();
+    endings.iter().any(|ending| name.strip_suffix(ending).is_some_and(|stem| stem.ends_with('.')))
 }

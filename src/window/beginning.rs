@@ -5,13 +5,18 @@ use std::path::Path;
 use super::outside::Outside;
 use super::shell::Shell;
 use crate::editor::{Beginning, Command, Edit, NEW_FILE, Severity, WindowCommand};
-use crate::files;
+use crate::files::{self, Begun};
 use crate::script::Restore;
 use crate::storage;
 
 /// Whether a command leaves the document behind.
 const fn leaves(command: &Command) -> bool {
-    matches!(command, Command::Edit(Edit::BeginAnew) | Command::Window(WindowCommand::Begin(_)))
+    match command {
+        // The user was asked before a model with several animations was opened.
+        Command::Window(WindowCommand::Begin(Beginning::Model { animation: Some(_), .. })) => false,
+        Command::Edit(Edit::BeginAnew) | Command::Window(WindowCommand::Begin(_)) => true,
+        _ => false,
+    }
 }
 
 impl Shell {
@@ -49,8 +54,15 @@ impl Shell {
     /// Shows another scene, or says why not.
     pub(super) fn begin(&mut self, beginning: &Beginning) {
         let folder = self.editor.keyframe_file().parent().unwrap_or(Path::new("")).to_owned();
+        if let Beginning::Model { path, animation: None } = beginning
+            && let Ok(animations) = files::model::animations(path)
+            && animations.len() > 1
+        {
+            self.ui.ask_which_animation(path.clone(), animations);
+            return;
+        }
         match files::begun(beginning, &folder) {
-            Ok(mut editor) => {
+            Ok(Begun { mut editor, said }) => {
                 editor.go_on_saying(&self.editor);
                 editor.set_keymap(self.ui.keymap().clone());
                 editor.set_handles(self.settings_file.settings.gizmo_axes, self.settings_file.settings.snap);
@@ -60,6 +72,12 @@ impl Shell {
                 self.hands.forget_scene();
                 self.ui.begin_anew();
                 self.keeper.begin_anew(&self.editor);
+                for message in said {
+                    self.editor.say(message.with_severity(Severity::Outcome));
+                }
+                if let Beginning::Model { path, .. } | Beginning::SceneFile(path) = beginning {
+                    self.used(path);
+                }
             }
             Err(said) => self.editor.say(said.with_severity(Severity::Error)),
         }

@@ -8,6 +8,7 @@ use rfd::FileDialog;
 use winit::event_loop::EventLoopProxy;
 
 use super::{UserEvent, now};
+use crate::editor::MODEL_ENDINGS;
 use crate::storage;
 use crate::ui::PathPurpose;
 use crate::ui::words::Words;
@@ -30,7 +31,10 @@ pub fn ask(purpose: PathPurpose, proposed: PathBuf, words: Words, proxy: EventLo
             PathPurpose::SaveSceneAs | PathPurpose::OpenScene => {
                 dialog = dialog.add_filter(words.say(texts::SCENE_FILES), &["json"]);
             }
-            PathPurpose::Film | PathPurpose::FilmFolder => {}
+            PathPurpose::ExportModel | PathPurpose::Film | PathPurpose::FilmFolder => {}
+        }
+        if matches!(purpose, PathPurpose::Open | PathPurpose::OpenScene | PathPurpose::ExportModel) {
+            dialog = dialog.add_filter(words.say(texts::MODEL_FILES), &MODEL_ENDINGS);
         }
         if matches!(purpose, PathPurpose::Open | PathPurpose::Compare) {
             dialog = dialog.add_filter(words.say(texts::KEYFRAMES_AS_TEXT), &["txt", "csv"]);

@@ -58,6 +58,10 @@ impl Host for Shell {
         Ok(outcome)
     }
 
+    fn write_model(&mut self, path: &Path) -> Result<FileOutcome<Vec<Message>>, Infallible> {
+        Ok(files::model::write(path, self.editor.document()))
+    }
+
     fn told(&mut self, access: FileAccess, path: &Path, told: Result<(), CommandError>) -> Result<(), Infallible> {
         let is_keyframe_file = matches!(access, FileAccess::KeyframesRead | FileAccess::KeyframesWritten);
         if told.is_ok() {
@@ -218,7 +222,7 @@ impl Shell {
         }
     }
 
-    fn used(&mut self, path: &Path) {
+    pub(super) fn used(&mut self, path: &Path) {
         let before = self.settings_file.settings.recent.clone();
         self.settings_file.settings.used(&storage::absolute(path));
         if self.settings_file.settings.recent != before {
@@ -244,7 +248,11 @@ impl Shell {
     fn choose_named(&mut self, purpose: PathPurpose) {
         let is_scene = matches!(purpose, PathPurpose::SaveSceneAs | PathPurpose::OpenScene);
         let file = self.editor.keyframe_file();
-        let proposed = if is_scene { self.editor.proposed_scene_path() } else { file.to_owned() };
+        let proposed = match purpose {
+            PathPurpose::ExportModel => file.with_extension("glb"),
+            _ if is_scene => self.editor.proposed_scene_path(),
+            _ => file.to_owned(),
+        };
         self.choose_path(purpose, proposed);
     }
 

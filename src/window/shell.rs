@@ -28,7 +28,7 @@ use crate::files;
 use crate::journal::Ending;
 use crate::render::GpuError;
 use crate::script::Restore;
-use crate::ui::Panels;
+use crate::ui::{Panels, PathPurpose};
 use crate::words::texts;
 
 /// The longest time that one tick call may catch up. After a longer stall, playback continues from where it stopped.
@@ -301,7 +301,11 @@ impl Shell {
                 stage.outdate();
                 shows = true;
             }
-            WindowEvent::DroppedFile(path) => self.apply(Command::File(FileCommand::Open(path))),
+            WindowEvent::DroppedFile(path) => {
+                if let Some(command) = PathPurpose::Open.command(path) {
+                    self.apply(command);
+                }
+            }
             WindowEvent::ModifiersChanged(modifiers) => self.hands.modifiers = modifiers.state(),
             WindowEvent::PinchGesture { delta, .. } => self.by_hand(|hands, shell| hands.pinch(shell, delta)),
             WindowEvent::KeyboardInput { event, is_synthetic, .. } => {

@@ -147,6 +147,7 @@ pub fn window_and_failures() -> String {
         texts::FILE_EXPORT_BEGUN_ALREADY.into(),
         texts::reach_ball("robot1/left_hip/left_knee"),
         texts::no_file_manager("/home/me/films"),
+        texts::file_model_not_written("walk.glb"),
         texts::HOTKEYS_RESET.into(),
         texts::hotkeys_removed("Play or stop"),
         texts::settings_not_understood(path(), reason()),

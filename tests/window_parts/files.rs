@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable as _;
-use inbetween::editor::{Beginning, Command, Edit, WindowCommand};
+use inbetween::editor::{Beginning, Command, Edit, FileCommand, WindowCommand};
 use inbetween::scene::BUILT_IN_ANIMATIONS;
 use inbetween::ui::{PathPurpose, QuitAnswer};
 
@@ -53,6 +53,40 @@ fn a_scene_file_is_asked_for() {
     press(&mut harness, Key::Enter);
     let begins = Command::Window(WindowCommand::Begin(Beginning::SceneFile(PathBuf::from("mine.json"))));
     assert_eq!(harness.state().commands.last(), Some(&begins));
+}
+
+#[test]
+fn a_model_is_opened_by_its_ending() {
+    for purpose in [PathPurpose::Open, PathPurpose::OpenScene] {
+        for name in ["fox.glb", "fox.GLTF", "walk.bvh"] {
+            let path = PathBuf::from(name);
+            let begins =
+                Command::Window(WindowCommand::Begin(Beginning::Model { path: path.clone(), animation: None }));
+            assert_eq!(purpose.command(path), Some(begins), "{name}");
+        }
+    }
+    let path = PathBuf::from("glb");
+    assert_eq!(PathPurpose::Open.command(path.clone()), Some(Command::File(FileCommand::Open(path))));
+    let path = PathBuf::from("walk.glb");
+    let exports = Command::File(FileCommand::ExportModel(path.clone()));
+    assert_eq!(PathPurpose::ExportModel.command(path), Some(exports));
+}
+
+#[test]
+fn one_of_a_models_animations_is_asked_for() {
+    let names = ["Survey", "Walk", "Run"].map(str::to_owned).to_vec();
+    let mut harness = harness(editor(0));
+    harness.state_mut().ui.ask_which_animation(PathBuf::from("models/fox.glb"), names.clone());
+    harness.run();
+    assert!(harness.query_by_label("fox.glb has 3 animations.").is_some());
+    click(&mut harness, "1  Walk");
+    let begins = Beginning::Model { path: PathBuf::from("models/fox.glb"), animation: Some(1) };
+    assert_eq!(harness.state().commands, [Command::Window(WindowCommand::Begin(begins))]);
+    assert!(!harness.state().ui.has_dialog());
+    harness.state_mut().ui.ask_which_animation(PathBuf::from("fox.glb"), names);
+    harness.run();
+    click(&mut harness, "Cancel");
+    assert!(!harness.state().ui.has_dialog() && harness.state().commands.len() == 1);
 }
 
 #[test]

@@ -21,9 +21,6 @@ wrongly.
 
 BVH (.bvh) has the RBT nodes as joints, and a frame for each time.";
 
-/// Frames a second of a file that has nothing but frames.
-pub const DEFAULT_FRAMES_PER_SECOND: u32 = 60;
-
 /// Arguments of `export`.
 #[derive(Debug, Args)]
 pub struct ExportArguments {

@@ -129,8 +129,25 @@ fn pictures() -> Vec<Row> {
 /// Films. What they are to be has no line of its own: scripts make none, and `inbetween render` says it all.
 fn exports() -> Vec<Row> {
     let show = binding("export", Command::Window(WindowCommand::ShowExport));
+    let model = binding("export-model", Command::File(FileCommand::ChooseExportModel));
     vec![
         Row::listed(Changes::Window, show.hotkeys(&["Ctrl+E"]).section(7)),
+        Row::listed(Changes::Files, model.section(7)),
+        Row::of(Changes::Files, "export-model-file", |command| {
+            matches!(command, Command::File(FileCommand::ExportModel(_)))
+        })
+        .line(
+            Line::new(
+                "export-model FILE",
+                "writes the scene and what the keyframes play for other programs: glTF (`.glb`, `.gltf`) or BVH (`.bvh`)",
+                |arguments| Ok(file(arguments.text).map(|path| Command::File(FileCommand::ExportModel(path)))),
+                |command, _| {
+                    let Command::File(FileCommand::ExportModel(path)) = command else { return None };
+                    file_text(path)
+                },
+            )
+            .ending(Ending::FilePath(None)),
+        ),
         Row::of(Changes::Files, "export-film", |command| matches!(command, Command::File(FileCommand::Export(_)))),
         Row::of(Changes::Files, "export-cancel", |command| matches!(command, Command::File(FileCommand::CancelExport))),
         Row::of(Changes::Files, "export-choose", |command| {

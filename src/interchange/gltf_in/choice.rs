@@ -1,6 +1,6 @@
 //! Which scene and which animation of a file are taken.
 
-use crate::gltf::json::{Index, Root};
+use crate::gltf::json::{Animation, Index, Root};
 use crate::words::{Message, all_of, quoted, texts};
 
 /// The scene of a number, or the file's own; `None` where the file has none. `notes` gets the others.
@@ -46,6 +46,12 @@ pub(super) fn chosen_animation(
         notes.push(texts::gltf_in_animations(numbered(names, chosen)));
     }
     Ok(Some(chosen))
+}
+
+/// The names of a file's animations; of one without a name its number.
+pub(super) fn animation_names(root: &Root) -> Vec<String> {
+    let name = |(number, animation): (usize, &Animation)| animation.name.clone().unwrap_or_else(|| number.to_string());
+    root.animations.iter().enumerate().map(name).collect()
 }
 
 /// The numbers and names of all but one of a list: `0 "Survey", 2 "Run"`.
