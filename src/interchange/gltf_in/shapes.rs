@@ -120,10 +120,6 @@ impl<'a, 'f> Parts<'a, 'f> {
         if mesh.skin.is_none() {
             changed(&mut mesh, node.node_from_mesh);
         }
-        if mesh.positions.iter().any(|position| !position.is_finite()) {
-            let at = format!("/meshes/{}", source.mesh);
-            return Err(GltfError::new(at, texts::GLTF_IN_NOT_FINITE));
-        }
         let centre = centred(&mut mesh);
         if let Some(skin) = &mut mesh.skin {
             for (matrix, joint) in skin.joint_from_shape.iter_mut().zip(&read.joints) {
@@ -131,6 +127,9 @@ impl<'a, 'f> Parts<'a, 'f> {
                 let joint_from_mesh = self.tree[joints[*joint]].node_from_mesh.as_affine3a() * *matrix;
                 *matrix = joint_from_mesh * glam::Affine3A::from_translation(centre);
             }
+        }
+        if !is_finite(&mesh) {
+            return Err(GltfError::new(format!("/meshes/{}", source.mesh), texts::GLTF_IN_NOT_FINITE));
         }
         mesh.name = unique_name(&wanted.replace('/', "_"), "mesh", &mut self.names);
         let part = MeshPart {
@@ -148,6 +147,15 @@ impl<'a, 'f> Parts<'a, 'f> {
         self.meshes.push(mesh);
         Ok(Some(part))
     }
+}
+
+/// Whether products of a mesh's numbers with transforms are numbers still.
+fn is_finite(mesh: &TriangleMesh) -> bool {
+    let matrices = mesh.skin.iter().flat_map(|skin| &skin.joint_from_shape);
+    let are_coordinates = mesh.texture_coordinates.iter().all(|coordinates| coordinates.is_finite());
+    are_coordinates
+        && mesh.positions.iter().all(|position| position.is_finite())
+        && matrices.copied().all(|matrix| matrix.is_finite())
 }
 
 /// Applies a transform to a mesh.
