@@ -108,7 +108,7 @@ fn one_sample_is_held_and_long_gaps_are_filled() {
     // Too near to the sample before it, which it replaces.
     samples.push(1050.000_01, at_x(3.0)).unwrap();
     assert_eq!(samples.pose_at(2000.0), at_x(3.0));
-    assert_eq!(samples.at_least_every(0.5).len(), 2101);
+    assert_eq!(samples.at_least_every(0.5).len(), 2102);
     assert_eq!(samples.at_least_every(1e9).len(), samples.len());
     let reduced = reduced(&samples, Choice::Within(CLOSE), Interpolation::Linear);
     assert_eq!(samples.pose_at(525.0), at_x(1.0));
