@@ -52,7 +52,7 @@ impl Report<'_> {
         } else if common.is_quiet {
             return Ok(());
         } else {
-            notes.iter().map(|note| format!("{name}: {note}\n")).collect()
+            notes.iter().flat_map(|note| [name.clone(), format!(": {note}\n")]).collect()
         };
         let standard = data.into_iter().find(|path| storage::is_standard(path));
         output::say_beside(standard, &said)

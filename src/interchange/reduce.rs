@@ -141,7 +141,7 @@ struct Track {
 /// The samples of all nodes that move.
 struct Tracks<'a> {
     seconds: &'a [f64],
-    tracks: Vec<Track>,
+    nodes: Vec<Track>,
     points: Vec<Points<'a>>,
     /// The square of the largest distance of two quaternions.
     chord_squared: f32,
@@ -169,7 +169,7 @@ impl<'a> Tracks<'a> {
         let units = tolerance.units as f32;
         let points = watched.iter().map(|watched| Points::of(watched, samples, &place)).collect();
         let (chord_squared, units_squared) = (chord * chord, units * units);
-        Self { seconds: samples.seconds(), tracks, points, chord_squared, units_squared }
+        Self { seconds: samples.seconds(), nodes: tracks, points, chord_squared, units_squared }
     }
 
     /// Whether two transforms are within the tolerance.
@@ -203,12 +203,12 @@ impl<'a> Tracks<'a> {
                 self.is_near(played, track.rbts[sample])
             })
         };
-        let order = (*first..self.tracks.len()).chain(0..(*first).min(self.tracks.len()));
-        let off = order.into_iter().find(|&track| !is_near(&self.tracks[track]));
+        let order = (*first..self.nodes.len()).chain(0..(*first).min(self.nodes.len()));
+        let off = order.into_iter().find(|&track| !is_near(&self.nodes[track]));
         *first = off.unwrap_or(*first);
         let played = |sample| {
             move |track: usize| {
-                let rbts = &self.tracks[track].rbts;
+                let rbts = &self.nodes[track].rbts;
                 linear_rbt(rbts[from], rbts[to], self.alpha(from, to, sample))
             }
         };

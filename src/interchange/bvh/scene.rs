@@ -53,7 +53,7 @@ struct Standing {
 /// The scene of a capture. `may_turn`: whether y becomes the up axis where it seems to be z.
 fn standing(capture: &Capture, name: &str, scale: Option<f64>, may_turn: bool) -> Result<Standing, Message> {
     let measured = Measured::of(capture, may_turn);
-    if !(measured.height > 0.0) {
+    if measured.height.is_nan() || measured.height <= 0.0 {
         return Err(texts::BVH_NO_SIZE.into());
     }
     let factor = scale.unwrap_or(PERSON_HEIGHT / measured.height);

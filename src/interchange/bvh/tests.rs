@@ -1,10 +1,12 @@
 //! Small captures in, scenes and sentences out; scenes out and in again.
 
+use std::fmt::Write as _;
+
 use glam::{EulerRot, Quat, Vec3};
 
 use super::*;
 use crate::interchange::figure::Figure;
-use crate::interchange::reduce::{Choice, Tolerance, reduced};
+use crate::interchange::reduce::{Choice, Samples, Tolerance, reduced};
 use crate::interpolation::Interpolation;
 use crate::keyframe::{Animation, PlayRange};
 use crate::pose::{Pose, RbtIndex};
@@ -131,12 +133,13 @@ fn person(turn: f64, is_z_up: bool) -> String {
     let mut text = String::from("HIERARCHY\n");
     for (index, &(name, level, offset)) in PERSON.iter().enumerate() {
         let DVec3 { x, y, z } = turned(offset);
-        text += &format!("{} {name} {{ OFFSET {x} {y} {z} CHANNELS 0\n", if level == 0 { "ROOT" } else { "JOINT" });
+        let keyword = if level == 0 { "ROOT" } else { "JOINT" };
+        let _ = writeln!(text, "{keyword} {name} {{ OFFSET {x} {y} {z} CHANNELS 0");
         let next = PERSON.get(index + 1).map_or(0, |next| next.1);
         if next <= level {
             let end = if name.ends_with("Foot") { [0.0, -0.5, 3.0] } else { [0.0, 1.0, 0.0] };
             let DVec3 { x, y, z } = turned(end);
-            text += &format!("End Site {{ OFFSET {x} {y} {z} }}\n");
+            let _ = writeln!(text, "End Site {{ OFFSET {x} {y} {z} }}");
         }
         let closed = (level + 1).saturating_sub(next);
         text += &"}\n".repeat(if index + 1 == PERSON.len() { level + 1 } else { closed });
@@ -234,8 +237,8 @@ fn captures_without_extent_or_beyond_all_bounds_are_refused() {
     let far = "HIERARCHY\nROOT a { JOINT b { OFFSET 1e9 1 0 } }\nMOTION\nFrames: 0\nFrame Time: 1\n";
     let said = scene_of(&parsed(far).unwrap(), "a", None).map(|_| ()).unwrap_err().to_string();
     assert_eq!(said, "joint b is not within a million units of the origin");
-    let long = format!("HIERARCHY\nROOT a {{ End Site {{ OFFSET 0 1 0 }} }}\nMOTION\nFrames: 1100\nFrame Time: 100\n");
-    let said = scene_of(&parsed(&long).unwrap(), "a", None).map(|_| ()).unwrap_err().to_string();
+    let long = "HIERARCHY\nROOT a { End Site { OFFSET 0 1 0 } }\nMOTION\nFrames: 1100\nFrame Time: 100\n";
+    let said = scene_of(&parsed(long).unwrap(), "a", None).map(|_| ()).unwrap_err().to_string();
     assert_eq!(said, "an animation of 100100 s: 100000 s are the most");
 }
 
@@ -307,7 +310,7 @@ fn angles_do_not_jump_from_frame_to_frame() {
     let turn = |degrees: f32| {
         Pose::new(vec![Rbt::from_rotation(Quat::from_euler(EulerRot::ZXY, 0.3, degrees.to_radians(), 0.2))])
     };
-    let samples = crate::interchange::reduce::Samples::of(1.0, 30.0, |at| turn(40.0 + 350.0 * at as f32)).unwrap();
+    let samples = Samples::of(1.0, 30.0, |at| turn(40.0 + 350.0 * at as f32)).unwrap();
     let tolerance = Tolerance { degrees: 0.01, units: 1e-3 };
     let made = reduced(&samples, Choice::Within(tolerance), Interpolation::Linear);
     let (text, _) = written(&scene, Some(&made.animation), 30);
@@ -392,7 +395,7 @@ fn no_mutant_of_a_capture_makes_the_program_fail() {
         if let Ok(made) = scene_of(&capture, "mutant", (mutant % 3 == 0).then_some(0.1)) {
             read += 1;
             assert!(made.scene.rest_pose().iter().all(Rbt::is_finite));
-            let poses = made.samples.iter().flat_map(|samples| samples.poses());
+            let poses = made.samples.iter().flat_map(Samples::poses);
             assert!(poses.flat_map(Pose::iter).all(Rbt::is_in_bounds));
             if mutant % 50 == 0 {
                 assert!(scene_from_json(&scene_to_json(&made.scene)).is_ok());

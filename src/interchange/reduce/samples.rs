@@ -46,7 +46,7 @@ impl Samples {
     /// # Errors
     /// [`TooLong`]
     pub fn of(seconds: f64, fps: f64, mut pose_at: impl FnMut(f64) -> Pose) -> Result<Self, TooLong> {
-        if !(seconds <= LONGEST_SECONDS) {
+        if seconds.is_nan() || seconds > LONGEST_SECONDS {
             return Err(TooLong { seconds });
         }
         let mut samples = Self::starting_with(pose_at(0.0));
@@ -66,7 +66,8 @@ impl Samples {
         }
         let last = self.seconds.len() - 1;
         // Rounding must not make a step of just that length too short.
-        if !(seconds - self.seconds[last] >= SHORTEST_STEP * (1.0 - 1e-9)) {
+        let is_later = seconds - self.seconds[last] >= SHORTEST_STEP * (1.0 - 1e-9);
+        if !is_later {
             self.poses[last] = pose;
             return Ok(());
         }

@@ -48,12 +48,12 @@ fn worst_sample(tracks: &Tracks<'_>, keys: &[usize], interval: usize) -> Option<
     if tracks.seconds[to] - tracks.seconds[from] > LONGEST_STEP {
         return Some(usize::midpoint(from, to));
     }
-    let curves: Vec<Curve> = tracks.tracks.iter().map(|track| Curve::of(tracks, track, keys, interval)).collect();
+    let curves: Vec<Curve> = tracks.nodes.iter().map(|track| Curve::of(tracks, track, keys, interval)).collect();
     let mut worst = (1.0, None);
     for sample in from + 1..to {
         let alpha = tracks.alpha(from, to, sample);
         let of_track = |(curve, track): (&Curve, &Track)| tracks.excess(curve.at(alpha), track.rbts[sample]);
-        let nodes = curves.iter().zip(&tracks.tracks).map(of_track);
+        let nodes = curves.iter().zip(&tracks.nodes).map(of_track);
         let points = tracks.points.iter().map(|points| points.excess(sample, |track| curves[track].at(alpha)));
         let excess = nodes.chain(points).fold(0.0, f32::max);
         if excess > worst.0 {

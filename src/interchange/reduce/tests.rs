@@ -106,7 +106,7 @@ fn one_sample_is_held_and_long_gaps_are_filled() {
     let at_x = |x: f32| Pose::new(vec![Rbt::from_translation(Vec3::X * x)]);
     samples.push(1050.0, at_x(2.0)).unwrap();
     // Too near to the sample before it, which it replaces.
-    samples.push(1050.000_01, at_x(3.0)).unwrap();
+    samples.push(1_050.000_01, at_x(3.0)).unwrap();
     assert_eq!(samples.pose_at(2000.0), at_x(3.0));
     assert_eq!(samples.at_least_every(0.5).len(), 2102);
     assert_eq!(samples.at_least_every(1e9).len(), samples.len());

@@ -47,10 +47,10 @@ fn walker(seconds: f64, turned: bool) -> String {
         "HIERARCHY\nROOT Hips {\nOFFSET 0 0 0 CHANNELS 6 Xposition Yposition Zposition Yrotation Xrotation Zrotation\n",
     );
     for (name, x) in [("Left", 10.0 * side), ("Right", -10.0 * side)] {
-        let _ = write!(
+        let _ = writeln!(
             text,
             "JOINT {name}UpLeg {{ OFFSET {x} -5 0 CHANNELS 1 Xrotation JOINT {name}Leg {{ OFFSET 0 {} 0 CHANNELS 1 Xrotation \
-             JOINT {name}Foot {{ OFFSET 0 {} 0 CHANNELS 1 Xrotation End Site {{ OFFSET 0 -8 {} }} }} }} }}\n",
+             JOINT {name}Foot {{ OFFSET 0 {} 0 CHANNELS 1 Xrotation End Site {{ OFFSET 0 -8 {} }} }} }} }}",
             -THIGH,
             -SHIN,
             18.0 * side
@@ -59,11 +59,11 @@ fn walker(seconds: f64, turned: bool) -> String {
     text +=
         "JOINT Spine { OFFSET 0 20 0 CHANNELS 3 Yrotation Xrotation Zrotation JOINT Chest { OFFSET 0 25 0 CHANNELS 0\n";
     for (name, x) in [("Left", side), ("Right", -side)] {
-        let _ = write!(
+        let _ = writeln!(
             text,
             "JOINT {name}Shoulder {{ OFFSET 0 0 0 CHANNELS 0 JOINT {name}Arm {{ OFFSET {} 4 0 CHANNELS 3 Yrotation Zrotation Xrotation \
              JOINT {name}ForeArm {{ OFFSET {} 0 0 CHANNELS 1 Yrotation JOINT {name}Hand {{ OFFSET {} 0 0 CHANNELS 0 \
-             End Site {{ OFFSET {} 0 0 }} }} }} }} }}\n",
+             End Site {{ OFFSET {} 0 0 }} }} }} }} }}",
             18.0 * x,
             28.0 * x,
             24.0 * x,
