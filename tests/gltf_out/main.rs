@@ -223,6 +223,16 @@ fn keyframes_are_keys_with_their_poses_and_what_rests_has_no_channel() {
     // Blender makes one key of two that are closer than 1/100 of its 24 frames a second.
     let apart = held.windows(2).map(|pair| pair[1] - pair[0]).fold(f64::INFINITY, f64::min);
     assert!(apart > 0.01 / 24.0, "{held:?}");
+    // A jump does not swing beyond its end, with tangents either.
+    for curves in [Curves::Linear, Curves::Cubic] {
+        let export = Export { animation: Some((&animation, "spin")), curves, ..Export::of(&scene) };
+        let player = Player::of(&exported(export).0);
+        for before in [1e-7, 1e-4, 5e-4] {
+            let [held, jumping, next] = [0.4, 0.5 - before, 0.5].map(|at| player.pose(at, Blend::Slerp)[node("a")].1);
+            let (whole, part) = (held.angle_between(next), jumping.angle_between(next));
+            assert!(part <= whole * (before * 1024.0).powf(0.5) + 1e-6, "{curves:?} {before}: {part} of {whole}");
+        }
+    }
     // Keys before 0 s are cut off there, and later ones go on.
     assert_eq!(player.times(node("wheel"), "translation"), [0.0, 3.0]);
     assert_eq!(player.pose(0.0, Blend::Slerp)[node("wheel")].0, DVec3::X);

@@ -102,8 +102,11 @@ fn knot(span: &Span, property: Property, fraction: f64, curves: Curves) -> Knot 
     let tangents = match curves {
         Curves::Linear => [DVec4::ZERO; 2],
         Curves::Cubic => {
+            // In a jump nothing has a slope.
             let [start, end] = span.smooth(property);
+            let is_smooth = (start..=end).contains(&fraction);
             [(-1.0, fraction > start), (1.0, fraction < end)].map(|(side, is_inside)| {
+                let is_inside = is_inside && is_smooth;
                 if is_inside { span.derivative(property, fraction, value, side) / span.length() } else { DVec4::ZERO }
             })
         }
