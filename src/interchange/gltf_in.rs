@@ -63,10 +63,12 @@ pub struct Imported {
     pub report: Vec<Message>,
 }
 
-/// Whether bytes begin as a glTF file does: binary, or as JSON.
+/// Whether bytes are meant to be a glTF file: binary by how they begin, or JSON that says something of an `asset`, as every one must.
 #[must_use]
 pub fn is_gltf(bytes: &[u8]) -> bool {
-    bytes.starts_with(b"glTF") || without_byte_order_mark(bytes).trim_ascii_start().starts_with(b"{")
+    const ASSET: &[u8] = b"\"asset\"";
+    let is_json = || without_byte_order_mark(bytes).trim_ascii_start().starts_with(b"{");
+    bytes.starts_with(b"glTF") || (is_json() && bytes.windows(ASSET.len()).any(|window| window == ASSET))
 }
 
 /// Reads a glTF file, text or binary. `read_file` reads a file beside it, by a path relative to its folder and not out of it.

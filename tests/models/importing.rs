@@ -1,7 +1,7 @@
 //! glTF files as scenes and animations.
 
 use glam::{Quat, Vec3};
-use inbetween::interchange::gltf_in::{self, Options, imported};
+use inbetween::interchange::gltf_in::{self, Options, imported, is_gltf};
 use inbetween::interchange::reduce::{Choice, reduced};
 use inbetween::interpolation::Interpolation;
 use inbetween::keyframe::{Animation, PlayRange};
@@ -54,6 +54,13 @@ pub fn good(model: &Model) -> Imported {
 #[track_caller]
 fn refused(model: &Model, sentence: &str) {
     assert_eq!(import(model, &options()).expect_err(sentence), sentence);
+}
+
+#[test]
+fn a_gltf_file_is_told_by_its_content() {
+    let model = Model::new();
+    assert!(is_gltf(&model.glb()) && is_gltf(&model.text()) && is_gltf(b"\xef\xbb\xbf {\"asset\": {}}"));
+    assert!(!is_gltf(b"{\"format\": \"inbetween.scene\"}") && !is_gltf(b"HIERARCHY \"asset\"") && !is_gltf(b""));
 }
 
 /// The paths of all nodes but those that are put around a model.
