@@ -82,7 +82,8 @@ fn a_model_looks_as_it_did() {
 #[test]
 fn a_model_of_timed_keys_looks_as_it_did() {
     let mut model = all();
-    let turned = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.707_106_8, 0.707_106_8];
+    let half = std::f32::consts::FRAC_1_SQRT_2;
+    let turned = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, half, half];
     model.animation(
         "bend",
         &[
