@@ -138,6 +138,7 @@ pub fn keymap() -> String {
 }
 
 /// The sentences that only the window says, and those of failures that a test cannot bring about on every machine.
+#[expect(clippy::too_many_lines, reason = "it is a list")]
 pub fn window_and_failures() -> String {
     let path = || "folder/walk.json";
     let reason = || texts::foreign("it broke");
