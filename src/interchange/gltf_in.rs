@@ -12,6 +12,7 @@ mod pace;
 mod scene;
 mod shapes;
 mod sight;
+mod steering;
 mod tree;
 
 use self::choice::{animation_names, chosen_animation, chosen_scene};

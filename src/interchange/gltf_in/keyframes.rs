@@ -2,12 +2,13 @@
 
 use serde_json::{Map, Value};
 
-use super::motion::Motion;
+use super::motion::{Motion, NodeMotion};
 use super::pace::Pace;
+use super::steering::Moved;
 use super::tree::TreeNode;
 use crate::interchange::reduce::{Samples, Tolerance};
 use crate::keyframe::Animation;
-use crate::pose::RbtIndex;
+use crate::pose::{Pose, RbtIndex};
 use crate::rbt::Rbt;
 use crate::scene::SceneGraph;
 use crate::words::{Message, texts};
@@ -38,6 +39,46 @@ pub struct Moving {
     pub kept: Option<(Animation, Message)>,
 }
 
+/// The RBT nodes that move.
+struct Moves<'a> {
+    played: Played<'a>,
+    /// Nodes of the tree, and the same in the scene.
+    moved: Vec<(usize, RbtIndex)>,
+    /// By RBT node: the moved node of the tree.
+    of_rbts: Vec<Option<usize>>,
+}
+
+impl Moves<'_> {
+    fn tree_node_at(&self, node: usize, seconds: f64) -> Rbt {
+        let at = self.played.motion.at(self.played.tree, node, seconds);
+        Rbt::new(at.translation.as_vec3(), at.rotation.as_quat())
+    }
+}
+
+impl Moved for Moves<'_> {
+    fn node_at(&self, rbt: RbtIndex, seconds: f64) -> Rbt {
+        let rest = || self.played.scene.rest_pose().get(rbt);
+        self.of_rbts[rbt.get()].map_or_else(rest, |node| self.tree_node_at(node, seconds))
+    }
+
+    fn keys(&self, rbt: RbtIndex) -> [&[f64]; 2] {
+        let Some(node) = self.of_rbts[rbt.get()] else { return [&[]; 2] };
+        let NodeMotion { translation, rotation, .. } = &self.played.motion.nodes[node];
+        [
+            translation.as_ref().map_or(&[], |curve| &curve.seconds),
+            rotation.as_ref().map_or(&[], |curve| &curve.seconds),
+        ]
+    }
+
+    fn pose_at(&self, seconds: f64) -> Pose {
+        let mut pose = self.played.scene.rest_pose().clone();
+        for &(node, rbt) in &self.moved {
+            pose.set(rbt, self.tree_node_at(node, seconds));
+        }
+        pose.in_bounds()
+    }
+}
+
 impl Played<'_> {
     /// The motion of RBT nodes; `None` if none moves. `pace`: what the file says of the keyframes that it was made of. `report` gets what
     /// was simplified.
@@ -58,23 +99,20 @@ impl Played<'_> {
         if times.len() > most {
             return Err(texts::gltf_in_too_many_samples(times.len(), most));
         }
-        let pose_at = |seconds: f64| {
-            let mut pose = scene.rest_pose().clone();
-            for &(node, rbt) in &moved {
-                let at = motion.at(tree, node, seconds);
-                pose.set(rbt, Rbt::new(at.translation.as_vec3(), at.rotation.as_quat()));
-            }
-            pose.in_bounds()
-        };
+        let mut of_rbts = vec![None; scene.rbt_count()];
+        for &(node, rbt) in &moved {
+            of_rbts[rbt.get()] = Some(node);
+        }
+        let moves = Moves { played: *self, moved, of_rbts };
         let pace = pace.and_then(|pace| Pace::of(pace, motion.span[1])).filter(|pace| pace.times().len() <= most);
-        let kept = pace.and_then(|pace| pace.animation(&times, tolerance, pose_at)).map(|(animation, worst)| {
+        let kept = pace.and_then(|pace| pace.animation(&times, tolerance, &moves)).map(|(animation, worst)| {
             let count = texts::count_keyframes(animation.keyframes.len());
             let (degrees, units) = (format!("{:.3}", worst.degrees), format!("{:.5}", worst.units));
             (animation, texts::gltf_in_pace(count, degrees, units))
         });
-        let mut samples = Samples::starting_with(pose_at(start));
+        let mut samples = Samples::starting_with(moves.pose_at(start));
         for seconds in times.into_iter().filter(|&seconds| seconds > start) {
-            samples.push(seconds - start, pose_at(seconds)).map_err(|error| error.message())?;
+            samples.push(seconds - start, moves.pose_at(seconds)).map_err(|error| error.message())?;
         }
         if start != 0.0 {
             report.push(texts::gltf_in_starts(format!("{start:.3}")));

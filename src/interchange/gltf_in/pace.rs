@@ -4,13 +4,13 @@ use std::sync::Arc;
 
 use serde_json::{Map, Value};
 
+use super::steering::{Moved, steer};
 use crate::interchange::reduce::{Tolerance, beyond};
-use crate::interpolation::{Interpolation, conditionally_negated, power};
+use crate::interpolation::Interpolation;
 use crate::keyframe::{
     Animation, DURATION_RANGE, Easing, Keyframe, KeyframeIndex, KeyframeList, MS_BETWEEN_KEYFRAMES_RANGE, PlayRange,
 };
 use crate::pose::{Pose, RbtIndex};
-use crate::rbt::Rbt;
 
 /// How far the times of a file may be from those of its keys, in seconds: they are written in single precision.
 const SAME_TIME: f64 = 1e-3;
@@ -18,8 +18,6 @@ const SAME_TIME: f64 = 1e-3;
 const FRACTIONS: [f64; 4] = [0.2, 0.4, 0.6, 0.8];
 /// The most keyframes that a pace is read of.
 const MOST_KEYFRAMES: usize = 1 << 20;
-/// How often steering keyframes are made better.
-const ROUNDS: usize = 12;
 
 /// How an animation played before it was exported.
 pub(super) struct Pace {
@@ -68,13 +66,8 @@ impl Pace {
     }
 
     /// The animation, and how far it is from the motion; `None` if that is farther than `allowed`, so that the motion is another by now.
-    /// `keys`: the times of the motion's keys, ascending. `pose_at`: the motion at a time in seconds.
-    pub fn animation(
-        &self,
-        keys: &[f64],
-        allowed: Tolerance,
-        pose_at: impl Fn(f64) -> Pose,
-    ) -> Option<(Animation, Tolerance)> {
+    /// `keys`: the times of the motion's keys, ascending.
+    pub fn animation(&self, keys: &[f64], allowed: Tolerance, moved: &impl Moved) -> Option<(Animation, Tolerance)> {
         // At the key itself, so that no value is interpolated.
         let at_key = |seconds: f64| {
             let after = keys.partition_point(|&key| key < seconds);
@@ -84,7 +77,7 @@ impl Pace {
                 .unwrap_or(seconds)
         };
         let times = self.times();
-        let poses: Vec<Pose> = times.iter().map(|&seconds| pose_at(at_key(seconds))).collect();
+        let poses: Vec<Pose> = times.iter().map(|&seconds| moved.pose_at(at_key(seconds))).collect();
         let last = poses.len() - 1;
         let ends = [beyond(&poses[1], &poses[0]), beyond(&poses[last - 1], &poses[last])];
         let mut keyframes = vec![Keyframe::new(ends[0].clone())];
@@ -94,69 +87,32 @@ impl Pace {
         }
         keyframes.push(Keyframe::new(ends[1].clone()));
         if self.interpolation == Interpolation::CatmullRom {
-            self.steer(&mut keyframes, &times, &pose_at);
+            steer(&mut keyframes, self, &times, moved);
         }
         let list = KeyframeList::new(keyframes);
-        let worst = self.worst(&list, &times, &pose_at);
+        let worst = self.worst(&list, &times, moved);
         let is_same = worst.degrees <= allowed.degrees && worst.units <= allowed.units;
         let (interpolation, ms_between_keyframes) = (self.interpolation, self.ms_between_keyframes);
         is_same.then_some((Animation { keyframes: list, interpolation, ms_between_keyframes }, worst))
     }
 
-    /// Moves both steering keyframes until the curve of the interval beside them is that of the motion: each round by what is missing in
-    /// the middle, times how much less the curve moves there.
-    fn steer(&self, keyframes: &mut [Keyframe], times: &[f64], pose_at: &impl Fn(f64) -> Pose) {
-        let last = self.intervals.len() - 1;
-        let ends = [(0, 1.0), (last, -1.0)].map(|(interval, direction)| {
-            let (_, easing) = self.intervals[interval];
-            // Where easing is nearest to the middle.
-            let fractions = (1..32).map(|part| f64::from(part) / 32.0);
-            let middle = |fraction: &f64| (easing.value(*fraction) - 0.5).abs();
-            let fraction = fractions.min_by(|a, b| middle(a).total_cmp(&middle(b))).unwrap_or(0.5);
-            let seconds = times[interval] + (times[interval + 1] - times[interval]) * fraction;
-            (interval, direction, easing.value(fraction) as f32, pose_at(seconds))
-        });
-        for _ in 0..ROUNDS {
-            let list = KeyframeList::new(keyframes.to_vec());
-            let Ok(range) = PlayRange::new(&list) else { return };
-            for (interval, direction, alpha, wanted) in &ends {
-                let steering = if *direction > 0.0 { 0 } else { keyframes.len() - 1 };
-                let (near, far) = if *direction > 0.0 { (1.0 - alpha, *alpha) } else { (*alpha, 1.0 - alpha) };
-                let share = 3.0 * far * near * near;
-                let own = keyframes[interval + 1].duration;
-                let beside = if *direction > 0.0 { keyframes[0].duration } else { keyframes[interval + 2].duration };
-                let divisor = (3.0 * (beside + own) / own) as f32;
-                if share < 0.05 {
-                    continue;
-                }
-                let mut pose = keyframes[steering].pose.clone();
-                for node in 0..pose.len() {
-                    let rbt = RbtIndex::new(node);
-                    let played = range.rbt_at(KeyframeIndex::new(interval + 1), *alpha, self.interpolation, rbt);
-                    let (wanted, steers) = (wanted.get(rbt), pose.get(rbt));
-                    let missing = conditionally_negated(wanted.rotation * played.rotation.conjugate());
-                    let translation =
-                        steers.translation - (wanted.translation - played.translation) * (divisor / share);
-                    let rotation = (power(missing, -divisor / share) * steers.rotation).normalize();
-                    pose.set(rbt, Rbt::new(translation, rotation));
-                }
-                keyframes[steering].pose = pose.in_bounds();
-            }
-        }
+    /// The easing of an interval between played keyframes.
+    pub fn easing(&self, interval: usize) -> Easing {
+        self.intervals[interval].1
     }
 
     /// How far keyframes are from the motion, at worst.
-    fn worst(&self, list: &KeyframeList, times: &[f64], pose_at: &impl Fn(f64) -> Pose) -> Tolerance {
+    fn worst(&self, list: &KeyframeList, times: &[f64], moved: &impl Moved) -> Tolerance {
         let mut worst = Tolerance { degrees: 0.0, units: 0.0 };
         let Ok(range) = PlayRange::new(list) else { return worst };
         for (at, (_, easing)) in self.intervals.iter().enumerate() {
             for fraction in FRACTIONS {
-                let pose = pose_at(times[at] + (times[at + 1] - times[at]) * fraction);
+                let pose = moved.pose_at(times[at] + (times[at + 1] - times[at]) * fraction);
                 let alpha = easing.value(fraction) as f32;
-                for (node, moved) in pose.iter().enumerate() {
+                for (node, wanted) in pose.iter().enumerate() {
                     let rbt = RbtIndex::new(node);
                     let played = range.rbt_at(KeyframeIndex::new(at + 1), alpha, self.interpolation, rbt);
-                    let off = Tolerance::between(played, moved);
+                    let off = Tolerance::between(played, wanted);
                     worst = Tolerance { degrees: worst.degrees.max(off.degrees), units: worst.units.max(off.units) };
                 }
             }
