@@ -268,7 +268,9 @@ impl Editor {
     pub fn model_written(&mut self, path: &Path, outcome: Result<Vec<Message>, Message>) -> Result<(), CommandError> {
         match outcome {
             Ok(said) => {
-                said.into_iter().for_each(|said| self.say_outcome(said));
+                for said in said {
+                    self.say_outcome(said);
+                }
                 Ok(())
             }
             Err(reason) => self.not_written(path, reason),
