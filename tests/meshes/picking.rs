@@ -63,9 +63,9 @@ fn check(scene: &SceneGraph, meshes: &[(Vec<Vec3>, &TriangleMesh)], least_hits: 
 #[test]
 fn rigid_meshes_are_met_at_their_nearest_triangle() {
     let (ball, cube) = (ball("ball", 12), cube("cube"));
-    let nodes = r##"[{"name": "sky"}, {"name": "a", "translation": [0.8, 0, 0], "children": [
+    let nodes = r#"[{"name": "sky"}, {"name": "a", "translation": [0.8, 0, 0], "children": [
         {"name": "ball", "shape": {"mesh": {"name": "ball"}}, "scale": [0.5, 1, 0.7]}]},
-        {"name": "b", "translation": [-0.8, 0.2, 0], "children": [{"name": "cube", "shape": {"mesh": {"name": "cube"}}, "scale": 0.5}]}]"##;
+        {"name": "b", "translation": [-0.8, 0.2, 0], "children": [{"name": "cube", "shape": {"mesh": {"name": "cube"}}, "scale": 0.5}]}]"#;
     let of_ball = ball.positions.iter().map(|at| *at * Vec3::new(0.5, 1.0, 0.7) + Vec3::X * 0.8).collect();
     let of_cube = cube.positions.iter().map(|at| *at * 0.5 + Vec3::new(-0.8, 0.2, 0.0)).collect();
     check(&scene(&[ball.clone(), cube.clone()], nodes), &[(of_ball, &ball), (of_cube, &cube)], 150);
@@ -74,7 +74,7 @@ fn rigid_meshes_are_met_at_their_nearest_triangle() {
 #[test]
 fn skins_are_met_as_their_joints_stand_and_give_the_joint_that_was_met() {
     let bar = bar("bar", 16, 12);
-    let scene = scene(&[bar.clone()], &format!(r#"[{{"name": "sky"}}, {}]"#, bent("arm", 0.0, 60.0)));
+    let scene = scene(std::slice::from_ref(&bar), &format!(r#"[{{"name": "sky"}}, {}]"#, bent("arm", 0.0, 60.0)));
     let (id, skin) = scene.nodes_with_ids().find_map(|(id, _)| Some((id, scene.skin(id)?))).expect("it is there");
     let world_from_node = scene.world_from_nodes(scene.rest_pose(), 0.0);
     let joints: Vec<_> = skin.world_from_bind(|joint| world_from_node[joint.get()].get()).collect();

@@ -56,7 +56,7 @@ fn seen(nodes: &str) -> String {
 }
 
 fn placed(name: &str, mesh: &str, more: &str) -> String {
-    format!(r##"{{"name": "{name}", "shape": {{"mesh": {{"name": "{mesh}"}}}}, {more}}}"##)
+    format!(r#"{{"name": "{name}", "shape": {{"mesh": {{"name": "{mesh}"}}}}, {more}}}"#)
 }
 
 fn with_material(mesh: TriangleMesh, change: impl FnOnce(&mut Material)) -> TriangleMesh {
@@ -102,7 +102,7 @@ fn open() -> SceneGraph {
         square("front"),
         with_material(square("both"), |material| material.is_double_sided = true),
     ];
-    let turned = |degrees: f32| format!(r##""rotation": {{"euler_degrees": [0, {degrees}, 0]}}"##);
+    let turned = |degrees: f32| format!(r#""rotation": {{"euler_degrees": [0, {degrees}, 0]}}"#);
     let nodes = [
         placed("ring", "ring", &format!(r##""translation": [-2.2, -0.3, 0], {}, "colour": "#ffffff""##, turned(20.0))),
         placed("behind", "ring", &format!(r##""translation": [0, -0.3, 0], {}, "colour": "#ffffff""##, turned(200.0))),
@@ -132,7 +132,7 @@ fn ghosts() -> Frame {
     add_square(&mut ring_mesh, glam::Vec3::ZERO, glam::Vec3::X, glam::Vec3::Y);
     (ring_mesh.material.texture, ring_mesh.material.alpha_cutoff) = (Some(ring()), Some(0.5));
     let carried = |name: &str, x: f32, shape: &str| {
-        format!(r##"{{"name": "{name}", "translation": [{x}, -0.4, 0], "children": [{shape}]}}"##)
+        format!(r#"{{"name": "{name}", "translation": [{x}, -0.4, 0], "children": [{shape}]}}"#)
     };
     let nodes = [
         bent("arm", -2.0, 0.0),
