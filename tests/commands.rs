@@ -269,6 +269,7 @@ fn any_file_command() -> impl Strategy<Value = Command> {
         any_file().prop_map(FileCommand::CompareWith),
         any_file().prop_map(FileCommand::SaveAs),
         any_file().prop_map(FileCommand::SaveSceneAs),
+        any_file().prop_map(FileCommand::ExportModel),
         (any_file(), any::<bool>())
             .prop_map(|(path, has_overlays)| FileCommand::Screenshot { path: Some(path), has_overlays }),
         any_text().prop_filter_map("it has no line", |name| named(name).map(FileCommand::ApplyPose)),

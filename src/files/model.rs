@@ -128,26 +128,24 @@ pub fn write(path: &Path, document: &Document) -> Result<Vec<Message>, Message> 
     let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase()).unwrap_or_default();
     let name = scene_name(path);
     let export = Export { animation: animation.map(|animation| (animation, &*name)), ..Export::of(scene) };
-    let mut said = vec![texts::file_model_written(path.display())];
-    let written = match &*ending {
+    let (written, mut said) = match &*ending {
         "bvh" => {
             let text = BvhText::new(scene, animation, None, DEFAULT_FRAMES_PER_SECOND)?;
-            said.extend(text.notes());
-            storage::write_with(path, |out| text.write(out))
+            (storage::write_with(path, |out| text.write(out)), text.notes())
         }
         "glb" => {
             let (bytes, report) = export.glb();
-            said.extend(report.messages());
-            storage::write(path, &bytes)
+            (storage::write(path, &bytes), report.messages())
         }
         "gltf" => {
             let (text, report) = export.gltf();
-            said.extend(report.messages());
-            storage::write(path, text.as_bytes())
+            (storage::write(path, text.as_bytes()), report.messages())
         }
         _ => return Err(texts::FILE_MODEL_ENDING.into()),
     };
-    written.map(|()| said).map_err(|error| error.message())
+    written.map_err(|error| error.message())?;
+    said.push(texts::file_model_written(path.display()));
+    Ok(said)
 }
 
 /// The name of a scene made of a file.

@@ -149,6 +149,8 @@ pub fn window_and_failures() -> String {
         texts::reach_ball("robot1/left_hip/left_knee"),
         texts::no_file_manager("/home/me/films"),
         texts::file_model_not_written("walk.glb"),
+        texts::gltf_buffers_too_large(1024),
+        texts::count_joints(1_usize),
         texts::HOTKEYS_RESET.into(),
         texts::hotkeys_removed("Play or stop"),
         texts::settings_not_understood(path(), reason()),

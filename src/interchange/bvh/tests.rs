@@ -94,7 +94,7 @@ fn a_capture_becomes_a_scene_that_stands_on_the_ground() {
         said,
         [
             "5 joints, 2 frames at 120 a second",
-            "0.1654 times as large as in the file: 4.30 units tall, as the robots are",
+            "0.1654 times as large as in the file: a person of 4.30 units",
             "its scale channels are left out",
         ]
     );
