@@ -13,7 +13,7 @@ use glam::{Affine3A, Mat3, Quat, Vec2, Vec3};
 use inbetween::camera::Camera;
 use inbetween::frame::Frame;
 use inbetween::gltf::data_uri;
-use inbetween::model::{Material, MeshLibrary, Skin, TriangleMesh};
+use inbetween::model::{MeshLibrary, Skin, TriangleMesh};
 use inbetween::rbt::Rbt;
 use inbetween::render::{Gpu, Offscreen, Renderer, Skinning, default_samples};
 use inbetween::scene::{SceneGraph, scene_from_json};
@@ -28,16 +28,7 @@ const MOST_READING: Duration = Duration::from_secs(1);
 
 /// A bar along y, moved by a chain of joints.
 fn bar() -> TriangleMesh {
-    let mut mesh = TriangleMesh {
-        name: "bar".to_owned(),
-        positions: Vec::new(),
-        normals: Vec::new(),
-        colours: Vec::new(),
-        texture_coordinates: Vec::new(),
-        indices: Vec::new(),
-        material: Material::default(),
-        skin: None,
-    };
+    let mut mesh = TriangleMesh::empty("bar");
     let (mut joints, mut weights) = (Vec::new(), Vec::new());
     for ring in 0..=RINGS {
         let along = (JOINTS - 1) as f32 * ring as f32 / RINGS as f32;

@@ -133,6 +133,21 @@ impl MeshLibrary {
 }
 
 impl TriangleMesh {
+    /// A mesh without triangles.
+    #[must_use]
+    pub fn empty(name: &str) -> Self {
+        Self {
+            name: name.to_owned(),
+            positions: Vec::new(),
+            normals: Vec::new(),
+            colours: Vec::new(),
+            texture_coordinates: Vec::new(),
+            indices: Vec::new(),
+            material: Material::default(),
+            skin: None,
+        }
+    }
+
     /// Half the extents of the smallest axis-aligned box around the vertices whose middle is the origin, in shape space.
     #[must_use]
     pub fn half_extents(&self) -> Vec3 {

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use glam::Vec3;
 use inbetween::gltf::data_uri;
-use inbetween::model::{Material, MeshLibrary, TriangleMesh};
+use inbetween::model::{MeshLibrary, TriangleMesh};
 
 use crate::{models, student};
 
@@ -311,14 +311,10 @@ fn scene(version: usize) -> String {
 /// A scene with a mesh of one triangle.
 fn mesh() -> String {
     let triangle = TriangleMesh {
-        name: "triangle".to_owned(),
         positions: vec![Vec3::new(-1.0, -1.0, 0.0), Vec3::new(1.0, -1.0, 0.0), Vec3::new(0.0, 1.0, 0.0)],
         normals: vec![Vec3::Z; 3],
-        colours: Vec::new(),
-        texture_coordinates: Vec::new(),
         indices: vec![0, 1, 2],
-        material: Material::default(),
-        skin: None,
+        ..TriangleMesh::empty("triangle")
     };
     let uri = data_uri("model/gltf-binary", &MeshLibrary::to_glb(&[triangle]));
     let (head, nodes) = (format!("\"meshes\": \"{uri}\",\n  \"nodes\""), "\"mesh\": { \"name\": \"triangle\" }");

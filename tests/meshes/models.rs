@@ -5,23 +5,9 @@ use std::sync::Arc;
 
 use glam::{Affine3A, Vec2, Vec3, Vec4};
 use inbetween::gltf::data_uri;
-use inbetween::model::{Material, MeshLibrary, Skin, Texture, TriangleMesh, Wrap};
+use inbetween::model::{MeshLibrary, Skin, Texture, TriangleMesh, Wrap};
 use inbetween::picture::Image;
 use inbetween::scene::{SceneGraph, scene_from_json};
-
-/// A mesh without triangles.
-pub fn empty(name: &str) -> TriangleMesh {
-    TriangleMesh {
-        name: name.to_owned(),
-        positions: Vec::new(),
-        normals: Vec::new(),
-        colours: Vec::new(),
-        texture_coordinates: Vec::new(),
-        indices: Vec::new(),
-        material: Material::default(),
-        skin: None,
-    }
-}
 
 /// Adds a square around a middle, `u` and `v` from there to the middles of its sides, seen from where `u`, `v` and the eye are
 /// right-handed.
@@ -37,7 +23,7 @@ pub fn add_square(mesh: &mut TriangleMesh, middle: Vec3, u: Vec3, v: Vec3) {
 
 /// A cube with sides of 2.
 pub fn cube(name: &str) -> TriangleMesh {
-    let mut cube = empty(name);
+    let mut cube = TriangleMesh::empty(name);
     for (u, v) in [
         (Vec3::X, Vec3::Y),
         (Vec3::Y, Vec3::X),
@@ -54,7 +40,7 @@ pub fn cube(name: &str) -> TriangleMesh {
 /// A ball of radius 1.
 pub fn ball(name: &str, rings: u32) -> TriangleMesh {
     let around = 2 * rings;
-    let mut ball = empty(name);
+    let mut ball = TriangleMesh::empty(name);
     for ring in 0..=rings {
         for step in 0..=around {
             let (up, turn) = (PI * ring as f32 / rings as f32, TAU * step as f32 / around as f32);
@@ -75,7 +61,7 @@ pub fn ball(name: &str, rings: u32) -> TriangleMesh {
 
 /// A bar of radius 0.25 along y from -1.5 to 1.5. Its skin has two joints: one at its lower end and one in its middle.
 pub fn bar(name: &str, rings: u32, around: u32) -> TriangleMesh {
-    let mut bar = empty(name);
+    let mut bar = TriangleMesh::empty(name);
     let mut skin = Skin {
         joints: Vec::new(),
         weights: Vec::new(),

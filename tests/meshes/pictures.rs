@@ -12,7 +12,7 @@ use inbetween::scene::SceneGraph;
 use inbetween::view::{Neighbours, add_ghosts, frame_of_scene};
 
 use super::golden::check_golden;
-use super::models::{add_square, ball, bar, bent, coloured, cube, empty, ring, scene, squares};
+use super::models::{add_square, ball, bar, bent, coloured, cube, ring, scene, squares};
 
 const WIDTH: u32 = 320;
 const HEIGHT: u32 = 240;
@@ -91,7 +91,7 @@ fn materials() -> SceneGraph {
 /// Open surfaces: a ring with a hole seen from both sides, one that is seen from the front alone, and a roof.
 fn open() -> SceneGraph {
     let square = |name: &str| {
-        let mut square = empty(name);
+        let mut square = TriangleMesh::empty(name);
         add_square(&mut square, glam::Vec3::ZERO, glam::Vec3::X, glam::Vec3::Y);
         square
     };
@@ -128,7 +128,7 @@ fn bars() -> SceneGraph {
 
 /// A bar with a skin, a ring with a hole and a cube, the first two with an outline, and where the next keyframe has them.
 fn ghosts() -> Frame {
-    let mut ring_mesh = empty("ring");
+    let mut ring_mesh = TriangleMesh::empty("ring");
     add_square(&mut ring_mesh, glam::Vec3::ZERO, glam::Vec3::X, glam::Vec3::Y);
     (ring_mesh.material.texture, ring_mesh.material.alpha_cutoff) = (Some(ring()), Some(0.5));
     let carried = |name: &str, x: f32, shape: &str| {
