@@ -200,3 +200,6 @@ fn turned_on_grid(by: Quat, from: Quat) -> Quat {
     let turn = (conditionally_negated(by).to_scaled_axis() / GRID).round() * GRID;
     (Quat::from_scaled_axis(turn.clamp_length_max(PI)) * from).normalize()
 }
+
+#[cfg(test)]
+mod tests;
