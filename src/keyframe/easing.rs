@@ -93,6 +93,21 @@ impl Easing {
             Self::Curve(curve, Ends::InOut) => 1.0 - 0.5 * curve.rise_of_half(2.0 - 2.0 * fraction),
         }
     }
+
+    /// The fractions between 0 and 1 at which the speed jumps, ascending.
+    #[must_use]
+    pub fn kinks(self) -> Vec<f64> {
+        let Self::Curve(Curve::Bounce, ends) = self else { return Vec::new() };
+        let of_in = || GROUND.map(|fraction| 1.0 - fraction).into_iter().rev();
+        match ends {
+            Ends::In => of_in().collect(),
+            Ends::Out => GROUND.to_vec(),
+            Ends::InOut => {
+                let first = of_in().map(|fraction| 0.5 * fraction);
+                first.chain(GROUND.map(|fraction| 0.5 + 0.5 * fraction)).collect()
+            }
+        }
+    }
 }
 
 impl Curve {
@@ -128,15 +143,19 @@ fn backed(x: f64, overshoot: f64) -> f64 {
     x * x * ((overshoot + 1.0) * x - overshoot)
 }
 
+/// The width of all bounces, of which the first one is 1 to the ground.
+const WIDTH: f64 = 2.75;
+/// When the ball is on the ground, before the end.
+const GROUND: [f64; 3] = [1.0 / WIDTH, 2.0 / WIDTH, 2.5 / WIDTH];
+
 /// The distance that a dropped ball has fallen, with three bounces: 0 at 0, and 1 (the ground) at 1.
 fn bounced(x: f64) -> f64 {
     const HEIGHT: f64 = 7.5625;
-    const WIDTH: f64 = 2.75;
-    let (middle, floor) = if x < 1.0 / WIDTH {
+    let (middle, floor) = if x < GROUND[0] {
         (0.0, 0.0)
-    } else if x < 2.0 / WIDTH {
+    } else if x < GROUND[1] {
         (1.5, 0.75)
-    } else if x < 2.5 / WIDTH {
+    } else if x < GROUND[2] {
         (2.25, 0.9375)
     } else {
         (2.625, 0.984_375)
@@ -161,6 +180,23 @@ mod tests {
                 assert!((-0.4..=1.4).contains(&value), "{} at {step}: {value}", easing.name());
                 assert!((value - before).abs() < 0.05 || easing == Easing::Hold, "{} jumps at {step}", easing.name());
                 before = value;
+            }
+        }
+    }
+
+    #[test]
+    fn the_speed_jumps_at_the_kinks_and_nowhere_else() {
+        const STEP: f64 = 1e-7;
+        for easing in Easing::all() {
+            let speed = |from: f64| (easing.value(from + STEP) - easing.value(from)) / STEP;
+            let jump = |at: f64| (speed(at) - speed(at - STEP)).abs();
+            let kinks = easing.kinks();
+            assert!(kinks.is_sorted() && kinks.iter().all(|&kink| jump(kink) > 0.5), "{} {kinks:?}", easing.name());
+            // Between them the speed changes little by little.
+            for at in (1..1000).map(|step| f64::from(step) / 1000.0) {
+                let far = (speed(at - 4e-4) - speed(at + 4e-4)).abs();
+                let is_at_kink = kinks.iter().any(|kink| (kink - at).abs() <= 5e-4);
+                assert!(far < 0.5 || is_at_kink, "{} at {at}: {far}", easing.name());
             }
         }
     }

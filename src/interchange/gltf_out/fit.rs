@@ -94,7 +94,10 @@ pub fn within(tree: &Tree, motions: &[Motion], tolerance: Tolerance, curves: Cur
         least = least.min(worst);
         let is_last = round == MOST_ROUNDS || (best.is_none() && idle == IDLE_ROUNDS);
         if (round >= ROUNDS && best.is_some()) || is_last {
-            return best.unwrap_or(Fitted { keyed, off });
+            return best.unwrap_or_else(|| {
+                let off = tree.measured(motions, &keyed, readers(curves), &many);
+                Fitted { keyed, off }
+            });
         }
         let worst_below = worst_below(tree, &off, tolerance);
         for (motion, share) in motions.iter().zip(&mut shares) {

@@ -9,6 +9,8 @@ use super::motion::{Motion, Property, Span, aligned, angle_between};
 const CELLS: std::ops::RangeInclusive<usize> = 16..=4096;
 /// So many cells together are tried: of two, the middle would not show how unevenly readers turn that blend by components.
 const TRIED: usize = 4;
+/// So many cells in the shortest step that is allowed are enough.
+const CELLS_OF_SHORTEST: usize = 16;
 /// They may be off by so much of the tolerance. The error of a line grows with the square of its length, so a step has some sixteen cells.
 const ERROR_OF_LINE: f64 = 1.0 / 16.0;
 /// The error of a cubic grows with the fourth power.
@@ -27,13 +29,28 @@ pub enum Curves {
 /// As few keys as stay within a tolerance in the channel's own units: radians, scene units, factors. Keyframes and timed keys are keys.
 pub fn within(motion: &Motion, tolerance: f64, curves: Curves) -> Keyed {
     keyed(motion, curves, |span| {
-        let [start, end] = span.smooth(motion.property);
         let mut fractions = vec![0.0];
-        let inner = Cells::of(span, motion.property, [start, end], tolerance, curves).chosen(tolerance);
-        fractions.extend(inner.into_iter().filter(|&fraction| fraction > 0.0 && fraction < 1.0));
+        for ends in smooth_parts(span, motion.property).windows(2) {
+            let inner = Cells::of(span, motion.property, [ends[0], ends[1]], tolerance, curves).chosen(tolerance);
+            fractions.extend(inner.into_iter().filter(|&fraction| fraction > 0.0 && fraction < 1.0));
+        }
         fractions.push(1.0);
+        fractions.dedup();
         fractions
     })
+}
+
+/// Where the parts of a span begin and end that are smooth, as fractions.
+fn smooth_parts(span: &Span, property: Property) -> Vec<f64> {
+    let ([start, end], shortest) = (span.smooth(property), span.shortest_step());
+    let mut ends = vec![start];
+    for kink in span.kinks() {
+        if kink - ends[ends.len() - 1] >= shortest && end - kink >= shortest {
+            ends.push(kink);
+        }
+    }
+    ends.push(end);
+    ends
 }
 
 /// A key for each frame from 0 s, and one at the end. Timed keys are keys too.
@@ -44,6 +61,8 @@ pub fn each_frame(motion: &Motion, frames_per_second: u32, curves: Curves) -> Ke
         let rate = f64::from(frames_per_second);
         let frames = (span.seconds[0] * rate).ceil() as u64..=(span.seconds[1] * rate).floor() as u64;
         let frames = frames.map(|frame| ((frame as f64 / rate - span.seconds[0]) / span.length()).clamp(0.0, 1.0));
+        let is_at_end = |end: usize, off: f64| is_end(end) && off < span.shortest_step();
+        let frames = frames.filter(|&fraction| !is_at_end(0, fraction) && !is_at_end(1, 1.0 - fraction));
         let mut fractions: Vec<f64> = is_end(0).then_some(0.0).into_iter().chain(frames).collect();
         fractions.extend(is_end(1).then_some(1.0));
         fractions.dedup();
@@ -91,13 +110,11 @@ fn keyed(motion: &Motion, curves: Curves, fractions: impl Fn(&Span) -> Vec<f64>)
 fn knot(span: &Span, property: Property, fraction: f64, curves: Curves) -> Knot {
     let seconds = (span.seconds[0] + fraction * span.length()) as f32;
     // The value is that of the rounded time, but at the ends, whose values others read as keyframes.
-    let is_end = fraction == 0.0 || fraction == 1.0;
     let rounded = ((f64::from(seconds) - span.seconds[0]) / span.length()).clamp(f64::EPSILON, 1.0 - f64::EPSILON);
-    let fraction = if is_end { fraction } else { rounded };
     let value = match fraction {
         0.0 => span.ends[0],
         1.0 => span.ends[1],
-        _ => span.value(property, fraction),
+        _ => span.value(property, rounded),
     };
     let tangents = match curves {
         Curves::Linear => [DVec4::ZERO; 2],
@@ -119,6 +136,8 @@ struct Cells {
     property: Property,
     /// Where the first cell begins and the last one ends, as fractions of the span.
     ends: [f64; 2],
+    /// So many make the shortest step between two keys.
+    shortest: usize,
     values: Vec<DVec4>,
     /// For cubics, the changes before and after each value, per cell.
     tangents: Vec<[DVec4; 2]>,
@@ -134,7 +153,8 @@ impl Cells {
                 Curves::Linear => ERROR_OF_LINE,
                 Curves::Cubic => ERROR_OF_CUBIC,
             };
-            if span.is_constant() || count >= *CELLS.end() || cells.have_steps_within(tolerance * error) {
+            let is_fine = cells.shortest >= CELLS_OF_SHORTEST || cells.have_steps_within(tolerance * error);
+            if span.is_constant() || count >= *CELLS.end() || is_fine {
                 return cells;
             }
             count *= 2;
@@ -153,7 +173,8 @@ impl Cells {
                 (0..=count).map(|cell| [side(cell, -1.0, cell > 0), side(cell, 1.0, cell < count)]).collect()
             }
         };
-        Self { property, ends, values, tangents }
+        let shortest = (span.shortest_step() / step).ceil().max(1.0) as usize;
+        Self { property, ends, shortest, values, tangents }
     }
 
     fn have_steps_within(&self, tolerance: f64) -> bool {
@@ -177,21 +198,37 @@ impl Cells {
         }
         // What is left for the last step may be so short that readers take its two keys for one.
         if let [.., before, inner, _] = keys[..] {
+            let at = keys.len() - 2;
             let middle = usize::midpoint(before, last);
-            if self.fits(before, middle, tolerance) && self.fits(middle, last, tolerance) && middle < inner {
-                let at = keys.len() - 2;
-                keys[at] = middle;
+            let is_short = last - inner < self.shortest;
+            if is_short && middle - before < self.shortest {
+                keys.truncate(at);
+                self.spread(&mut keys, last);
+            } else if is_short || (self.fits(before, middle, tolerance) && self.fits(middle, last, tolerance)) {
+                keys[at] = middle.min(inner);
             }
         }
         keys.into_iter().map(fraction).collect()
+    }
+
+    /// Adds the last key. It is less than two of the shortest steps away, which all such steps before share.
+    fn spread(&self, keys: &mut Vec<usize>, last: usize) {
+        let shortest = keys.windows(2).rev().take_while(|pair| pair[1] - pair[0] == self.shortest).count();
+        let first = keys.len() - 1 - shortest;
+        let (start, steps) = (keys[first], shortest + 1);
+        for step in 1..steps {
+            keys[first + step] = start + (last - start) * step / steps;
+        }
+        keys.push(last);
     }
 
     /// The longest step that fits, found from one that was so before.
     fn longest_step(&self, from: usize, guess: usize, tolerance: f64) -> usize {
         let most = self.values.len() - 1 - from;
         let fits = |step: usize| self.fits(from, from + step, tolerance);
-        // A single cell always serves.
-        let (mut good, mut bad) = (1, most + 1);
+        // The shortest step always serves.
+        let shortest = self.shortest.min(most);
+        let (mut good, mut bad) = (shortest, most + 1);
         let mut step = guess.min(most);
         loop {
             if step <= good || fits(step) {
@@ -202,7 +239,7 @@ impl Cells {
                 step = (2 * good).min(most);
             } else {
                 bad = step;
-                if good > 1 || step <= 2 {
+                if good > shortest || step <= 2 * shortest {
                     break;
                 }
                 step /= 2;

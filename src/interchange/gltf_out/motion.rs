@@ -9,9 +9,9 @@ use crate::keyframe::{Animation, Easing, Keyframe, PlayRange, to_f64};
 use crate::pose::RbtIndex;
 use crate::scene::{Channel, NodeKind, SceneGraph, Tracks};
 
-/// The shortest time in which a jump is written. Two keys of one time are not allowed, and Blender makes one of keys that are closer than
-/// 1/100 of its frames.
-const JUMP_SECONDS: f64 = 1.0 / 1024.0;
+/// The shortest time between two keys, in which a jump is written too. Two keys of one time are not allowed, and Blender makes one of keys
+/// that are closer than 1/100 of its frames, of which it has 24 a second.
+const SHORTEST_STEP: f64 = 1.0 / 2304.0;
 /// What counts as a jump, in components of quaternions and in scene units.
 const SMALLEST_JUMP: f64 = 1e-6;
 /// A fraction of a span in which nothing moves by more than a jump, unless it jumps.
@@ -117,6 +117,16 @@ impl Span {
         self.seconds[1] - self.seconds[0]
     }
 
+    /// The shortest step between two keys, as a fraction.
+    pub fn shortest_step(&self) -> f64 {
+        shortest_step(self.seconds[1]) / self.length()
+    }
+
+    /// The fractions at which its speed jumps, ascending.
+    pub fn kinks(&self) -> Vec<f64> {
+        if self.is_constant() { Vec::new() } else { self.easing.kinks() }
+    }
+
     /// Whether nothing moves in it.
     pub fn is_constant(&self) -> bool {
         match &self.curve {
@@ -156,8 +166,7 @@ impl Span {
 
     /// The fractions between which it is smooth. Some easings jump at an end, and `hold` at the last keyframe.
     pub fn smooth(&self, property: Property) -> [f64; 2] {
-        let late = self.seconds[1] as f32;
-        let gap = JUMP_SECONDS.max(4.0 * f64::from(late - late.next_down())) / self.length();
+        let gap = self.shortest_step();
         let jumps = |outer: f64, inner: f64| {
             let (outer, inner) = (self.value(property, outer), self.value(property, inner));
             let outer = if property == Property::Rotation { aligned(outer, inner) } else { outer };
@@ -165,6 +174,12 @@ impl Span {
         };
         [if jumps(0.0, INSTANT) { gap } else { 0.0 }, if jumps(1.0, 1.0 - INSTANT) { 1.0 - gap } else { 1.0 }]
     }
+}
+
+/// The shortest step to a key at a time, in seconds: both times are rounded to single precision, and again to that of frames.
+fn shortest_step(seconds: f64) -> f64 {
+    let late = seconds as f32;
+    SHORTEST_STEP + 2.0 * f64::from(late - late.next_down())
 }
 
 impl Motion {
@@ -277,7 +292,9 @@ fn timed(node: usize, tracks: &Tracks) -> Vec<Motion> {
     ];
     let motion = |(channel, property): (Channel, Property)| {
         let track = tracks.get(channel)?;
-        let keys: Vec<(f64, DVec4)> = track.keys().map(|(seconds, numbers)| (seconds, numbers.as_dvec4())).collect();
+        let mut keys: Vec<(f64, DVec4)> =
+            track.keys().map(|(seconds, numbers)| (seconds, numbers.as_dvec4())).collect();
+        slow_down_jumps(&mut keys);
         let rest = keys[0].1;
         let first = property.unit(rest);
         let mut motion = Motion { node, property, spans: Vec::new(), first, rest, is_of_keyframes: false };
@@ -305,4 +322,16 @@ fn timed(node: usize, tracks: &Tracks) -> Vec<Motion> {
         Some(motion)
     };
     channels.into_iter().filter_map(motion).collect()
+}
+
+/// Moves keys that a jump follows to an earlier time, so that the jump takes the shortest step.
+fn slow_down_jumps(keys: &mut [(f64, DVec4)]) {
+    for at in 2..keys.len() {
+        let [before, start, end] = [at - 2, at - 1, at].map(|key| keys[key].0);
+        let step = shortest_step(end);
+        // One that was written so is not moved again for its rounding.
+        if end - start < 0.9 * step {
+            keys[at - 1].0 = (end - step).max(f64::midpoint(before, start)).min(start);
+        }
+    }
 }
