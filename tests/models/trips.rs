@@ -3,7 +3,9 @@
 use inbetween::interchange::gltf_out::Export;
 use inbetween::keyframe::{Animation, PlayRange, keyframes_from_json};
 use inbetween::pose::RbtIndex;
-use inbetween::scene::{BUILT_IN_ANIMATIONS, SceneGraph, built_in_scene, built_in_scene_names, scene_to_json};
+use inbetween::scene::{
+    BUILT_IN_ANIMATIONS, NodeKind, SceneGraph, built_in_scene, built_in_scene_names, scene_to_json,
+};
 use serde_json::Value;
 
 use super::importing::{Imported, good, import_file, options};
@@ -69,9 +71,7 @@ fn a_scene_comes_back_as_it_was() {
         );
         for (one, other) in once.nodes().iter().zip(scene.nodes()) {
             assert_eq!((one.joint, one.is_in_paths), (other.joint, other.is_in_paths), "{}", one.path);
-            if let (inbetween::scene::NodeKind::Shape(one), inbetween::scene::NodeKind::Shape(other)) =
-                (&one.kind, &other.kind)
-            {
+            if let (NodeKind::Shape(one), NodeKind::Shape(other)) = (&one.kind, &other.kind) {
                 assert_eq!((&one.shape, one.colour, one.placement()), (&other.shape, other.colour, other.placement()));
             }
         }
@@ -104,6 +104,34 @@ fn an_animation_comes_back_with_its_keyframes() {
         let bare = back(&without.to_string());
         let off = apart((&scene, &animation), (&bare.scene, bare.animation.as_ref().expect("it is animated")));
         assert!(off.0 < 0.6 && off.1 < 0.01, "{name} without extras: {off:?}");
+    }
+}
+
+#[test]
+fn timed_keys_that_go_on_longer_than_the_keyframes_change_nothing() {
+    let (scene, animation) = built_in("orbits-tour");
+    let seconds = f64::from(animation.ms_between_keyframes) / 1000.0 * (animation.keyframes.len() - 3) as f64;
+    assert!(scene.last_second().is_some_and(|last| last > 2.0 * seconds), "its planets go around for longer");
+    let once = back(&exported(&scene, Some(&animation)));
+    let played = once.animation.as_ref().expect("it is animated");
+    assert_eq!(played.keyframes.len(), animation.keyframes.len());
+    let off = apart((&scene, &animation), (&once.scene, played));
+    assert!(off.0 < 0.02 && off.1 < 2e-4, "{off:?}");
+    let twice = back(&exported(&once.scene, Some(played)));
+    assert_eq!(twice.animation.expect("it is animated").keyframes, played.keyframes);
+}
+
+#[test]
+fn a_scale_that_is_1_but_for_rounding_makes_no_node() {
+    for (scale, has_node) in [([1.000_000_2, 0.999_999_4, 1.0], false), ([1.001, 1.0, 1.0], true)] {
+        let mut model = skinned([0.5, 0.5, 0.0, 0.0]);
+        model.json["nodes"][1]["scale"] = serde_json::json!(scale);
+        // A scale that moves by less than that is the same.
+        let scales = [scale, scale].concat();
+        model.animation("still", &[(1, "scale", &[0.0, 1.0], &scales, "LINEAR")]);
+        let scene = good(&model).scene;
+        let has_control = scene.nodes().iter().any(|node| matches!(node.kind, NodeKind::Control(_)));
+        assert_eq!(has_control, has_node, "{scale:?}");
     }
 }
 

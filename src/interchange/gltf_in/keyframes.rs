@@ -94,7 +94,7 @@ impl Played<'_> {
         if moved.is_empty() {
             return Ok(None);
         }
-        let times = motion.times();
+        let times = motion.times(moved.iter().map(|&(node, _)| node));
         let most = MOST_TRANSFORMS / scene.rbt_count();
         if times.len() > most {
             return Err(texts::gltf_in_too_many_samples(times.len(), most));
@@ -104,7 +104,8 @@ impl Played<'_> {
             of_rbts[rbt.get()] = Some(node);
         }
         let moves = Moves { played: *self, moved, of_rbts };
-        let pace = pace.and_then(|pace| Pace::of(pace, motion.span[1])).filter(|pace| pace.times().len() <= most);
+        let end = times.last().copied().unwrap_or(start);
+        let pace = pace.and_then(|pace| Pace::of(pace, end)).filter(|pace| pace.times().len() <= most);
         let kept = pace.and_then(|pace| pace.animation(&times, tolerance, &moves)).map(|(animation, worst)| {
             let count = texts::count_keyframes(animation.keyframes.len());
             let (degrees, units) = (format!("{:.3}", worst.degrees), format!("{:.5}", worst.units));

@@ -2,13 +2,11 @@
 
 use glam::{DQuat, DVec3};
 
-use super::tree::{LEAST_SCALE, TreeNode, Trs};
+use super::tree::{LEAST_SCALE, SAME_SCALE, TreeNode, Trs};
 use crate::gltf::json::Index;
 use crate::gltf::{Course, Curve, Document, GltfError, Sampled};
 use crate::words::{Message, texts};
 
-/// Scales that differ by less, in parts, are one scale.
-const SAME_SCALE: f64 = 1e-5;
 /// How long before a step its last key lies, in seconds.
 const BEFORE_STEP: f64 = 1e-3;
 /// The most times that splines and steps add.
@@ -114,10 +112,10 @@ impl Motion {
         }
     }
 
-    /// Times between which every node moves straight, or nearly: those of all keys, and more within splines and around steps.
-    pub fn times(&self) -> Vec<f64> {
-        let mut times: Vec<f64> = self.span.to_vec();
-        for node in &self.nodes {
+    /// Times between which these nodes move straight, or nearly: those of all keys, and more within splines and around steps.
+    pub fn times(&self, nodes: impl Iterator<Item = usize>) -> Vec<f64> {
+        let mut times = Vec::new();
+        for node in nodes.map(|node| &self.nodes[node]) {
             node.translation.iter().for_each(|curve| add_times(curve, &mut times));
             node.rotation.iter().for_each(|curve| add_times(curve, &mut times));
         }
@@ -155,7 +153,7 @@ fn scale(curve: &Curve<DVec3>, node: &mut TreeNode, at: &str) -> Result<Option<C
     let first = positive.values[0].max(DVec3::splat(LEAST_SCALE));
     let is_same = |value: DVec3| ((value - first) / first).abs().max_element() < SAME_SCALE;
     if positive.seconds.iter().chain(&midway(&positive.seconds)).all(|&at| is_same(positive.value_at(at))) {
-        node.rest.scale = first;
+        node.rest.scale = node.own.kind.scale(first);
         return Ok(None);
     }
     Ok(Some(positive))

@@ -17,6 +17,8 @@ use crate::words::texts;
 const SHEAR_BOUND: f64 = 1e-4;
 /// The least factor of a scale: 0 hides a part, and a scene's scales are above 0.
 pub(super) const LEAST_SCALE: f64 = 1e-6;
+/// Scales that differ by less, in parts, are one scale.
+pub(super) const SAME_SCALE: f64 = 1e-5;
 
 /// A node of the scene.
 #[derive(Clone, Debug)]
@@ -171,7 +173,8 @@ pub(super) fn tree(root: &Root, scene: Option<Index>) -> Result<Vec<TreeNode>, G
         let path = named_above.map_or_else(|| name.clone(), |above| format!("{}/{name}", above.path));
         let mirror = above.map_or(DVec3::ONE, |above| above.change.below);
         let is_leaf = json.children.is_empty() && !moved.contains(&index) && json.camera.is_none();
-        let (rest, change, node_from_mesh) = transform(json, index, &path, mirror, is_leaf)?;
+        let (mut rest, change, node_from_mesh) = transform(json, index, &path, mirror, is_leaf)?;
+        rest.scale = own.kind.scale(rest.scale);
         if let Some(parent) = parent {
             nodes[parent].children.push(at);
         }
@@ -192,6 +195,14 @@ pub(super) fn tree(root: &Root, scene: Option<Index>) -> Result<Vec<TreeNode>, G
             names.push(HashSet::new());
         }
         open.extend(json.children.iter().rev().map(|&child| (child, Some(at))));
+    }
+}
+
+impl Kind {
+    /// A scale that is 1 but for what single precision makes of it is 1, where a node had to be made for it.
+    pub(super) fn scale(self, scale: DVec3) -> DVec3 {
+        let is_noise = (scale - DVec3::ONE).abs().max_element() < SAME_SCALE;
+        if is_noise && self == Self::Rbt { DVec3::ONE } else { scale }
     }
 }
 
