@@ -3,6 +3,7 @@
 #[path = "../common/golden.rs"]
 mod golden;
 mod importing;
+mod judged;
 mod make;
 mod meshes;
 mod mutants;
