@@ -20,7 +20,7 @@ pub fn run(arguments: &ImportArguments, common: Common<'_>) -> Result<(), CliErr
     let ImportArguments { file, output, keyframes, reduction, .. } = arguments;
     let places = Places::default().reads("MODEL", file).writes("--output", output);
     keyframes.iter().fold(places, |places, keyframes| places.writes("--keyframes", keyframes)).check()?;
-    if arguments.timed && keyframes.is_some() {
+    if arguments.timed && (keyframes.is_some() || !reduction.is_usual()) {
         return Err(misuse(&texts::MODEL_TIMED_KEYFRAMES.to_string()));
     }
     let options = ModelOptions {

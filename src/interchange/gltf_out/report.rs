@@ -104,9 +104,12 @@ impl Report {
     }
 }
 
+/// Smaller errors are those of double precision.
+const NO_ERROR: f64 = 1e-12;
+
 /// An error with two significant digits, rounded up.
 fn at_most(error: f64) -> f64 {
-    if error == 0.0 {
+    if error < NO_ERROR {
         return 0.0;
     }
     let unit = 10.0_f64.powf(error.log10().floor() - 1.0);
@@ -125,9 +128,15 @@ mod tests {
 
     #[test]
     fn errors_are_rounded_up() {
-        for (error, said) in
-            [(0.0, 0.0), (0.007_63, 0.0077), (0.01, 0.01), (9.89e-5, 9.9e-5), (9.91e-5, 1e-4), (123.0, 130.0)]
-        {
+        for (error, said) in [
+            (0.0, 0.0),
+            (3e-14, 0.0),
+            (0.007_63, 0.0077),
+            (0.01, 0.01),
+            (9.89e-5, 9.9e-5),
+            (9.91e-5, 1e-4),
+            (123.0, 130.0),
+        ] {
             assert_eq!(at_most(error), said, "{error}");
         }
     }
