@@ -206,7 +206,9 @@ fn a_jump_of_timed_keys_takes_the_shortest_step() {
         {"name": "eye"}, {"name": "steps", "control": {"translation":
             [[0, [0, 0, 0]], [0.999999, [0, 0, 0]], [1, [1, 0, 0]], [1.9999999, [1, 0, 0]], [2, [2, 0, 0]]]}}]}"#;
     let scene = scene_from_json(text).unwrap();
-    let player = Player::of(&exported(Export::of(&scene)).0);
+    let (file, report) = exported(Export::of(&scene));
+    assert!(report.exactness.is_some_and(|exactness| exactness.is_within()), "a jump is not measured");
+    let player = Player::of(&file);
     let node = player.root.nodes.iter().position(|node| node.name.as_deref() == Some("steps")).unwrap();
     let times = player.times(node, "translation");
     assert_eq!([times[0], times[2], times[4]], [0.0, 1.0, 2.0]);

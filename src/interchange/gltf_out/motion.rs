@@ -193,8 +193,14 @@ impl Motion {
     /// From when to when in seconds it jumps.
     pub fn jumps(&self) -> impl Iterator<Item = [f64; 2]> + '_ {
         self.spans.iter().flat_map(|span| {
-            let [start, end] = span.smooth(self.property).map(|fraction| span.seconds[0] + fraction * span.length());
-            let jumps = [[span.seconds[0], start], [end, span.seconds[1]]];
+            let [from, to] = span.seconds;
+            let jumps = if !self.is_of_keyframes && span.length() < 1.1 * shortest_step(to) {
+                // Two timed keys as near as that are a jump as a whole.
+                [[from, to], [to, to]]
+            } else {
+                let [start, end] = span.smooth(self.property).map(|fraction| from + fraction * span.length());
+                [[from, start], [end, to]]
+            };
             jumps.into_iter().filter(|[from, to]| from < to)
         })
     }
