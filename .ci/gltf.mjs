@@ -37,12 +37,13 @@ async function played(file) {
   const { scene, animations } = await new GLTFLoader().parseAsync(buffer, '');
   const mixer = new three.AnimationMixer(scene);
   // Of several animations an import takes the first.
-  for (const clip of animations.slice(0, 1)) {
-    const action = mixer.clipAction(clip).setLoop(three.LoopOnce, 1);
-    action.clampWhenFinished = true;
-    action.play();
-  }
+  const actions = animations.slice(0, 1).map(clip => mixer.clipAction(clip).setLoop(three.LoopOnce, 1));
   const at = seconds => {
+    // One that was at its end is paused there.
+    for (const action of actions) {
+      action.reset().play();
+      action.clampWhenFinished = true;
+    }
     mixer.setTime(seconds);
     scene.updateMatrixWorld(true);
   };
