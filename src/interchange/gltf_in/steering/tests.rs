@@ -1,3 +1,5 @@
+//! Steering keyframes of curves that are known.
+
 use serde_json::{Value, json};
 
 use super::*;
