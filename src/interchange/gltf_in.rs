@@ -226,7 +226,12 @@ fn joints(tree: &[TreeNode], shapes: &[Vec<shapes::MeshPart>]) -> Vec<bool> {
 fn summary(tree: &[TreeNode], meshes: &[crate::model::TriangleMesh]) -> Message {
     let triangles: usize = meshes.iter().map(|mesh| mesh.indices.len() / 3).sum();
     let skins = meshes.iter().filter(|mesh| mesh.skin.is_some()).count();
-    texts::gltf_in_summary(tree.len(), meshes.len(), triangles, skins)
+    texts::gltf_in_summary(
+        texts::count_nodes(tree.len()),
+        texts::count_meshes(meshes.len()),
+        texts::count_triangles(triangles),
+        texts::count_skins(skins),
+    )
 }
 
 /// Extensions that are not shown.

@@ -98,7 +98,7 @@ fn a_node_is_an_rbt_node_with_its_name() {
     assert_eq!(hand.translation, Vec3::Y);
     assert!((hand.rotation * Vec3::Y).distance(Vec3::Z) < 1e-6);
     assert!(animation.is_none());
-    assert_eq!(report[0], "6 nodes; 0 meshes with 0 triangles, 0 of them moved by joints");
+    assert_eq!(report[0], "6 nodes, 0 meshes, 0 triangles, 0 skins");
     // It reads back, is written again as the same bytes, and an eye sees it.
     assert_eq!(scene.rbt_path(scene.eyes()[0]), "sky");
     let text = scene_to_json(&scene);

@@ -75,8 +75,13 @@ impl Report {
     #[must_use]
     pub fn messages(&self) -> Vec<Message> {
         let mut messages = vec![match &self.exactness {
-            Some(_) => texts::gltf_out_animated(self.nodes, self.channels, self.keys, whole_ms(self.seconds.into())),
-            None => texts::gltf_out_still(self.nodes),
+            Some(_) => texts::gltf_out_animated(
+                texts::count_nodes(self.nodes),
+                texts::count_channels(self.channels),
+                texts::count_keys(self.keys),
+                whole_ms(self.seconds.into()),
+            ),
+            None => texts::gltf_out_still(texts::count_nodes(self.nodes)),
         }];
         if let Some(exactness) = &self.exactness {
             let Exactness { turned, moved, .. } = exactness;
