@@ -41,7 +41,7 @@ use std::sync::Arc;
 
 pub use choice::{Choice, Pivot};
 pub use command::{
-    Beginning, ClipboardCommand, Command, Edit, Effect, FileCommand, GestureCommand, NodeEdit, NodePart,
+    Beginning, ClipboardCommand, Command, Edit, Effect, FileCommand, GestureCommand, ModelChoice, NodeEdit, NodePart,
     PlaybackCommand, SelectionCommand, TimelineEdit, ViewCommand, WindowCommand,
 };
 pub use comparing::ComparedAnimation;

@@ -6,7 +6,6 @@
 mod about;
 mod access;
 pub mod angles;
-mod animations;
 mod axis_letters;
 mod bar;
 mod changed;
@@ -26,6 +25,7 @@ mod legend;
 mod log;
 mod manual;
 mod menu;
+mod model_question;
 mod node_menu;
 mod overlay;
 mod overwrite;
@@ -54,14 +54,15 @@ use egui::{CentralPanel, Rect, TextureId};
 use crate::editor::keymap::{Binding, Keymap};
 use crate::editor::{Command, Editor, FileCommand, WorkEye};
 use crate::film::ExportOptions;
+use crate::interchange::gltf_in::Contents;
 use crate::pose::{Pose, RbtIndex};
 use crate::pose_file::PoseFile;
 use crate::settings::Settings;
 use crate::words::{Message, texts};
-use animations::AnimationQuestion;
 pub use changed::{ChangeAnswer, ChangeOffer};
 use dialogs::Dialog;
 pub use export::Exporting;
+use model_question::ModelQuestion;
 pub use overwrite::{OverwriteAnswer, OverwriteQuestion, OverwriteReason};
 use path_dialog::PathDialog;
 pub use path_dialog::{FolderEntry, Listing};
@@ -226,9 +227,9 @@ impl Panels {
         self.dialog = Some(Dialog::Unsaved { is_quitting: false });
     }
 
-    /// Asks which of a model's animations is opened. The answer is a command.
-    pub fn ask_which_animation(&mut self, path: PathBuf, animations: Vec<String>) {
-        self.dialog = Some(Dialog::Animation(AnimationQuestion { path, animations }));
+    /// Asks which scene and which animation of a model are opened. The answer is a command.
+    pub fn ask_what_of_model(&mut self, path: PathBuf, contents: Contents) {
+        self.dialog = Some(Dialog::Model(ModelQuestion::new(path, contents)));
     }
 
     /// Forgets what belongs to a document that is no longer shown: what is folded, chosen and zoomed.

@@ -8,6 +8,7 @@ use super::told::{Report, write_keyframes};
 use super::{CliError, Common, misuse};
 use crate::files;
 use crate::files::model::{Model, ModelError, ModelOptions};
+use crate::interchange::gltf_in::AnimationChoice;
 use crate::interchange::reduce::reduced;
 use crate::storage::{input_name, output_name};
 use crate::words::texts;
@@ -24,16 +25,17 @@ pub fn run(arguments: &ImportArguments, common: Common<'_>) -> Result<(), CliErr
         return Err(misuse(&texts::MODEL_TIMED_KEYFRAMES.to_string()));
     }
     let options = ModelOptions {
-        animation: arguments.animation.clone(),
+        animation: arguments.animation.clone().map(AnimationChoice::Words),
         gltf_scene: arguments.gltf_scene,
         is_timed: arguments.timed,
         scale: arguments.scale,
     };
-    let Model { scene, samples, kept, tolerance, mut notes } =
+    let Model { scene, samples, kept, tolerance, mut notes, mut others } =
         Model::read(file, &options).map_err(|error| match error {
             ModelError::Misuse(said) => misuse(&said.to_string()),
             ModelError::File(error) => error.into(),
         })?;
+    notes.append(&mut others);
     let name = input_name(file);
     files::scene::save(&scene, output)?;
     notes.push(texts::model_scene_written(output_name(output)));

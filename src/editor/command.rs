@@ -59,9 +59,18 @@ pub enum Beginning {
     Model {
         /// Its file.
         path: PathBuf,
-        /// Which of its animations, from 0; `None`: the only one, or the one that the user is asked for.
-        animation: Option<usize>,
+        /// What of it; `None`: the user is asked where there is a choice.
+        choice: Option<ModelChoice>,
     },
+}
+
+/// What of a model is opened.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct ModelChoice {
+    /// The number of its scene, from 0; `None`: the one that the file shows first.
+    pub scene: Option<usize>,
+    /// The number of its animation, from 0; `None`: the first one.
+    pub animation: Option<usize>,
 }
 
 /// What concerns the window and its settings, not the scene.

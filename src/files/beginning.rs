@@ -5,7 +5,8 @@ use std::sync::Arc;
 
 use super::model::{Model, ModelError, ModelOptions};
 use super::scene::load_file;
-use crate::editor::{Beginning, Document, Editor, NEW_FILE};
+use crate::editor::{Beginning, Document, Editor, ModelChoice, NEW_FILE};
+use crate::interchange::gltf_in::AnimationChoice;
 use crate::scene::{BUILT_IN_ANIMATIONS, built_in_scene};
 use crate::storage;
 use crate::words::{Message, texts};
@@ -41,8 +42,10 @@ pub fn begun(beginning: &Beginning, folder: &Path) -> Result<Begun, Message> {
             editor.keyframes_read(&path, Ok(example.text.into())).map_err(|error| error.message())?;
             Ok(silent(editor))
         }
-        Beginning::Model { path, animation } => {
-            let options = ModelOptions { animation: animation.map(|number| number.to_string()), ..Default::default() };
+        Beginning::Model { path, choice } => {
+            let ModelChoice { scene, animation } = choice.unwrap_or_default();
+            let animation = animation.map(AnimationChoice::Number);
+            let options = ModelOptions { animation, gltf_scene: scene, ..Default::default() };
             let model = Model::read(path, &options).map_err(|error| match error {
                 ModelError::Misuse(said) => texts::refused_file(path.display(), said),
                 ModelError::File(error) => texts::foreign(error.to_string()),

@@ -5,7 +5,7 @@ use std::path::Path;
 use super::FileError;
 use crate::editor::Document;
 use crate::interchange::bvh::{self, BvhText, LARGEST_BVH_BYTES, PERSON_HEIGHT, is_bvh, read_bvh};
-use crate::interchange::gltf_in::{self, LARGEST_MODEL_BYTES, is_gltf};
+use crate::interchange::gltf_in::{self, AnimationChoice, Contents, LARGEST_MODEL_BYTES, is_gltf};
 use crate::interchange::gltf_out::Export;
 use crate::interchange::reduce::{Choice, Samples, Tolerance, reduced};
 use crate::interpolation::Interpolation;
@@ -20,8 +20,8 @@ pub const DEFAULT_FRAMES_PER_SECOND: u32 = 60;
 /// How a model is read; by default as it is usual.
 #[derive(Clone, Debug, Default)]
 pub struct ModelOptions {
-    /// The animation of a glTF file, by its name or its number from 0; the first one without a choice.
-    pub animation: Option<String>,
+    /// The animation of a glTF file; the first one without a choice.
+    pub animation: Option<AnimationChoice>,
     /// The number of the scene of a glTF file from 0; the file's own without a choice.
     pub gltf_scene: Option<usize>,
     /// Whether the animation of a glTF file becomes timed keys, with the file's times.
@@ -52,6 +52,8 @@ pub struct Model {
     pub tolerance: Tolerance,
     /// What was taken, simplified and left out: a sentence each.
     pub notes: Vec<Message>,
+    /// The scenes and animations that were not taken: sentences with the options of the command line that take them.
+    pub others: Vec<Message>,
 }
 
 impl Model {
@@ -81,16 +83,17 @@ impl Model {
     fn of_bvh(bytes: &[u8], path: &Path, options: &ModelOptions) -> Result<Self, Message> {
         let capture = read_bvh(bytes).map_err(|error| error.message())?;
         let bvh::CapturedScene { scene, samples, notes } = bvh::scene_of(&capture, &scene_name(path), options.scale)?;
-        Ok(Self { scene, samples, kept: None, tolerance: Tolerance::for_size(PERSON_HEIGHT), notes })
+        let tolerance = Tolerance::for_size(PERSON_HEIGHT);
+        Ok(Self { scene, samples, kept: None, tolerance, notes, others: Vec::new() })
     }
 
     fn of_gltf(bytes: &[u8], path: &Path, options: &ModelOptions) -> Result<Self, Message> {
         let ModelOptions { animation, gltf_scene, is_timed, .. } = options.clone();
         let options = gltf_in::Options { name: scene_name(path), animation, gltf_scene, is_timed };
-        let gltf_in::Imported { scene, moving, tolerance, report } =
+        let gltf_in::Imported { scene, moving, tolerance, report: notes, others } =
             gltf_in::imported(bytes, &mut beside(path), &options)?;
         let (samples, kept) = moving.map_or((None, None), |moving| (Some(moving.samples), moving.kept));
-        Ok(Self { scene, samples, kept, tolerance, notes: report })
+        Ok(Self { scene, samples, kept, tolerance, notes, others })
     }
 
     /// The keyframes that are usual, and what is to be said of them; `None` where no pose moves.
@@ -104,13 +107,13 @@ impl Model {
     }
 }
 
-/// The names of the animations of a glTF file, or their numbers; of any other file none.
+/// What a glTF file has to choose from; of any other file nothing.
 ///
 /// # Errors
 /// Why the file cannot be read, without its name.
-pub fn animations(path: &Path) -> Result<Vec<String>, Message> {
+pub fn contents(path: &Path) -> Result<Contents, Message> {
     let bytes = storage::read(path, LARGEST_MODEL_BYTES).map_err(|error| error.message())?;
-    if is_gltf(&bytes) { gltf_in::animations(&bytes) } else { Ok(Vec::new()) }
+    if is_gltf(&bytes) { gltf_in::contents(&bytes) } else { Ok(Contents::default()) }
 }
 
 /// Writes a document as a model, in the format that the path's ending names. Returns what is to be said of it.

@@ -15,7 +15,8 @@ mod sight;
 mod steering;
 mod tree;
 
-use self::choice::{animation_names, chosen_animation, chosen_scene};
+pub use self::choice::{AnimationChoice, Contents};
+use self::choice::{chosen_animation, chosen_scene};
 pub use self::keyframes::Moving;
 use self::keyframes::Played;
 use self::motion::Motion;
@@ -43,8 +44,8 @@ const TIMED_ALLOWED: (f64, f64) = (0.05, 1e-4);
 pub struct Options {
     /// The name of the scene that is made.
     pub name: String,
-    /// The animation, by its name or its number from 0; the first one without a choice.
-    pub animation: Option<String>,
+    /// The animation; the first one without a choice.
+    pub animation: Option<AnimationChoice>,
     /// The number of the scene from 0; the file's own without a choice.
     pub gltf_scene: Option<usize>,
     /// Whether the animation becomes timed keys of control nodes, with the file's times, in place of poses.
@@ -62,6 +63,8 @@ pub struct Imported {
     pub tolerance: Tolerance,
     /// What was taken, simplified and left out: sentences.
     pub report: Vec<Message>,
+    /// The scenes and animations that were not taken: sentences with the options of the command line that take them.
+    pub others: Vec<Message>,
 }
 
 /// Whether bytes are meant to be a glTF file: binary by how they begin, or JSON that says something of an `asset`, as every one must.
@@ -78,31 +81,32 @@ pub fn is_gltf(bytes: &[u8]) -> bool {
 /// A message with the place in the file: it is no glTF 2.0 that can be read, or no scene can be made of it.
 pub fn imported(file: &[u8], read_file: &mut ReadFile<'_>, options: &Options) -> Result<Imported, Message> {
     let document = Document::read(file, read_file).map_err(|error| error.message())?;
-    Import { document: &document, options, notes: Vec::new() }.run(read_file)
+    Import { document: &document, options, notes: Vec::new(), others: Vec::new() }.run(read_file)
 }
 
-/// The names of a file's animations; of one without a name its number.
+/// What a file has to choose from.
 ///
 /// # Errors
 /// A message with the place in the file: it is no glTF.
-pub fn animations(file: &[u8]) -> Result<Vec<String>, Message> {
+pub fn contents(file: &[u8]) -> Result<Contents, Message> {
     let container = Container::of(file).map_err(|error| error.message())?;
     let root: Root = decode::json(container.json).map_err(|error| error.message())?;
-    Ok(animation_names(&root))
+    Ok(Contents::of(&root))
 }
 
 struct Import<'a> {
     document: &'a Document<'a>,
     options: &'a Options,
     notes: Vec<Message>,
+    others: Vec<Message>,
 }
 
 impl Import<'_> {
     fn run(mut self, read_file: &mut ReadFile<'_>) -> Result<Imported, Message> {
         let (document, root) = (self.document, &self.document.root);
-        let scene = chosen_scene(root, self.options.gltf_scene, &mut self.notes)?;
+        let scene = chosen_scene(root, self.options.gltf_scene, &mut self.others)?;
         let mut tree = tree::tree(root, scene).map_err(message)?;
-        let animation = chosen_animation(root, self.options.animation.as_deref(), &mut self.notes)?;
+        let animation = chosen_animation(root, self.options.animation.as_ref(), &mut self.others)?;
         let motion = match animation {
             Some(animation) => Motion::read(document, animation, &mut tree, &mut self.notes).map_err(message)?,
             None => Motion::none(tree.len()),
@@ -182,7 +186,7 @@ impl Import<'_> {
         };
         report.append(&mut self.notes);
         report.extend(left_out(root));
-        Ok(Imported { scene, moving, tolerance, report })
+        Ok(Imported { scene, moving, tolerance, report, others: self.others })
     }
 
     /// Which nodes have a camera, and the field of view in degrees.

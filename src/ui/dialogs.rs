@@ -3,9 +3,9 @@
 use egui::{Align, Align2, Frame, Id, Key, Layout, Margin, Modal, Ui, vec2};
 
 use super::about;
-use super::animations::{self, AnimationQuestion};
 use super::export::ExportDialog;
 use super::hotkeys::{DialogState, HotkeysDialog};
+use super::model_question::ModelQuestion;
 use super::overwrite::{self, OverwriteQuestion};
 use super::palette::Palette;
 use super::path_dialog::PathDialog;
@@ -32,8 +32,8 @@ pub enum Dialog {
     Commands(Palette),
     /// Which keys?
     Hotkeys(HotkeysDialog),
-    /// Which animation of a model?
-    Animation(AnimationQuestion),
+    /// What of a model?
+    Model(ModelQuestion),
     /// Which film?
     Export(Box<ExportDialog>),
 }
@@ -50,9 +50,7 @@ pub fn show(ui: &Ui, dialog: &mut Option<Dialog>, shown: PanelInput<'_>, output:
         Dialog::Commands(_) => "commands",
         Dialog::Export(_) => "export",
         Dialog::Overwrite(_) => "overwrite",
-        Dialog::Path(_) | Dialog::Unsaved { .. } | Dialog::Hotkeys(_) | Dialog::About | Dialog::Animation(_) => {
-            "dialog"
-        }
+        Dialog::Path(_) | Dialog::Unsaved { .. } | Dialog::Hotkeys(_) | Dialog::About | Dialog::Model(_) => "dialog",
     });
     let mut modal = Modal::new(id).backdrop_color(Tokens::of(ui).shade).frame(frame);
     if matches!(question, Dialog::Commands(_) | Dialog::Hotkeys(_)) {
@@ -63,7 +61,7 @@ pub fn show(ui: &Ui, dialog: &mut Option<Dialog>, shown: PanelInput<'_>, output:
         Dialog::Path(path) => outcome(path.show(ui, shown.settings, output)),
         Dialog::Unsaved { is_quitting } => at_width(ui, |ui| unsaved(ui, *is_quitting, shown, output)),
         Dialog::About => at_width(ui, |ui| about::show(ui, &mut output.commands)),
-        Dialog::Animation(question) => at_width(ui, |ui| animations::show(ui, question, &mut output.commands)),
+        Dialog::Model(question) => at_width(ui, |ui| question.show(ui, &mut output.commands)),
         Dialog::Overwrite(question) => outcome(overwrite::show(ui, question, output)),
         Dialog::Commands(palette) => outcome(palette.show(ui, shown, &mut output.commands)),
         Dialog::Hotkeys(keys) => keys.show(ui, shown, &mut output.commands),
@@ -71,7 +69,7 @@ pub fn show(ui: &Ui, dialog: &mut Option<Dialog>, shown: PanelInput<'_>, output:
     });
     let is_left = match question {
         // These lose nothing where one clicks beside them.
-        Dialog::Commands(_) | Dialog::Hotkeys(_) | Dialog::About | Dialog::Animation(_) => {
+        Dialog::Commands(_) | Dialog::Hotkeys(_) | Dialog::About | Dialog::Model(_) => {
             response.backdrop_response.clicked()
         }
         Dialog::Path(_) | Dialog::Unsaved { .. } | Dialog::Overwrite(_) | Dialog::Export(_) => false,

@@ -48,7 +48,7 @@ impl PathPurpose {
         let is_model = ends_with_one_of(&path.to_string_lossy(), &MODEL_ENDINGS);
         Some(match self {
             Self::Open | Self::OpenScene if is_model => {
-                Command::Window(WindowCommand::Begin(Beginning::Model { path, animation: None }))
+                Command::Window(WindowCommand::Begin(Beginning::Model { path, choice: None }))
             }
             Self::ExportModel => Command::File(FileCommand::ExportModel(path)),
             Self::Open => Command::File(FileCommand::Open(path)),

@@ -12,8 +12,8 @@ use crate::storage;
 /// Whether a command leaves the document behind.
 const fn leaves(command: &Command) -> bool {
     match command {
-        // The user was asked before a model with several animations was opened.
-        Command::Window(WindowCommand::Begin(Beginning::Model { animation: Some(_), .. })) => false,
+        // The user was asked before the question what of a model is opened.
+        Command::Window(WindowCommand::Begin(Beginning::Model { choice: Some(_), .. })) => false,
         Command::Edit(Edit::BeginAnew) | Command::Window(WindowCommand::Begin(_)) => true,
         _ => false,
     }
@@ -54,11 +54,11 @@ impl Shell {
     /// Shows another scene, or says why not.
     pub(super) fn begin(&mut self, beginning: &Beginning) {
         let folder = self.editor.keyframe_file().parent().unwrap_or(Path::new("")).to_owned();
-        if let Beginning::Model { path, animation: None } = beginning
-            && let Ok(animations) = files::model::animations(path)
-            && animations.len() > 1
+        if let Beginning::Model { path, choice: None } = beginning
+            && let Ok(contents) = files::model::contents(path)
+            && contents.has_choice()
         {
-            self.ui.ask_which_animation(path.clone(), animations);
+            self.ui.ask_what_of_model(path.clone(), contents);
             return;
         }
         match files::begun(beginning, &folder) {

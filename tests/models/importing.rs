@@ -1,7 +1,7 @@
 //! glTF files as scenes and animations.
 
 use glam::{Quat, Vec3};
-use inbetween::interchange::gltf_in::{self, Options, imported, is_gltf};
+use inbetween::interchange::gltf_in::{self, AnimationChoice, Options, contents, imported, is_gltf};
 use inbetween::interchange::reduce::{Choice, reduced};
 use inbetween::interpolation::Interpolation;
 use inbetween::keyframe::{Animation, PlayRange};
@@ -30,7 +30,8 @@ pub fn import(model: &Model, options: &Options) -> Result<Imported, String> {
 
 pub fn import_file(file: &[u8], options: &Options) -> Result<Imported, String> {
     let read = imported(file, &mut no_files, options).map_err(|error| error.to_string())?;
-    let gltf_in::Imported { scene, moving, tolerance, report } = read;
+    let gltf_in::Imported { scene, moving, tolerance, mut report, mut others } = read;
+    report.append(&mut others);
     let animation = moving.map(|moving| match moving.kept {
         Some((animation, _)) => animation,
         None => reduced(&moving.samples, Choice::Within(tolerance), Interpolation::Linear).animation,
@@ -40,6 +41,11 @@ pub fn import_file(file: &[u8], options: &Options) -> Result<Imported, String> {
 
 pub fn options() -> Options {
     Options { name: "model".to_owned(), ..Options::default() }
+}
+
+/// Options for an animation of a name.
+pub fn named(animation: &str) -> Options {
+    Options { animation: Some(AnimationChoice::Words(animation.to_owned())), ..options() }
 }
 
 fn timed() -> Options {
@@ -52,7 +58,7 @@ pub fn good(model: &Model) -> Imported {
 }
 
 #[track_caller]
-fn refused(model: &Model, sentence: &str) {
+pub fn refused(model: &Model, sentence: &str) {
     assert_eq!(import(model, &options()).expect_err(sentence), sentence);
 }
 
@@ -64,12 +70,12 @@ fn a_gltf_file_is_told_by_its_content() {
 }
 
 /// The paths of all nodes but those that are put around a model.
-fn paths(scene: &SceneGraph) -> Vec<&str> {
+pub fn paths(scene: &SceneGraph) -> Vec<&str> {
     let all = scene.nodes().iter().map(|node| node.path.as_str());
     all.filter(|path| !["sky", "ground", "ground/plane"].contains(path) && !path.contains("bone")).collect()
 }
 
-fn rest(scene: &SceneGraph, path: &str) -> Rbt {
+pub fn rest(scene: &SceneGraph, path: &str) -> Rbt {
     scene.rest_pose().get(scene.find_rbt(path).expect(path))
 }
 
@@ -81,7 +87,7 @@ pub fn in_world(scene: &SceneGraph, path: &str, point: Vec3) -> Vec3 {
 }
 
 /// A rotation about an axis by degrees.
-fn turned(axis: Vec3, degrees: f32) -> [f32; 4] {
+pub fn turned(axis: Vec3, degrees: f32) -> [f32; 4] {
     Quat::from_axis_angle(axis, degrees.to_radians()).to_array()
 }
 
@@ -103,62 +109,6 @@ fn a_node_is_an_rbt_node_with_its_name() {
     assert_eq!(scene.rbt_path(scene.eyes()[0]), "sky");
     let text = scene_to_json(&scene);
     assert_eq!(inbetween::scene::scene_from_json(&text).unwrap(), scene);
-}
-
-#[test]
-fn a_scale_is_a_control_node_that_is_not_in_paths() {
-    let mut model = Model::new();
-    let child =
-        model.push("nodes", json!({ "name": "child", "translation": [1, 0, 0], "rotation": turned(Vec3::Z, 45.0) }));
-    model.root(json!({ "name": "top", "translation": [0, 1, 0], "scale": [2, 1, 3], "children": [child] }));
-    let scene = good(&model).scene;
-    assert_eq!(paths(&scene), ["top", "top/scale", "top/child"]);
-    assert_eq!(in_world(&scene, "top/child", Vec3::ZERO), Vec3::new(2.0, 1.0, 0.0));
-    let half = std::f32::consts::FRAC_1_SQRT_2;
-    assert!(in_world(&scene, "top/child", Vec3::X).distance(Vec3::new(2.0 + 2.0 * half, 1.0 + half, 0.0)) < 1e-5);
-}
-
-#[test]
-fn a_matrix_is_taken_apart_unless_its_axes_are_skewed() {
-    let mut model = Model::new();
-    let child = model.push("nodes", json!({ "name": "child" }));
-    // A quarter turn about y, scaled by 2, moved by 5.
-    let matrix = [0, 0, -2, 0, 0, 2, 0, 0, 2, 0, 0, 0, 5, 0, 0, 1];
-    model.root(json!({ "name": "top", "matrix": matrix, "children": [child] }));
-    let scene = good(&model).scene;
-    let top = rest(&scene, "top");
-    assert_eq!(top.translation, Vec3::new(5.0, 0.0, 0.0));
-    assert!((top.rotation * Vec3::X).distance(Vec3::NEG_Z) < 1e-6);
-    assert!(in_world(&scene, "top/child", Vec3::X).distance(Vec3::new(5.0, 0.0, -2.0)) < 1e-5);
-    model.json["nodes"][1]["matrix"] = json!([1, 0, 0, 0, 0.5, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]);
-    refused(
-        &model,
-        "/nodes/1: the matrix of “top” has axes that are not at right angles, and other nodes are below it: no rotation and scale can \
-         say that. Apply the transforms in the program that made the file",
-    );
-}
-
-#[test]
-fn mirrors_keep_every_place_in_the_world() {
-    for scale in [[-1.0, 1.0, 1.0], [1.0, -2.0, -1.0], [-1.0, -1.0, -2.0], [-1.0, 1.0, -1.0]] {
-        let mut model = Model::new();
-        let leaf = model.push("nodes", json!({ "name": "leaf", "translation": [1, 2, 3], "scale": [1, 1, -1] }));
-        let middle = json!({
-            "name": "middle", "translation": [3, 1, 2], "rotation": turned(Vec3::new(0.6, 0.0, 0.8), 50.0), "children": [leaf],
-        });
-        let middle = model.push("nodes", middle);
-        let top = json!({
-            "name": "top", "translation": [1, 0, 0], "rotation": turned(Vec3::Y, 30.0), "scale": scale, "children": [middle],
-        });
-        model.root(top);
-        let scene = good(&model).scene;
-        let (scale, turn) = (Vec3::from(scale), Quat::from_array(turned(Vec3::Y, 30.0)));
-        let inner = Quat::from_array(turned(Vec3::new(0.6, 0.0, 0.8), 50.0));
-        let middle = Vec3::X + turn * (scale * Vec3::new(3.0, 1.0, 2.0));
-        let leaf = Vec3::X + turn * (scale * (Vec3::new(3.0, 1.0, 2.0) + inner * Vec3::new(1.0, 2.0, 3.0)));
-        assert!(in_world(&scene, "top/middle", Vec3::ZERO).distance(middle) < 1e-4, "{scale}");
-        assert!(in_world(&scene, "top/middle/leaf", Vec3::ZERO).distance(leaf) < 1e-4, "{scale}");
-    }
 }
 
 #[test]
@@ -274,16 +224,38 @@ fn an_animation_becomes_few_keyframes() {
 
 #[test]
 fn an_animation_is_chosen_by_name_or_number() {
-    let of = |animation: &str| import(&moving(), &Options { animation: Some(animation.to_owned()), ..options() });
+    let of = |animation: &str| import(&moving(), &named(animation));
     for still in ["still", "1"] {
         assert_eq!(of(still).unwrap().animation.expect("it is animated").keyframes.len(), 4);
     }
     assert_eq!(of("wave").unwrap().animation.unwrap().keyframes.len(), 6);
     assert_eq!(of("run").unwrap_err(), "there is no animation \"run\": the file has 0 \"wave\" and 1 \"still\"");
+    // A name can be a number.
+    let mut model = moving();
+    model.json["animations"][0]["name"] = json!("1");
+    let count = |options| import(&model, &options).unwrap().animation.unwrap().keyframes.len();
+    let number = |number| Options { animation: Some(AnimationChoice::Number(number)), ..options() };
+    assert_eq!([count(named("1")), count(number(0)), count(number(1))], [6, 6, 4]);
+    let missing = import(&model, &number(2)).unwrap_err();
+    assert_eq!(missing, "there is no animation 2: the file has 0 \"1\" and 1 \"still\"");
+}
+
+#[test]
+fn a_file_says_what_it_has_to_choose_from() {
+    let mut model = moving();
+    let none = contents(&Model::new().glb()).unwrap();
+    assert!(!none.has_choice() && none.scenes.is_empty() && none.animations.is_empty());
+    model.push("scenes", json!({ "name": "second" }));
+    model.json["scene"] = json!(1);
+    model.json["animations"][1]["name"] = json!(null);
+    let all = contents(&model.text()).unwrap();
+    assert_eq!(all.scenes, [None, Some("second".to_owned())]);
+    assert_eq!((all.own_scene, all.animations.as_slice()), (1, [Some("wave".to_owned()), None].as_slice()));
+    assert!(all.has_choice() && contents(b"{").is_err());
 }
 
 /// The keys of a channel of a control node.
-fn keys(scene: &SceneGraph, path: &str, channel: Channel) -> Vec<(f64, [f32; 4])> {
+pub fn keys(scene: &SceneGraph, path: &str, channel: Channel) -> Vec<(f64, [f32; 4])> {
     let NodeKind::Control(tracks) = &scene.node(scene.find(path).expect(path)).kind else {
         panic!("{path} is no control node")
     };
@@ -327,33 +299,6 @@ fn splines_are_near_their_timed_keys_and_keyframes() {
 }
 
 #[test]
-fn an_animated_scale_is_timed_keys() {
-    let mut model = Model::new();
-    let child = model.push("nodes", json!({ "name": "child", "translation": [1, 0, 0] }));
-    let top = model.root(json!({ "name": "top", "children": [child] }));
-    model.animation(
-        "grow",
-        &[
-            (top, "scale", &[1.0, 3.0], &[1.0, 1.0, 1.0, 3.0, 2.0, 1.0], "LINEAR"),
-            (child, "scale", &[1.0, 3.0], &[2.0, 2.0, 2.0, 2.0, 2.0, 2.0], "LINEAR"),
-            (child, "translation", &[1.0, 3.0], &[1.0, 0.0, 0.0, 2.0, 0.0, 0.0], "LINEAR"),
-        ],
-    );
-    let Imported { scene, animation, report } = good(&model);
-    assert!(animation.is_some());
-    assert_eq!(keys(&scene, "top/scale", Channel::Scale), [(0.0, [1.0, 1.0, 1.0, 0.0]), (2.0, [3.0, 2.0, 1.0, 0.0])]);
-    let sentence = "the scale of “top” moves: it becomes timed keys, which play in seconds and not with the keyframes";
-    assert_eq!(report.iter().filter(|line| line.contains("scale")).count(), 1);
-    assert!(report.iter().any(|line| *line == sentence));
-    model.animation("mirror", &[(top, "scale", &[0.0, 1.0], &[1.0, 1.0, 1.0, -1.0, 1.0, 1.0], "LINEAR")]);
-    let options = Options { animation: Some("mirror".to_owned()), ..options() };
-    assert_eq!(
-        import(&model, &options).unwrap_err(),
-        "/animations/1/channels/0: the scale of “top” turns its sign in the animation, and a scene's scales are above 0",
-    );
-}
-
-#[test]
 fn what_is_left_out_is_named() {
     let mut model = Model::new();
     let node = model.root(json!({ "name": "a" }));
@@ -376,16 +321,4 @@ fn what_is_left_out_is_named() {
     ] {
         assert!(report.iter().any(|line| line == sentence), "{sentence}: {report:?}");
     }
-}
-
-#[test]
-fn a_model_of_another_size_is_scaled_by_a_power_of_ten() {
-    let mut model = Model::new();
-    let head = model.push("nodes", json!({ "name": "head", "translation": [0, 180, 0] }));
-    model.root(json!({ "name": "hips", "translation": [0, 10, 0], "children": [head] }));
-    let Imported { scene, report, .. } = good(&model);
-    assert_eq!(scene.rbt_paths().collect::<Vec<_>>(), ["sky", "ground", "hips", "hips/head"]);
-    assert!(in_world(&scene, "hips/head", Vec3::ZERO).distance(Vec3::new(0.0, 1.9, 0.0)) < 1e-5);
-    assert_eq!(report[1], "the model is 180.00 units large: a control node above it scales it by 0.01");
-    assert!((in_world(&scene, "ground/plane", Vec3::ZERO).y - 0.1).abs() < 1e-5);
 }

@@ -9,4 +9,5 @@ mod meshes;
 mod mutants;
 mod pictures;
 mod reading;
+mod scales;
 mod trips;

@@ -4,7 +4,8 @@ use std::path::PathBuf;
 
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable as _;
-use inbetween::editor::{Beginning, Command, Edit, FileCommand, WindowCommand};
+use inbetween::editor::{Beginning, Command, Edit, FileCommand, ModelChoice, WindowCommand};
+use inbetween::interchange::gltf_in::Contents;
 use inbetween::scene::BUILT_IN_ANIMATIONS;
 use inbetween::ui::{PathPurpose, QuitAnswer};
 
@@ -60,8 +61,7 @@ fn a_model_is_opened_by_its_ending() {
     for purpose in [PathPurpose::Open, PathPurpose::OpenScene] {
         for name in ["fox.glb", "fox.GLTF", "walk.bvh"] {
             let path = PathBuf::from(name);
-            let begins =
-                Command::Window(WindowCommand::Begin(Beginning::Model { path: path.clone(), animation: None }));
+            let begins = Command::Window(WindowCommand::Begin(Beginning::Model { path: path.clone(), choice: None }));
             assert_eq!(purpose.command(path), Some(begins), "{name}");
         }
     }
@@ -74,19 +74,47 @@ fn a_model_is_opened_by_its_ending() {
 
 #[test]
 fn one_of_a_models_animations_is_asked_for() {
-    let names = ["Survey", "Walk", "Run"].map(str::to_owned).to_vec();
+    let names = ["Survey", "Walk", "Run"].map(|name| Some(name.to_owned())).to_vec();
+    let contents = Contents { animations: names, ..Contents::default() };
     let mut harness = harness(editor(0));
-    harness.state_mut().ui.ask_which_animation(PathBuf::from("models/fox.glb"), names.clone());
+    harness.state_mut().ui.ask_what_of_model(PathBuf::from("models/fox.glb"), contents.clone());
     harness.run();
     assert!(harness.query_by_label("fox.glb has 3 animations.").is_some());
     click(&mut harness, "1  Walk");
-    let begins = Beginning::Model { path: PathBuf::from("models/fox.glb"), animation: Some(1) };
+    let choice = ModelChoice { scene: None, animation: Some(1) };
+    let begins = Beginning::Model { path: PathBuf::from("models/fox.glb"), choice: Some(choice) };
     assert_eq!(harness.state().commands, [Command::Window(WindowCommand::Begin(begins))]);
     assert!(!harness.state().ui.has_dialog());
-    harness.state_mut().ui.ask_which_animation(PathBuf::from("fox.glb"), names);
+    harness.state_mut().ui.ask_what_of_model(PathBuf::from("fox.glb"), contents);
     harness.run();
     click(&mut harness, "Cancel");
     assert!(!harness.state().ui.has_dialog() && harness.state().commands.len() == 1);
+}
+
+#[test]
+fn one_of_a_models_scenes_is_asked_for_before_its_animation() {
+    let mut harness = harness(editor(0));
+    let path = PathBuf::from("house.gltf");
+    let scenes = vec![Some("Day".to_owned()), None];
+    let mut contents = Contents { scenes, own_scene: 1, animations: vec![None] };
+    harness.state_mut().ui.ask_what_of_model(path.clone(), contents.clone());
+    harness.run();
+    harness.get_by_label("house.gltf has 2 scenes. Other programs show scene 1 first.");
+    click(&mut harness, "1");
+    let begins = |scene, animation| {
+        let choice = Some(ModelChoice { scene, animation });
+        Command::Window(WindowCommand::Begin(Beginning::Model { path: path.clone(), choice }))
+    };
+    assert_eq!(harness.state().commands, [begins(Some(1), None)]);
+    assert!(!harness.state().ui.has_dialog());
+    contents.animations = vec![Some("open".to_owned()), None];
+    harness.state_mut().ui.ask_what_of_model(path.clone(), contents);
+    harness.run();
+    click(&mut harness, "0  Day");
+    assert!(harness.state().ui.has_dialog() && harness.state().commands.len() == 1);
+    harness.get_by_label("house.gltf has 2 animations.");
+    click(&mut harness, "0  open");
+    assert_eq!(harness.state().commands.last(), Some(&begins(Some(0), Some(0))));
 }
 
 #[test]
