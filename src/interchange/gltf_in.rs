@@ -24,7 +24,7 @@ use self::own::{Kind, OwnScene};
 
 use self::scene::{Allowed, Parts, scene_text, world_from_nodes};
 use self::sight::{FOV_DEGREES, Sight};
-use self::tree::{TreeNode, place};
+use self::tree::{ROUNDED_ONE, TreeNode, place};
 use super::reduce::Tolerance;
 use crate::decode;
 use crate::gltf::json::Root;
@@ -170,6 +170,10 @@ impl Import<'_> {
         let mut report = vec![summary(&tree, &meshes)];
         if sight.factor != 1.0 {
             report.push(texts::gltf_in_scaled(format!("{:.2}", sight.size), sight.factor));
+        }
+        let rounded = tree::most_rounded(&tree);
+        if rounded > ROUNDED_ONE {
+            report.push(texts::gltf_in_rounded_scales(ROUNDED_ONE, format!("{:.6}", rounded * sight.size)));
         }
         let tolerance = Tolerance::for_size(sight.size);
         let moving = match animation {

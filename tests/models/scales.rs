@@ -100,3 +100,40 @@ fn a_model_of_another_size_is_scaled_by_a_power_of_ten() {
     assert_eq!(report[1], "the model is 180.00 units large: a control node above it scales it by 0.01");
     assert!((in_world(&scene, "ground/plane", Vec3::ZERO).y - 0.1).abs() < 1e-5);
 }
+
+/// A chain of so many nodes of one scale, each at the origin, and what is made of it.
+fn chain(length: usize, scale: [f32; 3]) -> Imported {
+    let mut model = Model::new();
+    let mut below = model.push("nodes", json!({ "name": "end", "translation": [1, 0, 0] }));
+    for number in 1..length {
+        below = model.push("nodes", json!({ "name": format!("n{number}"), "scale": scale, "children": [below] }));
+    }
+    model.root(json!({ "name": "n0", "scale": scale, "children": [below] }));
+    good(&model)
+}
+
+#[test]
+fn a_scale_that_is_rounding_away_from_1_is_1() {
+    let one = chain(2, [1.000_000_1, 0.999_998, 1.0]);
+    assert_eq!(paths(&one.scene), ["n0", "n0/n1", "n0/n1/end"]);
+    assert_eq!(one.report.len(), 1, "rounding is not worth a sentence: {:?}", one.report);
+    // What adds up is said.
+    let many = chain(50, [1.000_009; 3]);
+    assert!(!paths(&many.scene).iter().any(|path| path.contains("scale")));
+    let sentence = "scales within 0.00001 of 1 are taken as 1; together they move no point by more than 0.000447 units";
+    assert_eq!(many.report[1], sentence);
+    // A scale of which one factor is more than rounding stays what it is.
+    let other = chain(1, [1.000_02, 1.000_001, 1.0]);
+    assert_eq!(paths(&other.scene), ["n0", "n0/scale", "n0/end"]);
+    assert_eq!(keys(&other.scene, "n0/scale", Channel::Scale), [(0.0, [1.000_02, 1.000_001, 1.0, 0.0])]);
+}
+
+#[test]
+fn an_animated_scale_that_stays_within_rounding_is_1() {
+    let mut model = Model::new();
+    let child = model.push("nodes", json!({ "name": "child", "translation": [1, 0, 0] }));
+    let top = model.root(json!({ "name": "top", "scale": [2, 2, 2], "children": [child] }));
+    model.animation("all", &[(top, "scale", &[0.0, 1.0], &[1.0, 1.000_001, 1.0, 1.0, 1.0, 0.999_999], "LINEAR")]);
+    let Imported { scene, report, .. } = good(&model);
+    assert_eq!((paths(&scene), report.len()), (vec!["top", "top/child"], 1));
+}

@@ -153,7 +153,7 @@ fn scale(curve: &Curve<DVec3>, node: &mut TreeNode, at: &str) -> Result<Option<C
     let first = positive.values[0].max(DVec3::splat(LEAST_SCALE));
     let is_same = |value: DVec3| ((value - first) / first).abs().max_element() < SAME_SCALE;
     if positive.seconds.iter().chain(&midway(&positive.seconds)).all(|&at| is_same(positive.value_at(at))) {
-        node.rest.scale = node.own.kind.scale(first);
+        node.set_scale(first);
         return Ok(None);
     }
     Ok(Some(positive))

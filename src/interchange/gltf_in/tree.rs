@@ -20,6 +20,10 @@ pub(super) const LEAST_SCALE: f64 = 1e-6;
 /// Scales that differ by less, in parts, are one scale.
 pub(super) const SAME_SCALE: f64 = 1e-5;
 
+/// How far each factor of a scale may be from 1 and still be what rounding has made of 1. It moves a point by less than that part of the
+/// size of the model, for each such node above it.
+pub(super) const ROUNDED_ONE: f64 = 1e-5;
+
 /// A node of the scene.
 #[derive(Clone, Debug)]
 pub(super) struct TreeNode {
@@ -43,9 +47,20 @@ pub(super) struct TreeNode {
     pub change: Change,
     /// The nodes below it, in the tree.
     pub children: Vec<usize>,
+    /// How far the scale of the file is from that of the rest, which is 1 for it; most often 0.
+    pub rounded_by: f64,
 }
 
 impl TreeNode {
+    /// Sets the scale of the rest. One that is rounding away from 1 is 1, so that it needs no control node; control nodes and shapes of our
+    /// own have any scale.
+    pub fn set_scale(&mut self, scale: DVec3) {
+        let off = (scale - DVec3::ONE).abs().max_element();
+        let is_one = self.own.kind == Kind::Rbt && off <= ROUNDED_ONE;
+        self.rounded_by = if is_one { off } else { 0.0 };
+        self.rest.scale = if is_one { DVec3::ONE } else { scale };
+    }
+
     /// Whether the paths of the nodes below contain its name.
     pub fn is_in_paths(&self) -> bool {
         self.own.kind != Kind::Control { is_in_paths: false }
@@ -173,12 +188,11 @@ pub(super) fn tree(root: &Root, scene: Option<Index>) -> Result<Vec<TreeNode>, G
         let path = named_above.map_or_else(|| name.clone(), |above| format!("{}/{name}", above.path));
         let mirror = above.map_or(DVec3::ONE, |above| above.change.below);
         let is_leaf = json.children.is_empty() && !moved.contains(&index) && json.camera.is_none();
-        let (mut rest, change, node_from_mesh) = transform(json, index, &path, mirror, is_leaf)?;
-        rest.scale = own.kind.scale(rest.scale);
+        let (rest, change, node_from_mesh) = transform(json, index, &path, mirror, is_leaf)?;
         if let Some(parent) = parent {
             nodes[parent].children.push(at);
         }
-        nodes.push(TreeNode {
+        let mut node = TreeNode {
             index,
             parent,
             depth,
@@ -189,7 +203,10 @@ pub(super) fn tree(root: &Root, scene: Option<Index>) -> Result<Vec<TreeNode>, G
             node_from_mesh,
             change,
             children: Vec::new(),
-        });
+            rounded_by: 0.0,
+        };
+        node.set_scale(rest.scale);
+        nodes.push(node);
         names_below.push(if is_in_paths { names.len() } else { beside });
         if is_in_paths {
             names.push(HashSet::new());
@@ -198,12 +215,13 @@ pub(super) fn tree(root: &Root, scene: Option<Index>) -> Result<Vec<TreeNode>, G
     }
 }
 
-impl Kind {
-    /// A scale that is 1 but for what single precision makes of it is 1, where a node had to be made for it.
-    pub(super) fn scale(self, scale: DVec3) -> DVec3 {
-        let is_noise = (scale - DVec3::ONE).abs().max_element() < SAME_SCALE;
-        if is_noise && self == Self::Rbt { DVec3::ONE } else { scale }
+/// The most that scales taken as 1 move any point, in parts of the model's size.
+pub(super) fn most_rounded(tree: &[TreeNode]) -> f64 {
+    let mut sums: Vec<f64> = Vec::with_capacity(tree.len());
+    for node in tree {
+        sums.push(node.rounded_by + node.parent.map_or(0.0, |parent| sums[parent]));
     }
+    sums.into_iter().fold(0.0, f64::max)
 }
 
 /// A node's place in the JSON.
