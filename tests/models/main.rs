@@ -1,5 +1,6 @@
 //! Models of other programs: glTF files made by hand for each thing that a file can hold.
 
+mod features;
 #[path = "../common/golden.rs"]
 mod golden;
 mod importing;
