@@ -1,5 +1,8 @@
 //! What the GPU keeps of meshes and their textures from frame to frame.
 
+#[cfg(test)]
+mod tests;
+
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -141,6 +144,18 @@ impl MeshCache {
         meshes: &[Arc<TriangleMesh>],
         has_skinning_shader: bool,
     ) {
+        self.take_within(MOST_KEPT_BYTES, device, queue, layout, meshes, has_skinning_shader);
+    }
+
+    fn take_within(
+        &mut self,
+        most_bytes: u64,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        layout: &wgpu::BindGroupLayout,
+        meshes: &[Arc<TriangleMesh>],
+        has_skinning_shader: bool,
+    ) {
         if meshes.is_empty() && self.meshes.is_empty() {
             return;
         }
@@ -159,7 +174,7 @@ impl MeshCache {
                 texture.used_in = self.frames;
             }
         }
-        self.let_go();
+        self.let_go(most_bytes);
     }
 
     /// A mesh of the last frame.
@@ -168,13 +183,17 @@ impl MeshCache {
     }
 
     /// Lets go what nobody else has any more, and, beyond the bound, all that this frame does not need.
-    fn let_go(&mut self) {
-        let bytes = self.meshes.values().map(MeshOnGpu::bytes).sum::<u64>()
-            + self.textures.values().map(|texture| texture.bytes).sum::<u64>();
-        let (is_full, frames) = (bytes > MOST_KEPT_BYTES, self.frames);
+    fn let_go(&mut self, most_bytes: u64) {
+        let (is_full, frames) = (self.bytes() > most_bytes, self.frames);
         let stays = |used_in: u64, others: usize| used_in == frames || !is_full && others > 0;
         self.meshes.retain(|_, mesh| stays(mesh.used_in, Arc::strong_count(&mesh.mesh) - 1));
         self.textures.retain(|_, texture| stays(texture.used_in, Arc::strong_count(&texture.texture) - 1));
+    }
+
+    /// What all of it takes.
+    fn bytes(&self) -> u64 {
+        self.meshes.values().map(MeshOnGpu::bytes).sum::<u64>()
+            + self.textures.values().map(|texture| texture.bytes).sum::<u64>()
     }
 
     fn texture(
