@@ -10,7 +10,7 @@ use crate::files;
 use crate::files::model::{Model, ModelError, ModelOptions};
 use crate::interchange::gltf_in::AnimationChoice;
 use crate::interchange::reduce::reduced;
-use crate::storage::{input_name, output_name};
+use crate::storage::{Place, input_name, output_name};
 use crate::words::texts;
 
 /// Reads the file, writes the scene and the keyframes, and prints the report.
@@ -37,8 +37,15 @@ pub fn run(arguments: &ImportArguments, common: Common<'_>) -> Result<(), CliErr
         })?;
     notes.append(&mut others);
     let name = input_name(file);
-    files::scene::save(&scene, output)?;
+    let is_over_model = Place::of_output(&output.with_extension("glb")) == Place::of_input(file);
+    let copies = if is_over_model && scene.meshes().is_some() {
+        notes.push(texts::model_meshes_within(input_name(file)));
+        files::scene::save_with_meshes_within(&scene, output)?
+    } else {
+        files::scene::save(&scene, output)?
+    };
     notes.push(texts::model_scene_written(output_name(output)));
+    notes.extend(copies.iter().map(|copy| texts::model_kept(copy.display())));
     let mut written = None;
     match (keyframes, samples) {
         (Some(target), Some(samples)) => {

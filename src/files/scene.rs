@@ -7,7 +7,7 @@ use super::FileError;
 use crate::editor::Editor;
 use crate::scene::{
     DEFAULT_SCENE, LARGEST_MESHES_BYTES, LARGEST_SCENE_BYTES, SceneFiles, SceneGraph, built_in_scene,
-    built_in_scene_names, scene_with_meshes,
+    built_in_scene_names, scene_to_json, scene_with_meshes,
 };
 use crate::storage::{self, StorageError};
 use crate::words::{Message, texts};
@@ -58,8 +58,19 @@ pub(super) fn meshes_beside(scene: &Path) -> impl FnOnce(&str) -> Result<Vec<u8>
 /// # Errors
 /// [`FileError`]: a file cannot be written; the scene's file is then unchanged.
 pub fn save(scene: &SceneGraph, path: &Path) -> Result<Vec<PathBuf>, FileError> {
+    save_files(SceneFiles::new(scene, path), path)
+}
+
+/// Writes a scene with its meshes within. What another file of this name held is copied. Returns where, if one was.
+///
+/// # Errors
+/// [`FileError`]: the file cannot be written; it is then unchanged.
+pub fn save_with_meshes_within(scene: &SceneGraph, path: &Path) -> Result<Vec<PathBuf>, FileError> {
+    save_files(SceneFiles { text: scene_to_json(scene), meshes: None }, path)
+}
+
+fn save_files(SceneFiles { text, meshes }: SceneFiles, path: &Path) -> Result<Vec<PathBuf>, FileError> {
     let failed = |path: &Path, error: StorageError| FileError::new(storage::output_name(path), error);
-    let SceneFiles { text, meshes } = SceneFiles::new(scene, path);
     let mut kept = Vec::new();
     let all = meshes.iter().map(|meshes| (&*meshes.path, &*meshes.glb)).chain([(path, text.as_bytes())]);
     for (path, bytes) in all.filter(|(path, bytes)| !storage::is_held(path, bytes)) {
