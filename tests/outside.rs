@@ -13,7 +13,9 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, SystemTime};
 
 use display::{Running, display, focused_window, inbetween, wait_for, xdotool};
+use glam::Vec3;
 use inbetween::keyframe::{Keyframe, KeyframeList, keyframes_to_json};
+use inbetween::model::{MeshLibrary, TriangleMesh};
 use inbetween::scene::{DEFAULT_SCENE, built_in_scene};
 use inbetween::storage::logs;
 
@@ -39,15 +41,23 @@ fn keyframes(count: usize) -> String {
 impl Window {
     /// A window on a file of four keyframes.
     fn open(settings: &str) -> Self {
+        Self::open_on(settings, |folder| {
+            let file = folder.join("a.json");
+            std::fs::write(&file, keyframes(4)).unwrap();
+            vec![file]
+        })
+    }
+
+    /// A window on files that are made in its folder, by its arguments.
+    fn open_on(settings: &str, make: impl FnOnce(&Path) -> Vec<PathBuf>) -> Self {
         let folder = tempfile::tempdir().unwrap();
         std::fs::create_dir(folder.path().join("inbetween")).unwrap();
         let settings = format!("{{\"format\": \"inbetween.settings\", \"version\": 1{settings}}}");
         std::fs::write(folder.path().join("inbetween/settings.json"), settings).unwrap();
-        let file = folder.path().join("a.json");
-        std::fs::write(&file, keyframes(4)).unwrap();
+        let arguments = make(folder.path());
         let (server, display) = display(&[]);
         let mut command = inbetween(&display, folder.path());
-        command.arg("--print-lines").arg(&file).stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::null());
+        command.arg("--print-lines").args(&arguments).stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::null());
         let mut process = Running(command.spawn().unwrap());
         let output = BufReader::new(process.0.stdout.take().unwrap());
         let pictures = Arc::new(AtomicUsize::new(0));
@@ -252,6 +262,33 @@ fn a_file_is_read_when_it_changes_where_that_is_ticked() {
     assert_eq!(window.imports(), 4);
     window.change(10);
     assert!(wait_for(|| window.imports() == 5), "what can be read again is not read");
+}
+
+/// A file of meshes with one triangle of a size.
+fn plate(size: f32) -> Vec<u8> {
+    let mut mesh = TriangleMesh::empty("plate");
+    mesh.positions = [Vec3::ZERO, Vec3::X, Vec3::Y].map(|corner| corner * size).to_vec();
+    mesh.normals = vec![Vec3::Z; 3];
+    mesh.indices = vec![0, 1, 2];
+    MeshLibrary::to_glb(&[mesh])
+}
+
+#[test]
+fn meshes_that_another_program_changes_are_read_with_their_scene() {
+    let window = Window::open_on(", \"reload\": true", |folder| {
+        let house = folder.join("house.json");
+        let text = r#"{"format": "inbetween.scene", "version": 3, "name": "house", "eyes": ["sky"], "meshes": "house.glb",
+            "nodes": [{"name": "sky"}, {"name": "plate", "shape": {"mesh": {"name": "plate"}}}]}"#;
+        std::fs::write(&house, text).unwrap();
+        std::fs::write(folder.join("house.glb"), plate(1.0)).unwrap();
+        vec!["--scene".into(), house]
+    });
+    let read = || window.journal().lines().filter(|line| line.starts_with("imported-scene ")).count();
+    assert_eq!(read(), 0);
+    std::fs::write(window.folder.path().join("house.glb"), plate(0.5)).unwrap();
+    assert!(wait_for(|| read() == 1), "the changed meshes are not read");
+    std::thread::sleep(Duration::from_secs(2));
+    assert_eq!(read(), 1, "what was read is known");
 }
 
 /// What the files of a folder hold, and when they were written.

@@ -16,7 +16,9 @@ pub fn known_at_start(editor: &Editor) -> KnownFiles {
     known.begin(editor.keyframe_file());
     if let Some(path) = editor.scene_path() {
         known.begin_with_content(path);
-        if let Some(meshes) = SceneFiles::new(editor.scene(), path).meshes {
+        let meshes = SceneFiles::new(editor.scene(), path).meshes;
+        // The scene may have its meshes from a file of another name.
+        if let Some(meshes) = meshes.filter(|meshes| storage::is_held(&meshes.path, &meshes.glb)) {
             known.begin_with_content(&meshes.path);
         }
     }
@@ -33,7 +35,14 @@ pub fn read_known(known: &mut KnownFiles, access: FileAccess, path: &Path) -> Fi
     if access != FileAccess::ComparedRead {
         known.read(path, &bytes);
     }
-    if access == FileAccess::SceneRead { with_meshes_within(bytes, meshes_beside(path)) } else { Ok(bytes) }
+    if access != FileAccess::SceneRead {
+        return Ok(bytes);
+    }
+    with_meshes_within(bytes, |name| {
+        let meshes = meshes_beside(path)(name)?;
+        known.read_with_it(&path.with_file_name(name), &meshes);
+        Ok(meshes)
+    })
 }
 
 /// Writes a file and remembers what it is now. `keeps`: whether what it held is copied beside it first. The scene's meshes are written

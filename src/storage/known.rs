@@ -20,8 +20,8 @@ pub enum OutsideChange {
 pub struct KnownFiles {
     /// `None`: there was no file.
     states: BTreeMap<PathBuf, Option<Stamp>>,
-    /// What was read last, until it is known whether anybody took it in.
-    read: Option<(PathBuf, Stamp)>,
+    /// What was read last, until it is known whether anybody took it in: a file, and what was read with it.
+    read: Vec<(PathBuf, Stamp)>,
 }
 
 impl KnownFiles {
@@ -37,14 +37,18 @@ impl KnownFiles {
 
     /// A file was read. It counts as known once its content is [taken in](Self::took_in).
     pub fn read(&mut self, path: &Path, bytes: &[u8]) {
-        self.read = place(path).map(|place| (place, Stamp::of(path, bytes)));
+        self.read.clear();
+        self.read_with_it(path, bytes);
+    }
+
+    /// A file was read that is part of the one before it.
+    pub fn read_with_it(&mut self, path: &Path, bytes: &[u8]) {
+        self.read.extend(place(path).map(|place| (place, Stamp::of(path, bytes))));
     }
 
     /// The content that was read last was taken in.
     pub fn took_in(&mut self) {
-        if let Some((path, stamp)) = self.read.take() {
-            self.states.insert(path, Some(stamp));
-        }
+        self.states.extend(self.read.drain(..).map(|(path, stamp)| (path, Some(stamp))));
     }
 
     /// A file was written.

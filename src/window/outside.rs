@@ -180,7 +180,7 @@ impl Shell {
     }
 
     fn scene_differences(&self, path: &Path) -> Result<Vec<Message>, Message> {
-        let theirs = files::scene::load_file(path)?;
+        let theirs = files::scene::load_file(&self.read_for(path))?;
         Ok(scene_differences(&theirs, self.editor.scene()))
     }
 
@@ -188,6 +188,7 @@ impl Shell {
     fn reload(&mut self, is_scene: bool, path: PathBuf) {
         if is_scene {
             // Not the command, which reads the scene's own file: this may be another one.
+            let path = self.read_for(&path);
             self.guarded(|shell| shell.perform(Effect::ReadScene { path }));
             return;
         }
@@ -203,17 +204,25 @@ impl Shell {
         }
     }
 
+    /// The file that is read for the content of another: for the meshes of the scene, the scene.
+    fn read_for(&self, path: &Path) -> PathBuf {
+        let scene = self.editor.scene_path().filter(|scene| meshes_of(scene) == path);
+        scene.unwrap_or(path).to_owned()
+    }
+
     /// A file was read or written: what was noticed of it is over.
     pub(super) fn settled_outside(&mut self, path: &Path) {
-        self.outside.notices.retain(|notice| Place::of_output(&notice.path) != Place::of_output(path));
+        let mut notices = std::mem::take(&mut self.outside.notices);
+        notices.retain(|notice| Place::of_output(&self.read_for(&notice.path)) != Place::of_output(path));
+        self.outside.notices = notices;
         self.offer_change();
     }
 
     /// Looks whether another program has changed a file, and offers to read it again. Where the user wants it, it is read at once.
     pub(super) fn look_outside(&mut self) {
         let keyframes = Some((false, self.editor.keyframe_file().to_owned()));
-        let scene = self.editor.scene_path().map(|path| (true, path.to_owned()));
-        let files: Vec<(bool, PathBuf)> = keyframes.into_iter().chain(scene).collect();
+        let scene = self.editor.scene_path().map(|path| [(true, path.to_owned()), (true, meshes_of(path))]);
+        let files: Vec<(bool, PathBuf)> = keyframes.into_iter().chain(scene.into_iter().flatten()).collect();
         self.outside.notices.retain(|notice| files.contains(&(notice.is_scene, notice.path.clone())));
         for (is_scene, path) in files {
             self.look_at(is_scene, path);
@@ -223,7 +232,7 @@ impl Shell {
 
     fn look_at(&mut self, is_scene: bool, path: PathBuf) {
         let outside = &mut self.outside;
-        let place = outside.notices.iter().position(|notice| notice.is_scene == is_scene);
+        let place = outside.notices.iter().position(|notice| notice.path == path);
         let Some(seen) = outside.known.suspect(&path) else {
             if let Some(place) = place {
                 outside.notices.remove(place);
@@ -283,7 +292,8 @@ impl Shell {
             }
             ChangeAnswer::Compare => {
                 let (is_scene, path) = (notice.is_scene, notice.path.clone());
-                self.ask_before_overwriting(is_scene, &path, OverwriteReason::Changed);
+                // What would be written is the scene, with its meshes.
+                self.ask_before_overwriting(is_scene, &self.read_for(&path), OverwriteReason::Changed);
                 self.show_differences();
             }
         }
@@ -300,6 +310,11 @@ impl Shell {
         }
         self.outside.due
     }
+}
+
+/// The file beside a scene to which its meshes are written. It is known, and looked at, only where it holds them.
+fn meshes_of(scene: &Path) -> PathBuf {
+    scene.with_extension("glb")
 }
 
 /// Whether a file that was changed is read without a word from the user.

@@ -5,13 +5,13 @@ use std::path::Path;
 use std::sync::Arc;
 
 use inbetween::editor::{Editor, FileAccess};
-use inbetween::files::read_known;
 use inbetween::files::scene::{editor_of, load, load_file, save};
+use inbetween::files::{known_at_start, read_known};
 use inbetween::journal::play_alone;
 use inbetween::model::{MeshLibrary, TriangleMesh};
 use inbetween::scene::{SceneGraph, scene_from_json, scene_to_json, scene_to_json_beside};
 use inbetween::script::{Disk, DiskStop, Restore, Runner, imported_line, parse};
-use inbetween::storage::KnownFiles;
+use inbetween::storage::{KnownFiles, OutsideChange};
 
 use super::models::{ball, bar, bent, coloured, cube, glb, scene, squares, text, text_within};
 
@@ -158,6 +158,33 @@ fn a_scene_that_is_saved_elsewhere_brings_its_meshes() {
     // Again to where it is now: the meshes are its own.
     let editor = run(&at("house.json"), &format!("save-scene {}\n", at("house.json").display()));
     assert!(**editor.scene() == scene && !at("house.glb.bak").exists());
+}
+
+#[test]
+fn a_file_of_meshes_is_known_as_long_as_it_holds_those_of_the_scene() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    let (house, meshes) = (at("house.json"), at("house.glb"));
+    save(&all(), &house).unwrap();
+    let begin = |file: &Path| known_at_start(&editor_of(load(Some(file)).unwrap(), Some(file), at("a.json")));
+    let mut known = begin(&house);
+    assert!(known.knows(&meshes) && known.change(&meshes).is_none() && known.suspect(&meshes).is_none());
+    // Another program changes it, and the scene is read again.
+    let other = [cube("cube"), coloured(ball("ball", 5)), bar("bar", 4, 6)];
+    fs::write(&meshes, MeshLibrary::to_glb(&other)).unwrap();
+    assert_eq!(known.change(&meshes), Some(OutsideChange::Changed));
+    read_known(&mut known, FileAccess::SceneRead, &house).unwrap();
+    assert_eq!(known.change(&meshes), Some(OutsideChange::Changed), "nobody took it in");
+    read_known(&mut known, FileAccess::SceneRead, &house).unwrap();
+    known.took_in();
+    assert!(known.change(&meshes).is_none());
+    // A file of that name which is not the scene's is not known, so that it is copied before it is written over.
+    fs::rename(&meshes, at("other.glb")).unwrap();
+    fs::write(&house, fs::read_to_string(&house).unwrap().replace("house.glb", "other.glb")).unwrap();
+    fs::write(&meshes, "mine").unwrap();
+    assert!(!begin(&house).knows(&meshes));
+    run(&house, &format!("save-scene {}\n", house.display()));
+    assert_eq!(fs::read_to_string(at("house.glb.bak")).unwrap(), "mine");
 }
 
 #[test]
