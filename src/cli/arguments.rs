@@ -106,7 +106,7 @@ pub enum Subcommand {
     /// Make a film of the numbered images in a folder, which may have been drawn in parts, on many machines.
     #[command(long_about = join::HELP)]
     Join(JoinArguments),
-    /// Make a scene and keyframes of another program's file: a BVH capture.
+    /// Make a scene and keyframes of another program's file: a glTF model or a BVH capture.
     #[command(long_about = import::HELP)]
     Import(ImportArguments),
     /// Write the scene and an animation as a file of another program: glTF or a BVH capture.
