@@ -7,6 +7,7 @@ use super::model::{Model, ModelError, ModelOptions};
 use super::scene::load_file;
 use crate::editor::{Beginning, Document, Editor, ModelChoice, NEW_FILE};
 use crate::interchange::gltf_in::AnimationChoice;
+use crate::keyframe::KeyframeIndex;
 use crate::scene::{BUILT_IN_ANIMATIONS, built_in_scene};
 use crate::storage;
 use crate::words::{Message, texts};
@@ -53,7 +54,9 @@ pub fn begun(beginning: &Beginning, folder: &Path) -> Result<Begun, Message> {
             let keyframes = model.usual_keyframes();
             let mut document = Document::new(Arc::new(model.scene));
             let mut said = model.notes;
-            if let Some((animation, sentence)) = keyframes {
+            if let Some((mut animation, sentence)) = keyframes {
+                // The first keyframe only steers: the motion begins at the second.
+                animation.keyframes.set_current(KeyframeIndex::new(1));
                 document.install(animation);
                 said.push(sentence);
             }
@@ -83,6 +86,20 @@ mod tests {
             let Begun { editor, .. } = begun(&Beginning::Scene(name), folder.path()).unwrap();
             assert!(editor.document().keyframes.is_empty() && editor.keyframe_file().ends_with(NEW_FILE));
         }
+    }
+
+    #[test]
+    fn a_model_opens_where_its_motion_begins() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("walk.gltf");
+        let Begun { editor, .. } = begun(&Beginning::Animation("walk"), folder.path()).unwrap();
+        super::super::model::write(&path, editor.document()).unwrap();
+        let choice = Some(ModelChoice { scene: Some(0), animation: Some(0) });
+        let Begun { editor, said } = begun(&Beginning::Model { path, choice }, folder.path()).unwrap();
+        let document = editor.document();
+        assert_eq!(document.keyframes.current(), Some(KeyframeIndex::new(1)));
+        assert!(document.live_pose == document.keyframes.as_slice()[1].pose && editor.has_unsaved_scene());
+        assert!(said.len() >= 2 && !said.iter().any(|said| said.to_string().contains("--")), "{said:?}");
     }
 
     #[test]
