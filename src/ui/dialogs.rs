@@ -50,7 +50,11 @@ pub fn show(ui: &Ui, dialog: &mut Option<Dialog>, shown: PanelInput<'_>, output:
         Dialog::Commands(_) => "commands",
         Dialog::Export(_) => "export",
         Dialog::Overwrite(_) => "overwrite",
-        Dialog::Path(_) | Dialog::Unsaved { .. } | Dialog::Hotkeys(_) | Dialog::About | Dialog::Model(_) => "dialog",
+        Dialog::Path(_) => "path",
+        Dialog::Unsaved { .. } => "unsaved",
+        Dialog::Hotkeys(_) => "hotkeys",
+        Dialog::About => "about",
+        Dialog::Model(_) => "model",
     });
     let mut modal = Modal::new(id).backdrop_color(Tokens::of(ui).shade).frame(frame);
     if matches!(question, Dialog::Commands(_) | Dialog::Hotkeys(_)) {
