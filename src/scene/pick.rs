@@ -4,6 +4,7 @@ use glam::{Affine3A, Vec3};
 
 use super::graph::{NodeId, NodeKind, SceneGraph};
 use super::shape::Shape;
+use super::shapes::StandingSkin;
 use crate::pose::{Pose, RbtIndex};
 
 /// A half line in world space.
@@ -64,10 +65,7 @@ enum Seen {
         shape_from_world: Affine3A,
     },
     /// In world space, as its joints stand.
-    Skin {
-        /// The matrices of its joints.
-        world_from_bind: Vec<Affine3A>,
-    },
+    Skin(StandingSkin),
 }
 
 impl Picker<'_> {
@@ -81,14 +79,12 @@ impl Picker<'_> {
             let Ray { origin_in_world, direction_in_world } = ray;
             let is_ground = placed.shape.is_ground();
             let (distance, moved_by) = match (seen, &placed.shape) {
-                (Seen::Skin { world_from_bind }, Shape::Mesh(mesh)) => {
-                    mesh.enter_skin(world_from_bind, origin_in_world, direction_in_world)?
-                }
+                (Seen::Skin(skin), Shape::Mesh(mesh)) => mesh.enter_skin(skin, origin_in_world, direction_in_world)?,
                 (Seen::Rigid { shape_from_world }, of_shape) => {
                     let origin = shape_from_world.transform_point3(origin_in_world);
                     (of_shape.enter(origin, shape_from_world.transform_vector3(direction_in_world))?, shape)
                 }
-                (Seen::Skin { .. }, _) => return None,
+                (Seen::Skin(_), _) => return None,
             };
             let rbt = self.scene.carrying_rbt(moved_by).filter(|_| !is_ground);
             Some(Pick { shape, rbt, is_ground, distance })
@@ -125,9 +121,10 @@ impl SceneGraph {
             let is_seen = matches!(node.kind, NodeKind::Shape(_)) && (from.is_none() || self.carrying_rbt(id) != from);
             is_seen.then(|| {
                 let seen = match self.skin(id) {
-                    Some(skin) => Seen::Skin {
-                        world_from_bind: skin.world_from_bind(|joint| world_from_node[joint.get()].get()).collect(),
-                    },
+                    Some(skin) => {
+                        let world_from_bind = skin.world_from_bind(|joint| world_from_node[joint.get()].get());
+                        Seen::Skin(skin.standing(world_from_bind.collect()))
+                    }
                     None => Seen::Rigid { shape_from_world: world_from_node[id.get()].get().inverse() },
                 };
                 (id, seen)

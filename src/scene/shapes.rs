@@ -12,7 +12,7 @@ mod sphere;
 pub use capsule::Capsule;
 pub use cone::Cone;
 pub use cylinder::Cylinder;
-pub use mesh::MeshShape;
+pub use mesh::{MeshShape, StandingSkin};
 pub use plane::Plane;
 pub use rounded_box::RoundedBox;
 pub use sphere::Sphere;

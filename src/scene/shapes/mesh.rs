@@ -1,5 +1,6 @@
 //! Meshes of triangles, rigid or with a skin.
 
+use std::cell::OnceCell;
 use std::sync::{Arc, OnceLock};
 
 use glam::{Affine3A, Vec3};
@@ -29,6 +30,21 @@ struct Measures {
     joint_boxes: Vec<Option<[Vec3; 2]>>,
     tree: OnceLock<TriangleTree>,
     skin: OnceLock<SkinVertices>,
+}
+
+/// A skin as its joints stand, for the rays of one look at it. Its vertices are moved once, for the first ray that comes near.
+#[derive(Clone, Debug)]
+pub struct StandingSkin {
+    world_from_bind: Vec<Affine3A>,
+    /// The box that the joints' boxes reach.
+    reach: [Vec3; 2],
+    /// The vertices in world space, and the box around them.
+    moved: OnceCell<(Vec<SkinnedVertex>, [Vec3; 2])>,
+}
+
+/// The box around two.
+fn joined([least, most]: [Vec3; 2], [other_least, other_most]: [Vec3; 2]) -> [Vec3; 2] {
+    [least.min(other_least), most.max(other_most)]
 }
 
 impl PartialEq for MeshShape {
@@ -80,9 +96,7 @@ impl MeshShape {
     pub fn reach_of_skin(&self, world_from_bind: &[Affine3A]) -> [Vec3; 2] {
         let boxes = self.measures.joint_boxes.iter().zip(world_from_bind);
         let reached = boxes.filter_map(|(of_joint, world_from_bind)| Some(moved_box((*of_joint)?, world_from_bind)));
-        reached
-            .reduce(|[least, most], [other_least, other_most]| [least.min(other_least), most.max(other_most)])
-            .unwrap_or([Vec3::ZERO; 2])
+        reached.reduce(joined).unwrap_or_default()
     }
 
     /// The vertices of the skin in world space; empty without a skin.
@@ -95,14 +109,27 @@ impl MeshShape {
         skinned
     }
 
+    /// The skin for the rays of one look, where the joints stand so.
+    #[must_use]
+    pub fn standing(&self, world_from_bind: Vec<Affine3A>) -> StandingSkin {
+        StandingSkin { reach: self.reach_of_skin(&world_from_bind), world_from_bind, moved: OnceCell::new() }
+    }
+
     /// Where a ray meets the skin, in lengths of `direction`, and the joint that moves it most there; origin and direction in world space.
     #[must_use]
-    pub fn enter_skin(&self, world_from_bind: &[Affine3A], origin: Vec3, direction: Vec3) -> Option<(f32, NodeId)> {
-        let [least, most] = self.reach_of_skin(world_from_bind);
-        if !may_meet_box(least, most, origin, direction.recip(), f32::INFINITY) {
+    pub fn enter_skin(&self, skin: &StandingSkin, origin: Vec3, direction: Vec3) -> Option<(f32, NodeId)> {
+        let may_meet = |[least, most]: [Vec3; 2]| may_meet_box(least, most, origin, direction.recip(), f32::INFINITY);
+        if !may_meet(skin.reach) {
             return None;
         }
-        let vertices = self.skinned(world_from_bind);
+        let (vertices, around) = skin.moved.get_or_init(|| {
+            let vertices = self.skinned(&skin.world_from_bind);
+            let around = vertices.iter().map(|vertex| [Vec3::from(vertex.position); 2]).reduce(joined);
+            (vertices, around.unwrap_or_default())
+        });
+        if !may_meet(*around) {
+            return None;
+        }
         let met = self.mesh.indices.chunks_exact(3).filter_map(|corners| {
             let triangle = [0, 1, 2].map(|corner| Vec3::from(vertices[corners[corner] as usize].position));
             Some((meets(&triangle, origin, direction)?, corners))
