@@ -94,13 +94,15 @@ pub struct Ffmpeg {
 }
 
 impl Ffmpeg {
-    /// Starts ffmpeg, which writes to `output`.
+    /// Starts ffmpeg, which writes to `output`. The pictures are in the matrix of BT.709: the filter says so of what is read, so that no
+    /// version converts it, and the options say so of what is written.
     ///
     /// # Errors
     /// [`FfmpegError::Start`]
     pub fn start(output: &Path) -> Result<Self, FfmpegError> {
         const BEFORE: &str = "-v error -nostats -progress pipe:1 -y -f yuv4mpegpipe -i - -an -c:v libx264 -crf 18 -pix_fmt yuv420p \
-                              -colorspace smpte170m -color_primaries bt709 -color_trc iec61966-2-1 -color_range tv \
+                              -vf setparams=range=tv:color_primaries=bt709:color_trc=bt709:colorspace=bt709 \
+                              -colorspace bt709 -color_primaries bt709 -color_trc bt709 -color_range tv \
                               -movflags +faststart -f mp4";
         let arguments = BEFORE.split_whitespace().map(OsStr::new).chain([output.as_os_str()]);
         Self::run(OsStr::new("ffmpeg"), arguments, PATIENCE).map_err(FfmpegError::Start)

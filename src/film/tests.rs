@@ -136,16 +136,26 @@ fn a_y4m_has_its_header_and_so_many_bytes_a_picture() {
     let header = b"YUV4MPEG2 W31 H18 F30:1 Ip A1:1 C420jpeg XCOLORRANGE=LIMITED\n";
     assert!(bytes.starts_with(header));
     assert_eq!(bytes.len(), header.len() + 4 * (6 + 31 * 18 + 2 * 16 * 9));
-    let grey = |level: u8| {
-        let plan = Plan { width: 2, height: 2, frames: 1, frames_per_second: 1, is_opaque: true };
-        let mut bytes = Vec::new();
-        let mut film = Film::new(encoder(&Y4M), plan, &[], &mut bytes).unwrap();
-        film.push(&Image { width: 2, height: 2, rgba: [level, level, level, 255].repeat(4) }, 0.0, 1.0).unwrap();
-        film.finish().unwrap();
-        bytes[bytes.len() - 6..].to_vec()
-    };
-    assert_eq!(grey(0), [16, 16, 16, 16, 128, 128]);
-    assert_eq!(grey(255), [235, 235, 235, 235, 128, 128]);
+    // Grey is the same in both matrices; the values of primary colours are those of the two standards.
+    for format in [&Y4M, &MP4] {
+        assert_eq!(yuv(format, [0; 3]), [16, 128, 128]);
+        assert_eq!(yuv(format, [255; 3]), [235, 128, 128]);
+    }
+    let primaries = [[255, 0, 0], [0, 255, 0], [0, 0, 255]];
+    assert_eq!(primaries.map(|colour| yuv(&Y4M, colour)), [[81, 90, 240], [145, 54, 34], [41, 240, 110]]);
+    assert_eq!(primaries.map(|colour| yuv(&MP4, colour)), [[63, 102, 240], [173, 42, 26], [32, 240, 118]]);
+}
+
+/// Luma and the two chromas of a picture of one colour.
+fn yuv(format: &Format, [r, g, b]: [u8; 3]) -> [u8; 3] {
+    let plan = Plan { width: 2, height: 2, frames: 1, frames_per_second: 1, is_opaque: true };
+    let mut bytes = Vec::new();
+    let mut film = Film::new(encoder(format), plan, &[], &mut bytes).unwrap();
+    film.push(&Image { width: 2, height: 2, rgba: [r, g, b, 255].repeat(4) }, 0.0, 1.0).unwrap();
+    film.finish().unwrap();
+    let [luma, others @ .., blue, red] = bytes.last_chunk::<6>().unwrap();
+    assert_eq!(others, &[*luma; 3]);
+    [*luma, *blue, *red]
 }
 
 #[test]

@@ -13,5 +13,5 @@ pub static MP4: Format = Format {
     most_frames_per_second: MOST_FRAMES_PER_SECOND,
     // Colours are stored for squares of two by two pixels.
     limit: |[width, height], _| (width % 2 == 1 || height % 2 == 1).then_some(texts::EXPORT_ODD_SIZE),
-    encoder: Encoder::Ffmpeg(y4m::STREAM),
+    encoder: Encoder::Ffmpeg(y4m::BT_709_STREAM),
 };
