@@ -1,6 +1,7 @@
 // Shared by every shader: the globals of a picture, and the last step of every fragment. Colours are linear light until `finished`. No
-// shader uses derivatives, so that a picture has the same bytes each time. The renderer prepends a constant, ENCODE_SRGB: whether the
-// shader must encode sRGB because the target does not.
+// shader uses derivatives, so that a picture has the same bytes each time. The renderer prepends two constants. ENCODE_SRGB: whether the
+// shader must encode sRGB because the target does not. IS_SUB_FRAME: whether the target takes light before the tone curve, in a picture of
+// which many make one.
 
 struct Globals {
     clip_from_world: mat4x4f,
@@ -14,8 +15,11 @@ struct Globals {
     ray_right_in_world: vec4f,
     // w: the viewport's height in pixels.
     ray_down_in_world: vec4f,
-    // w: a shadow texel's side in scene units.
     towards_sun_in_world: vec4f,
+    // Unit direction to the light of the shadow map; w: a shadow texel's side in scene units.
+    towards_light_in_world: vec4f,
+    // In a sub-frame: how much its shadow map counts for the sun, and for the sky; z: one over the number of sub-frames that are added up.
+    weights: vec4f,
     // w: the outline's width in pixels.
     horizon: vec4f,
     // w: the height of the ground.
@@ -24,6 +28,33 @@ struct Globals {
 }
 
 @group(0) @binding(0) var<uniform> globals: Globals;
+
+// Tone curve: keeps the brightest faces below white and the darkest above black.
+fn toned(colour: vec3f) -> vec3f {
+    let bounded = min(colour, vec3f(1.9));
+    return max(bounded * (1.0 - 0.235 * bounded), vec3f(0.003));
+}
+
+// The light that the tone curve brings to a colour.
+fn untoned(colour: vec3f) -> vec3f {
+    return (1.0 - sqrt(max(1.0 - 0.94 * colour, vec3f(0.0)))) / 0.47;
+}
+
+// A colour that is light before the tone curve.
+fn finished_light(light: vec3f, opacity: f32) -> vec4f {
+    if IS_SUB_FRAME {
+        return vec4f(light, opacity);
+    }
+    return finished(toned(light), opacity);
+}
+
+// A colour of its own at any exposure.
+fn finished_colour(colour: vec3f) -> vec4f {
+    if IS_SUB_FRAME {
+        return vec4f(untoned(colour), 1.0);
+    }
+    return finished(colour, 1.0);
+}
 
 fn finished(colour: vec3f, opacity: f32) -> vec4f {
     if ENCODE_SRGB {

@@ -42,21 +42,20 @@ fn base_of(pixel: MeshPixel) -> vec4f {
 
 fn shaded(pixel: MeshPixel, is_front: bool, base: vec4f) -> vec4f {
     if material.emissive.w > 0.5 {
-        return finished(base.rgb, 1.0);
+        return finished_colour(base.rgb);
     }
     let turned = pixel.normal * select(-1.0, 1.0, is_front);
     let normal = turned * inverseSqrt(max(dot(turned, turned), 1e-30));
     let to_eye = normalize(globals.eye_in_world.xyz - pixel.in_world);
     let to_sun = globals.towards_sun_in_world.xyz;
-    let arriving = sun_arriving(map_position(pixel.in_world, normal));
     let facing_sun = dot(normal, to_sun);
     let facing_eye = max(dot(normal, to_eye), 0.0);
-    let sun = max(facing_sun, 0.0) * arriving;
+    let arriving = light_arriving(normal, facing_sun, map_position(pixel.in_world, normal));
+    let sun = arriving.x;
     let metallic = material.factors.x;
     let roughness = material.factors.y;
-    let fill = BOUNCE + (SKY_FILL - BOUNCE) * (0.5 + 0.5 * normal.y);
     let ambient = ambient_arriving(pixel.in_world.y, normal.y);
-    let diffuse = base.rgb * (1.0 - metallic) * (ambient * fill + SUN * sun);
+    let diffuse = base.rgb * (1.0 - metallic) * (fill_arriving(ambient, normal.y, arriving.y) + SUN * sun);
     // The highlight of other shapes, the twelfth power of the squared cosine between normal and half vector, is that of roughness 0.7.
     let half_squared = pow2(max(facing_sun + dot(normal, to_eye), 0.0)) / max(2.0 + 2.0 * dot(to_sun, to_eye), 0.001);
     let sharpness = 12.0 * pow2(pow2(0.7 / max(roughness, 0.12)));
@@ -69,5 +68,5 @@ fn shaded(pixel: MeshPixel, is_front: bool, base: vec4f) -> vec4f {
     let metal = base.rgb * metallic * (ambient * surroundings + SUN * (0.25 * sun));
     let rim = pow2(pow2(1.0 - facing_eye)) * (1.0 - 0.7 * metallic);
     let lit = diffuse + metal + tint * SUN * (highlight * (1.0 + 2.0 * metallic)) + SKY_FILL * (rim * (0.22 + 0.2 * normal.y));
-    return finished(toned((lit + material.emissive.rgb) * EXPOSURE), 1.0);
+    return finished_light((lit + material.emissive.rgb) * EXPOSURE, 1.0);
 }

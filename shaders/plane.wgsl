@@ -16,12 +16,15 @@ fn plane_vertex(corner: Corner) -> Pixel {
     let fill = mix(BOUNCE, SKY_FILL, 0.5 + 0.5 * normal.y);
     let height = dot(normal, from_eye);
     let haze_distance = 30.0 + 6.0 * abs(height);
+    // How much the sub-frame's shadow map counts where its light arrives.
+    let facing_light = max(dot(normal, globals.towards_light_in_world.xyz), 0.0);
+    let counts = globals.weights.x * facing_light / max(sun, 1e-3) + globals.weights.y * facing_light * (0.5 + 0.5 * normal.y);
     var out: Pixel;
     out.in_clip = globals.clip_from_world * vec4f(in_world, 1.0);
     out.surface = vec4f(corner.core.xz * half_extents, corner.core.xz);
     out.along_view = vec3f(dot(x_axis, from_eye) / scale.x, height, dot(z_axis, from_eye) / scale.y);
     out.map_position = map_position(in_world, normal);
-    out.colour = vec4f(corner.colour * (fill + GROUND_SUN * sun), 1.0 / (haze_distance * haze_distance));
+    out.colour = vec4f(corner.colour * (fill + GROUND_SUN * sun), select(1.0 / (haze_distance * haze_distance), counts, IS_SUB_FRAME));
     out.shaded = corner.colour * fill;
     return out;
 }
@@ -49,11 +52,27 @@ fn plane_fragment(pixel: Pixel) -> @location(0) vec4f {
     let pixels = 1.0 / footprint;
     let fine = lines_cover(grid, 0.014, footprint, pixels);
     let coarse = lines_cover(grid * 0.2, 0.006, footprint * 0.2, pixels * 5.0);
-    let ground = mix(pixel.shaded, pixel.colour.rgb, sun_arriving(pixel.map_position));
-    let marked = ground * (1.0 - max(0.20 * fine, 0.36 * coarse));
+    let unmarked = 1.0 - max(0.20 * fine, 0.36 * coarse);
+    let arriving = sun_arriving(pixel.map_position);
     // The ground fades into the horizon with distance, and before the edge of a wide plane.
-    let haze = 1.0 - exp2(-squared * pixel.colour.w);
+    var density = pixel.colour.w;
+    if IS_SUB_FRAME {
+        let haze_distance = 30.0 + 6.0 * abs(from_eye.y);
+        density = 1.0 / (haze_distance * haze_distance);
+    }
+    let haze = 1.0 - exp2(-squared * density);
     let towards_edge = max(abs(pixel.surface.z), abs(pixel.surface.w));
     let edge = saturate((towards_edge - 0.55) * 2.4) * saturate(squared * 0.0002 - 0.1);
-    return finished(mix(marked, globals.horizon.xyz, max(haze, edge * edge)), 1.0);
+    let hidden = max(haze, edge * edge);
+    if IS_SUB_FRAME {
+        // As `light_arriving`: the light without shadows, and how that of the shadow map's light differs.
+        let in_sun = untoned(mix(pixel.colour.rgb * unmarked, globals.horizon.xyz, hidden));
+        let in_shade = untoned(mix(pixel.shaded * unmarked, globals.horizon.xyz, hidden));
+        let is_of_sky = globals.weights.y > 0.0;
+        let share = select(in_sun - in_shade, in_shade * (1.0 - hidden), is_of_sky);
+        let nothing_hidden = select(globals.weights.x, pixel.colour.w, is_of_sky);
+        return vec4f(in_sun + share * (pixel.colour.w * arriving - nothing_hidden), 1.0);
+    }
+    let ground = mix(pixel.shaded, pixel.colour.rgb, arriving) * unmarked;
+    return finished(mix(ground, globals.horizon.xyz, hidden), 1.0);
 }

@@ -23,11 +23,14 @@ fn shape_fragment(pixel: Pixel) -> @location(0) vec4f {
     let normal = normalize(pixel.surface.xyz);
     let to_eye = normalize(pixel.along_view);
     let to_sun = globals.towards_sun_in_world.xyz;
-    let arriving = sun_arriving(pixel.map_position);
     let facing_sun = dot(normal, to_sun);
     let facing_eye = dot(normal, to_eye);
-    let sun = max(facing_sun, 0.0) * arriving;
-    let ambient = pixel.surface.w * (pixel.shaded + pixel.colour.rgb * ((SKY_FILL - BOUNCE) * (0.5 + 0.5 * normal.y)));
+    let arriving = light_arriving(normal, facing_sun, pixel.map_position);
+    let sun = arriving.x;
+    var ambient = pixel.surface.w * (pixel.shaded + pixel.colour.rgb * ((SKY_FILL - BOUNCE) * arriving.y));
+    if IS_SUB_FRAME {
+        ambient = pixel.colour.rgb * fill_arriving(pixel.surface.w, normal.y, arriving.y);
+    }
     // A gentle highlight, and the sky at grazing angles. The squared cosine of the normal and the half vector between the unit vectors to
     // sun and eye.
     let h2 = pow2(max(facing_sun + facing_eye, 0.0)) / max(2.0 + 2.0 * dot(to_sun, to_eye), 0.001);
@@ -35,7 +38,7 @@ fn shape_fragment(pixel: Pixel) -> @location(0) vec4f {
     let highlight = pow2(h8) * h8 * sun;
     let rim = pow2(pow2(1.0 - max(facing_eye, 0.0)));
     let lit = ambient + pixel.colour.rgb * (SUN * sun) + SUN * (0.16 * highlight) + SKY_FILL * (rim * (0.22 + 0.2 * normal.y));
-    return finished(toned(lit * EXPOSURE), pixel.colour.w);
+    return finished_light(lit * EXPOSURE, pixel.colour.w);
 }
 
 // Slightly farther (depth is reversed), so that a ghost exactly on its shape stays hidden.

@@ -20,6 +20,12 @@ fn shadow_fragment(pixel: Pixel) -> @location(0) vec4f {
     return pixel.surface + pixel.colour + vec4f(pixel.along_view + pixel.map_position + pixel.shaded, 0.0);
 }
 
+// As `shape_vertex`.
+@vertex
+fn depth_vertex(corner: Corner) -> @invariant @builtin(position) vec4f {
+    return globals.clip_from_world * vec4f(world_position(corner), 1.0);
+}
+
 // Slightly nearer than `shape_vertex` (depth is reversed), so that a shape does not hide itself.
 @vertex
 fn position_vertex(corner: Corner) -> @invariant @builtin(position) vec4f {

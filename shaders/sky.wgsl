@@ -22,7 +22,12 @@ fn sky_fragment(pixel: Pixel) -> @location(0) vec4f {
     let height = max(ray.y * inverseSqrt(dot(ray, ray)), 0.0);
     let climb = height * (pixel.map_position.x - pixel.map_position.y * height);
     // Fixed noise of half a colour step, against banding. Eight pixels in a row share it: this is not visible and makes files smaller.
-    let cell = floor(pixel.surface.xy * vec2f(0.125, 1.0));
+    // It stays in its place in all sub-frames.
+    var in_pixels = pixel.surface.xy;
+    if IS_SUB_FRAME {
+        in_pixels = pixel.in_clip.xy;
+    }
+    let cell = floor(in_pixels * vec2f(0.125, 1.0));
     let noise = fract(pixel.map_position.z * fract(dot(cell, pixel.surface.zw))) - 0.5;
-    return finished(mix(pixel.shaded, pixel.colour.rgb, climb) + noise * pixel.colour.w, 1.0);
+    return finished_colour(mix(pixel.shaded, pixel.colour.rgb, climb) + noise * pixel.colour.w);
 }

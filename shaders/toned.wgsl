@@ -1,17 +1,23 @@
-// What shapes and meshes share: the light from below, and the tone curve.
+// What shapes and meshes share: their exposure, and the light near the ground.
 
 const EXPOSURE: f32 = 1.22;
 
-// Near the ground less light comes from the side, and least from below.
+// Near the ground less light comes from the side, and least from below. In a sub-frame the sky has shadows, and only the light from below
+// is lessened.
 fn ambient_arriving(height_in_world: f32, upwards: f32) -> f32 {
     let above = max(height_in_world - globals.zenith.w, 0.0);
+    if IS_SUB_FRAME {
+        return 1.0 - 0.56 * exp2(-4.0 * above);
+    }
     return 1.0 - (0.34 - 0.22 * upwards) * exp2(-4.0 * above);
 }
 
-// Tone curve: keeps the brightest faces below white and the darkest above black.
-fn toned(colour: vec3f) -> vec3f {
-    let bounded = min(colour, vec3f(1.9));
-    return max(bounded * (1.0 - 0.235 * bounded), vec3f(0.003));
+// Light from around that reaches a surface: from the ground and from the sky.
+fn fill_arriving(ambient: f32, upwards: f32, sky: f32) -> vec3f {
+    if IS_SUB_FRAME {
+        return BOUNCE * (ambient * (0.5 - 0.5 * upwards)) + SKY_FILL * sky;
+    }
+    return ambient * (BOUNCE + (SKY_FILL - BOUNCE) * sky);
 }
 
 fn pow2(x: f32) -> f32 {

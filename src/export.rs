@@ -6,6 +6,7 @@
 
 mod child;
 mod error;
+mod exposure;
 mod ffmpeg;
 mod folder;
 mod job;
@@ -22,6 +23,7 @@ mod write;
 
 pub use crate::keyframe::Animation;
 pub use error::{ErrorKind, ExportError};
+pub use exposure::{Exposure, Focus, Shot, Shutter};
 pub use ffmpeg::FfmpegError;
 pub use folder::is_frame_name;
 pub use job::Job;

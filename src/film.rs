@@ -8,6 +8,7 @@ mod formats;
 mod letters;
 mod numbers;
 mod options;
+mod quality;
 mod sheet;
 
 use std::io;
@@ -26,6 +27,7 @@ pub use formats::{
 };
 pub use numbers::{FrameNumbers, FrameNumbersError};
 pub use options::{ExportBackground, ExportEnd, ExportOptions};
+pub use quality::Quality;
 pub use sheet::{Cell, Grid, contact_sheet};
 
 /// Why a film cannot be written.

@@ -146,11 +146,22 @@ pub struct ArcballMark {
     pub radius: f32,
 }
 
+/// A lens, which blurs what is nearer or farther than its focus.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lens {
+    /// Half the width of its opening, in scene units.
+    pub radius: f32,
+    /// The distance of what is sharp, along the view's axis, in scene units; more than 0.
+    pub focus_distance: f32,
+}
+
 /// All data of one picture.
 #[derive(Clone, Debug)]
 pub struct Frame {
     /// The camera's matrices.
     pub view: View,
+    /// The lens of refined pictures; `None` is a point, to which everything is sharp.
+    pub lens: Option<Lens>,
     /// Opaque shapes.
     pub items: Vec<DrawItem>,
     /// Translucent shapes.
@@ -170,10 +181,11 @@ pub struct Frame {
 impl PartialEq for Frame {
     /// Meshes are equal only if they are the same: frames are compared for each picture.
     fn eq(&self, other: &Self) -> bool {
-        let Self { view, items, ghosts, lines, dots, arcball, meshes, world_from_bind } = self;
-        (view, items, ghosts, lines, dots, arcball, world_from_bind)
+        let Self { view, lens, items, ghosts, lines, dots, arcball, meshes, world_from_bind } = self;
+        (view, lens, items, ghosts, lines, dots, arcball, world_from_bind)
             == (
                 &other.view,
+                &other.lens,
                 &other.items,
                 &other.ghosts,
                 &other.lines,
@@ -197,6 +209,7 @@ impl Frame {
     pub const fn empty(view: View) -> Self {
         Self {
             view,
+            lens: None,
             items: Vec::new(),
             ghosts: Vec::new(),
             lines: Vec::new(),
@@ -205,6 +218,13 @@ impl Frame {
             meshes: Vec::new(),
             world_from_bind: Vec::new(),
         }
+    }
+
+    /// Whether there is anything besides the scene: ghosts, lines, dots, the arcball, an outline.
+    #[must_use]
+    pub fn has_overlay(&self) -> bool {
+        !(self.ghosts.is_empty() && self.lines.is_empty() && self.dots.is_empty() && self.arcball.is_none())
+            || self.items.iter().any(|item| item.outlined)
     }
 
     /// The matrices of a skin: those from its first joint on, as many as its mesh has joints.

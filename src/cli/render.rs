@@ -42,6 +42,7 @@ fn render(arguments: &RenderArguments, common: Common<'_>) -> Result<(), CliErro
         check_sheet(grid, size)?;
     }
     let mut painter = Painter::headless(size, arguments.samples)?;
+    painter.refine(arguments.refining.refinement());
     painter.set_background(arguments.background);
     let done = draw(arguments, common, output, &mut painter);
     if done.is_ok() {
@@ -76,6 +77,7 @@ fn draw(
         only_missing: arguments.missing,
         camera: arguments.camera.as_deref(),
         ghosts: arguments.ghosts.unwrap_or(0),
+        exposure: arguments.refining.exposure(matches!(subject, Subject::Film { .. })),
         is_opaque: arguments.background != Background::Transparent,
         format: output.format,
         output: &arguments.output,

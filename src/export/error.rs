@@ -42,6 +42,11 @@ pub enum ExportError {
         /// The paths of the scene's eyes.
         eyes: Vec<String>,
     },
+    /// The scene has no such node to be sharp at.
+    NoFocus {
+        /// The requested path.
+        path: String,
+    },
     /// The keyframes cannot be played, or not at the requested time.
     Unplayable {
         /// The name of the keyframe file, or of the scene.
@@ -177,6 +182,7 @@ impl ExportError {
             Self::TooManyFrames => texts::EXPORT_TOO_MANY_FRAMES.into(),
             Self::SheetTooLarge { width, height, limit } => texts::export_sheet_too_large(*width, *height, *limit),
             Self::NoCamera { name, eyes } => texts::export_camera_missing(name, eyes.join(", ")),
+            Self::NoFocus { path } => texts::export_no_focus(path),
             Self::Unplayable { source_name, cause } => texts::export_at(source_name.clone(), cause.message()),
             Self::NoKeyframe { source_name, index, last } => {
                 let problem = match last {
@@ -243,6 +249,7 @@ impl ExportError {
                 ErrorKind::Usage
             }
             Self::NoCamera { .. }
+            | Self::NoFocus { .. }
             | Self::Unplayable { .. }
             | Self::NoKeyframe { .. }
             | Self::NoFrame { .. }

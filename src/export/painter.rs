@@ -1,12 +1,16 @@
 //! Draws frames into pictures, without a window.
 
+use std::convert::Infallible;
+
 use glam::Vec2;
 
-use super::ExportError;
+use super::{ExportError, Shot};
 use crate::film::StillEncoder;
 use crate::frame::Frame;
 use crate::picture::PngMemory;
-use crate::render::{Background, Drawn, Gpu, GpuError, Image, Offscreen, Renderer, default_samples};
+use crate::render::{
+    Background, Drawn, Gpu, GpuError, Image, Offscreen, Refinement, Refiner, Renderer, default_samples,
+};
 
 /// Width and height of a picture in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,6 +33,8 @@ pub struct Painter {
     samples: u32,
     gpu: Gpu,
     renderer: Renderer,
+    /// Draws in place of the renderer, where pictures are refined.
+    refiner: Option<Refiner>,
     offscreen: Offscreen,
 }
 
@@ -49,13 +55,18 @@ impl Painter {
         let offscreen = Offscreen::new(&gpu, size.width, size.height)?;
         let samples = samples.unwrap_or_else(|| default_samples(gpu.is_software));
         let renderer = Renderer::new(&gpu, Offscreen::FORMAT, samples);
-        let painter = Self { size, samples, gpu, renderer, offscreen };
+        let painter = Self { size, samples, gpu, renderer, refiner: None, offscreen };
         if let Err(error) = painter.gpu.check() {
             // The driver would wait for its work.
             std::mem::forget(painter);
             return Err(error);
         }
         Ok(painter)
+    }
+
+    /// Sets how the following pictures are refined; `None`: they are plain.
+    pub fn refine(&mut self, refinement: Option<Refinement>) {
+        self.refiner = refinement.map(|refinement| Refiner::new(&self.gpu, Offscreen::FORMAT, refinement));
     }
 
     /// The pictures' width and height in pixels.
@@ -65,53 +76,95 @@ impl Painter {
         Vec2::new(self.size.width as f32, self.size.height as f32)
     }
 
-    /// Draws a frame.
+    /// Draws a frame in which nothing moves.
     ///
     /// # Errors
     /// [`GpuError`]
     pub fn image(&mut self, frame: &Frame) -> Result<Image, GpuError> {
-        self.offscreen.render(&self.gpu, &mut self.renderer, frame)
+        self.offscreen.clear();
+        let Ok(()) = self.submit::<Infallible>(frame, |_| Ok(None));
+        Ok(self.offscreen.read(&self.gpu)?.rows().to_image())
     }
 
-    /// Starts to draw the next frame of a run, if there is one, and returns the picture of the previous one, if there was one. The next
-    /// frame is drawn while the previous picture is read back.
-    ///
-    /// # Errors
-    /// [`GpuError`]
-    pub fn next_drawn(&mut self, frame: Option<&Frame>) -> Result<Option<Drawn>, GpuError> {
-        let was_under_way = self.offscreen.under_way() > 0;
-        if let Some(frame) = frame {
-            self.offscreen.submit(&self.gpu, &mut self.renderer, frame);
-        }
-        was_under_way.then(|| self.offscreen.read(&self.gpu)).transpose()
-    }
-
-    /// Draws a frame and encodes it as a PNG: 8 bits a channel, not interlaced.
+    /// Draws a picture.
     ///
     /// # Errors
     /// [`ExportError`]
-    pub fn png(&mut self, frame: &Frame) -> Result<Vec<u8>, ExportError> {
-        self.encoded(frame, |size| Box::new(PngMemory::new(size[0], size[1])))
+    pub fn shot(&mut self, shot: &Shot<'_>) -> Result<Image, ExportError> {
+        self.offscreen.clear();
+        self.submit_shot(shot)?;
+        Ok(self.offscreen.read(&self.gpu)?.rows().to_image())
     }
 
-    /// Draws a frame and encodes it. The encoder is made while the GPU draws.
+    /// Starts to draw the next picture of a run, if there is one, and returns the previous one, if there was one. The next picture is drawn
+    /// while the previous one is read back.
+    ///
+    /// # Errors
+    /// [`ExportError`]
+    pub fn next_drawn(&mut self, shot: Option<&Shot<'_>>) -> Result<Option<Drawn>, ExportError> {
+        let was_under_way = self.offscreen.under_way() > 0;
+        if let Some(shot) = shot {
+            self.submit_shot(shot)?;
+        }
+        Ok(was_under_way.then(|| self.offscreen.read(&self.gpu)).transpose()?)
+    }
+
+    /// Draws a frame in which nothing moves and encodes it as a PNG: 8 bits a channel, not interlaced.
+    ///
+    /// # Errors
+    /// [`ExportError`]
+    pub fn png(&mut self, frame: Frame) -> Result<Vec<u8>, ExportError> {
+        self.encoded(&Shot::still(frame), |size| Box::new(PngMemory::new(size[0], size[1])))
+    }
+
+    /// Draws a picture and encodes it. The encoder is made while the GPU draws.
     ///
     /// # Errors
     /// [`ExportError`]
     pub fn encoded(
         &mut self,
-        frame: &Frame,
+        shot: &Shot<'_>,
         start: impl FnOnce([u32; 2]) -> Box<dyn StillEncoder>,
     ) -> Result<Vec<u8>, ExportError> {
-        let Self { offscreen, gpu, renderer, size, .. } = self;
-        let (drawn, mut encoder) = offscreen.draw_while(gpu, renderer, frame, || start([size.width, size.height]))?;
-        encoder.encode(&drawn.rows())?;
+        self.offscreen.clear();
+        self.submit_shot(shot)?;
+        let mut encoder = start([self.size.width, self.size.height]);
+        encoder.encode(&self.offscreen.read(&self.gpu)?.rows())?;
         Ok(encoder.into_bytes())
+    }
+
+    fn submit_shot(&mut self, shot: &Shot<'_>) -> Result<(), ExportError> {
+        self.submit(&shot.frame, |shutter| shot.moved(shutter))
+    }
+
+    /// Starts to draw a frame. `moved` gives it after a part of the shutter's time, or `None` if nothing moves.
+    fn submit<E>(
+        &mut self,
+        frame: &Frame,
+        mut moved: impl FnMut(f64) -> Result<Option<Frame>, E>,
+    ) -> Result<(), E> {
+        let Self { offscreen, gpu, renderer, refiner, size, .. } = self;
+        let Some(refiner) = refiner else {
+            offscreen.submit(gpu, renderer, frame);
+            return Ok(());
+        };
+        refiner.restart();
+        let mut steady = None;
+        while let Some(sub_frame) = refiner.next() {
+            let mut moved = moved(sub_frame.shutter)?;
+            let shown = moved.as_mut().unwrap_or_else(|| steady.get_or_insert_with(|| frame.clone()));
+            refiner.add(gpu, shown, [size.width, size.height]);
+        }
+        offscreen.submit_refined(gpu, refiner, frame);
+        Ok(())
     }
 
     /// Sets the background of the following frames.
     pub fn set_background(&mut self, background: Background) {
         self.renderer.set_background(background);
+        if let Some(refiner) = &mut self.refiner {
+            refiner.set_background(background);
+        }
     }
 
     /// The pictures' width and height in pixels.

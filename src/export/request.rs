@@ -5,7 +5,7 @@ use std::path::Path;
 use super::ffmpeg::find_ffmpeg;
 use super::folder::{clear_folder, missing_frames};
 use super::write::{Written, unwritten, write_film, write_folder, write_through_ffmpeg};
-use super::{Drawing, ExportError, Moments, Painter, Size, Source, Span, Stage, Viewpoint, Watch};
+use super::{Drawing, ExportError, Exposure, Moments, Painter, Shot, Size, Source, Span, Stage, Viewpoint, Watch};
 use crate::film::{Cell, Encoder, Format, FormatProblem, FrameNumbers, Grid, StartStill, contact_sheet};
 use crate::frame::Frame;
 use crate::storage;
@@ -46,6 +46,8 @@ pub struct RenderRequest<'a> {
     pub camera: Option<&'a str>,
     /// Neighbouring keyframes on each side that are shown as ghosts.
     pub ghosts: u8,
+    /// How refined pictures are taken.
+    pub exposure: Exposure<'a>,
     /// Whether the background is opaque.
     pub is_opaque: bool,
     /// The format of the file or, of single pictures, of the folder's files.
@@ -85,6 +87,9 @@ pub fn check_format(
         Encoder::Still(_) | Encoder::Film(_) => Ok(()),
     }
 }
+
+/// The frames a second that the shutter of single pictures is counted by.
+const STILLS_A_SECOND: u32 = 30;
 
 /// The most pixels of a contact sheet: all of them are in memory at once, twice.
 const MOST_SHEET_PIXELS: u64 = 1 << 26;
@@ -145,7 +150,7 @@ impl PlannedRender<'_> {
     /// # Errors
     /// [`ExportError`]
     pub fn first_frame(&self, painter: &Painter) -> Result<Frame, ExportError> {
-        self.stage(painter).frame(&self.moments.all[0])
+        self.stage(painter)?.frame(&self.moments.all[0])
     }
 
     /// Draws and writes everything. `watch` is called for each frame of a film or contact sheet and may cancel; `written` is called for
@@ -160,7 +165,7 @@ impl PlannedRender<'_> {
         written: &mut Written<'_>,
     ) -> Result<(), ExportError> {
         let RenderRequest { subject, format, output, is_opaque, .. } = self.request;
-        let (stage, size) = (self.stage(painter), painter.size());
+        let (stage, size) = (self.stage(painter)?, painter.size());
         let mut drawing = Drawing { stage: &stage, moments: &self.moments, painter };
         match (subject, &format.encoder) {
             (Subject::Film { .. }, Encoder::Still(still)) => {
@@ -184,8 +189,8 @@ impl PlannedRender<'_> {
                 write_picture(output, &bytes, written)
             }
             (Subject::Picture { .. }, Encoder::Still(still)) => {
-                let frame = stage.frame(&self.moments.all[0])?;
-                let bytes = drawing.painter.encoded(&frame, |size| (still.start)(Some(size)))?;
+                let shot = Shot::of_stage(&stage, &self.moments.all[0])?;
+                let bytes = drawing.painter.encoded(&shot, |size| (still.start)(Some(size)))?;
                 write_picture(output, &bytes, written)
             }
             (Subject::Picture { .. } | Subject::Sheet(_), Encoder::Film(_) | Encoder::Ffmpeg(_)) => {
@@ -194,8 +199,12 @@ impl PlannedRender<'_> {
         }
     }
 
-    fn stage(&self, painter: &Painter) -> Stage<'_> {
-        Stage::new(self.request.source, self.viewpoint, self.request.ghosts, painter.size_px())
+    fn stage(&self, painter: &Painter) -> Result<Stage<'_>, ExportError> {
+        let RenderRequest { source, ghosts, exposure, subject, .. } = &self.request;
+        let mut stage = Stage::new(*source, self.viewpoint, *ghosts, painter.size_px());
+        let fps = if let Subject::Film { fps } = subject { *fps } else { STILLS_A_SECOND };
+        stage.expose(exposure, fps, self.film_frames)?;
+        Ok(stage)
     }
 }
 

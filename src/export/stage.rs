@@ -2,9 +2,13 @@
 
 use glam::{Mat3, Quat, Vec2, Vec3};
 
+use num_rational::BigRational;
+use num_traits::FromPrimitive as _;
+
+use super::exposure::{Exposure, Focus, OpenTime};
 use super::{ExportError, Moment, MomentPose, Source};
 use crate::camera::Camera;
-use crate::frame::{DrawItem, Frame};
+use crate::frame::{DrawItem, Frame, Lens};
 use crate::keyframe::PlayRange;
 use crate::pose::{Pose, RbtIndex};
 use crate::rbt::Rbt;
@@ -57,17 +61,83 @@ pub struct Stage<'a> {
     size_px: Vec2,
     /// How far the turntable's camera is from the world's centre, in scene units.
     distance: f32,
+    open: OpenTime,
+    lens: Option<SharpAt>,
 }
+
+/// A lens and the node at which it is sharp.
+#[derive(Clone, Copy, Debug)]
+struct SharpAt {
+    node: RbtIndex,
+    radius: f32,
+}
+
+/// The nearest distance of what a lens makes sharp, in scene units.
+const NEAREST_FOCUS: f32 = 0.05;
 
 impl<'a> Stage<'a> {
     /// A stage for pictures of a size, with `ghosts` keyframes before and after as ghosts.
     #[must_use]
     pub fn new(source: Source<'a>, viewpoint: Viewpoint, ghosts: u8, size_px: Vec2) -> Self {
-        let mut stage = Self { source, viewpoint, ghosts, size_px, distance: 1.0 };
+        let mut stage = Self {
+            source,
+            viewpoint,
+            ghosts,
+            size_px,
+            distance: 1.0,
+            open: OpenTime::default(),
+            lens: None,
+        };
         if viewpoint == Viewpoint::Turntable {
             stage.distance = stage.fitting_distance();
         }
         stage
+    }
+
+    /// Sets how its pictures are taken, in a film of `frames` at a rate.
+    ///
+    /// # Errors
+    /// [`ExportError::NoFocus`]: the scene has no such node.
+    pub fn expose(&mut self, exposure: &Exposure<'_>, fps: u32, frames: usize) -> Result<(), ExportError> {
+        self.open = exposure.shutter.open_time(fps, frames);
+        let scene = self.source.scene;
+        let sharp_at = |focus: &Focus<'_>| -> Result<_, ExportError> {
+            let node = scene.find_rbt(focus.node);
+            let node = node.ok_or_else(|| ExportError::NoFocus { path: focus.node.to_owned() })?;
+            Ok(SharpAt { node, radius: focus.radius(scene.vertical_fov()) })
+        };
+        self.lens = exposure.focus.as_ref().map(sharp_at).transpose()?;
+        Ok(())
+    }
+
+    /// Whether its shutter is open for longer than a moment.
+    pub(super) fn is_open(&self) -> bool {
+        self.open.seconds > 0.0
+    }
+
+    /// The picture at a part of the shutter's time, 0 to 1, without ghosts. Before the first and after the last moment of the animation
+    /// nothing moves.
+    ///
+    /// # Errors
+    /// [`ExportError`]: the moment does not exist.
+    pub(super) fn frame_in_shutter(&self, moment: &Moment, part: f64) -> Result<Frame, ExportError> {
+        let after = part - self.open.before;
+        let seconds = after * self.open.seconds;
+        let shown = match (moment.shown, self.source.animation) {
+            (MomentPose::KeyTime(key_time), Some(animation)) => {
+                let range = PlayRange::new(&animation.keyframes).map_err(|cause| self.source.unplayable(cause))?;
+                let units = BigRational::from_f64(seconds * 1000.0 / f64::from(animation.ms_between_keyframes));
+                let elapsed = range.timing().elapsed_at(key_time) + units.unwrap_or_default();
+                MomentPose::KeyTime(range.timing().key_time_at(&elapsed))
+            }
+            (shown, _) => shown,
+        };
+        self.frame_of_scene(&Moment {
+            shown,
+            seconds: moment.seconds + seconds,
+            turn: moment.turn + after * self.open.turn,
+            number: moment.number,
+        })
     }
 
     /// The picture at a moment.
@@ -75,12 +145,23 @@ impl<'a> Stage<'a> {
     /// # Errors
     /// [`ExportError`]: the moment does not exist.
     pub fn frame(&self, moment: &Moment) -> Result<Frame, ExportError> {
-        let pose = self.pose(moment.shown)?;
-        let camera = self.camera(&pose, moment);
-        let mut frame = frame_of_scene(self.source.scene, &pose, moment.seconds, &camera, self.viewpoint.node());
+        let mut frame = self.frame_of_scene(moment)?;
         if self.ghosts > 0 {
             self.add_ghosts(&mut frame, moment);
         }
+        Ok(frame)
+    }
+
+    fn frame_of_scene(&self, moment: &Moment) -> Result<Frame, ExportError> {
+        let scene = self.source.scene;
+        let pose = self.pose(moment.shown)?;
+        let camera = self.camera(&pose, moment);
+        let mut frame = frame_of_scene(scene, &pose, moment.seconds, &camera, self.viewpoint.node());
+        frame.lens = self.lens.map(|SharpAt { node, radius }| {
+            let sharp_in_world = scene.world_from_rbt(&pose, moment.seconds, node).translation;
+            let in_eye = frame.view.eye_from_world.transform_point3(sharp_in_world);
+            Lens { radius, focus_distance: (-in_eye.z).max(NEAREST_FOCUS) }
+        });
         Ok(frame)
     }
 

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use super::{Format, GIF};
+use super::{Format, GIF, Quality};
 use crate::words::Message;
 
 /// The background.
@@ -34,8 +34,10 @@ pub struct ExportOptions {
     pub ghosts: u8,
     /// An eye of the scene by its path, or `turntable`; `None`: the scene's first eye.
     pub camera: Option<String>,
-    /// Samples a pixel, 1 or 4; `None`: the adapter's default.
+    /// Samples a pixel of plain pictures, 1 or 4; `None`: the adapter's default.
     pub samples: Option<u32>,
+    /// The quality of its pictures.
+    pub quality: Quality,
     /// The background.
     pub background: ExportBackground,
 }
@@ -57,6 +59,7 @@ impl ExportOptions {
             ghosts: 0,
             camera: None,
             samples: None,
+            quality: Quality::DRAFT,
             background: ExportBackground::Sky,
         }
     }

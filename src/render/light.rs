@@ -39,6 +39,43 @@ pub struct SunBox {
     pub size_texels: [u32; 2],
 }
 
+/// The light of a shadow map, and how much the map counts: in a plain picture the sun's middle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Light {
+    /// Unit direction from any point towards the light, in world space.
+    pub towards_in_world: Vec3,
+    /// The map's turn around that direction, in radians. `None` in a plain picture, whose map is steady while shapes move, and as small as
+    /// they need.
+    pub turn: Option<f32>,
+    /// How much the map counts for the sun: sub-frames for each of those with the sun, or 0.
+    pub of_sun: f32,
+    /// The same for the sky: twice the sub-frames for each of those with the sky, or 0. Twice, since the directions of the upper half are
+    /// equally likely, and the mean of their cosines is one half.
+    pub of_sky: f32,
+    /// One over the number of sub-frames that are added up.
+    pub of_mean: f32,
+}
+
+impl Default for Light {
+    fn default() -> Self {
+        Self { towards_in_world: towards_sun_in_world(), turn: None, of_sun: 0.0, of_sky: 0.0, of_mean: 1.0 }
+    }
+}
+
+impl Light {
+    /// The axes of its map in world space: across, up and towards the light.
+    fn axes(&self) -> [Vec3; 3] {
+        let z = self.towards_in_world;
+        let Some(turn) = self.turn else {
+            let x = Vec3::Y.cross(z).normalize();
+            return [x, z.cross(x), z];
+        };
+        let (x, y) = z.any_orthonormal_pair();
+        let (sin, cos) = turn.sin_cos();
+        [x * cos + y * sin, y * cos - x * sin, z]
+    }
+}
+
 /// Unit direction from any point towards the sun, in world space.
 pub fn towards_sun_in_world() -> Vec3 {
     look::TOWARDS_SUN_IN_WORLD.normalize()
@@ -52,11 +89,9 @@ pub fn most_texels(height_px: u32) -> u32 {
 impl SunBox {
     /// The box around all shapes that cast a shadow into the frame's view; `bounds` are the boxes of the items. The map has at most
     /// `most_texels` along each side. `None` if nothing casts a shadow.
-    pub fn fit(frame: &Frame, bounds: &[Bounds], most_texels: u32) -> Option<Self> {
+    pub fn fit(frame: &Frame, light: &Light, bounds: &[Bounds], most_texels: u32) -> Option<Self> {
         let sides = ViewSides::of(&frame.view, 0.0);
-        let z = towards_sun_in_world();
-        let x = Vec3::Y.cross(z).normalize();
-        let y = z.cross(x);
+        let [x, y, z] = light.axes();
         let floor = bounds
             .iter()
             .filter(|bounds| sides.may_see(bounds, Vec3::ZERO))
@@ -84,7 +119,8 @@ impl SunBox {
         let texel = (steps / STEPS_PER_DOUBLING).exp2() / most_texels as f32;
         let texels =
             |extent: f32| ((extent / texel).ceil() as u32 + beside).next_multiple_of(TEXEL_STEP).min(most_texels);
-        let size_texels = extent.to_array().map(texels);
+        // The maps of sub-frames have one size, so that they are one texture.
+        let size_texels = light.turn.map_or_else(|| extent.to_array().map(texels), |_| [most_texels; 2]);
         let centre_step = texel * CENTRE_TEXELS as f32;
         let snap = |v: f32| (v / centre_step).round() * centre_step;
         let centre = [snap(f32::midpoint(least.x, most.x)), snap(f32::midpoint(least.y, most.y))];

@@ -30,6 +30,11 @@ pub static PALETTE: LazyLock<Palette> = LazyLock::new(|| Palette {
     surround: Colour::BACKDROP.to_linear(),
 });
 
+/// The light that the tone curve of `shaders/common.wgsl` brings to a channel of a colour.
+pub fn untoned(channel: f32) -> f32 {
+    (1.0 - (1.0 - 0.94 * channel).max(0.0).sqrt()) / 0.47
+}
+
 /// Direction from any point towards the sun, in world space, not of unit length: warm, from the upper left.
 pub const TOWARDS_SUN_IN_WORLD: Vec3 = Vec3::new(-0.5, 0.78, 0.5);
 

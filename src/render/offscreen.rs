@@ -4,6 +4,7 @@ use crate::frame::Frame;
 use crate::picture::Image;
 use crate::render::gpu::{Gpu, GpuError};
 use crate::render::read_back::{Drawn, ReadBack};
+use crate::render::refine::Refiner;
 use crate::render::renderer::{Renderer, Target, Viewport};
 
 /// A texture to draw into, with read-back to the CPU. For a run of pictures of one size it allocates only a buffer for each picture in
@@ -74,6 +75,19 @@ impl Offscreen {
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         renderer.encode(gpu, &mut encoder, frame, Target { view: &self.view, viewport });
         self.back.submit(gpu, Vec::new(), encoder, &self.texture);
+    }
+
+    /// Starts showing a refined picture, `frame` as [`Refiner::show`] takes it; [`Offscreen::read`] waits for it.
+    pub fn submit_refined(&mut self, gpu: &Gpu, refiner: &mut Refiner, frame: &Frame) {
+        let viewport = Viewport::whole(self.texture.width(), self.texture.height());
+        let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        refiner.show(gpu, &mut encoder, frame, Target { view: &self.view, viewport });
+        self.back.submit(gpu, Vec::new(), encoder, &self.texture);
+    }
+
+    /// Drops pictures that were submitted and not read.
+    pub fn clear(&mut self) {
+        self.back.clear();
     }
 
     /// The number of pictures that were submitted and not read.

@@ -34,6 +34,8 @@ pub enum Kind {
     Shadow,
     /// A large shadow map.
     LargeShadow,
+    /// The depth of shapes and planes, whose colours the target has already.
+    Depth,
     /// Ghosts' depth, so that only the nearest ghost fragment is blended.
     GhostDepth,
     /// Ghosts' colour.
@@ -136,6 +138,7 @@ impl Kind {
             Self::Shape
                 | Self::Shadow
                 | Self::LargeShadow
+                | Self::Depth
                 | Self::GhostDepth
                 | Self::Ghost
                 | Self::MaskAll
@@ -161,6 +164,7 @@ impl Kind {
             }
             _ if !form.is_masked => return usual,
             Self::Shadow | Self::LargeShadow => ("masked_shadow_vertex", Some("masked_fragment")),
+            Self::Depth => ("masked_identity_vertex", Some("masked_fragment")),
             Self::GhostDepth => ("masked_ghost_vertex", Some("masked_fragment")),
             Self::MaskAll | Self::MaskVisible => ("masked_position_vertex", Some("masked_fragment")),
             _ => return usual,
@@ -205,6 +209,9 @@ impl Kind {
                 (CompareFunction::LessEqual, true),
                 false,
             ),
+            Self::Depth => {
+                shape(Source::Silhouette, "depth_vertex", Some("mask_fragment"), (GreaterEqual, true), false)
+            }
             Self::GhostDepth => shape(Source::Shape, "ghost_vertex", None, (GreaterEqual, true), false),
             Self::Ghost => shape(Source::Shape, "ghost_vertex", Some("ghost_fragment"), (Equal, false), true),
             Self::Line => stroke("line_vertex", "line_fragment", GreaterEqual),
@@ -244,7 +251,7 @@ pub struct Pipelines {
 
 impl Pipelines {
     /// A set with no pipelines created.
-    pub fn new(device: &wgpu::Device, target_format: wgpu::TextureFormat, samples: u32, is_software: bool) -> Self {
+    pub fn new(device: &wgpu::Device, target_format: wgpu::TextureFormat, samples: u32, variant: Variant) -> Self {
         let layout = |label, entries: &[wgpu::BindGroupLayoutEntry]| {
             device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(label), entries })
         };
@@ -280,12 +287,7 @@ impl Pipelines {
             joints_layout: joints_layout(device),
             target_format,
             samples,
-            variant: Variant {
-                encodes_srgb: !target_format.is_srgb(),
-                is_software,
-                is_multisampled: samples > 1,
-                corner: Corner::Unit,
-            },
+            variant,
             modules: [const { [const { OnceLock::new() }; CORNERS] }; SOURCES],
             made: [const { [const { OnceLock::new() }; FORMS] }; COUNT],
         }
@@ -350,7 +352,7 @@ impl Pipelines {
             write_mask: match kind {
                 Kind::MaskAll => wgpu::ColorWrites::RED,
                 Kind::MaskVisible => wgpu::ColorWrites::GREEN,
-                Kind::GhostDepth => wgpu::ColorWrites::empty(),
+                Kind::Depth | Kind::GhostDepth => wgpu::ColorWrites::empty(),
                 _ => wgpu::ColorWrites::ALL,
             },
         };

@@ -16,10 +16,11 @@ use crate::render::bounds::{Bounds, rectangle_px};
 use crate::render::detail::Detail;
 use crate::render::gpu::Gpu;
 use crate::render::instances::{INSTANCES_START, Packed};
-use crate::render::light::{SunBox, most_texels};
+use crate::render::light::{Light, SunBox, most_texels};
 use crate::render::look;
 use crate::render::mesh::{MeshRange, PLANE, geometry};
 use crate::render::pipelines::{Kind, Pipelines};
+use crate::render::shaders::{Corner, Variant};
 use crate::render::targets::{SunMap, SunMaps, Targets};
 use crate::render::triangles::{JointRows, MeshCache, Skinning, Skins};
 use crate::render::uniforms::Globals;
@@ -81,6 +82,17 @@ impl Viewport {
     }
 }
 
+/// What of a frame a renderer draws.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Part {
+    /// All of it.
+    Whole,
+    /// Its scene, as light before the tone curve.
+    SubFrame,
+    /// What is no part of the scene: ghosts, lines, dots, the outline. The target keeps what it shows.
+    Overlay,
+}
+
 /// Draws frames into views of one format. It keeps its buffers, textures and pipelines from frame to frame.
 ///
 /// ```no_run
@@ -97,6 +109,8 @@ impl Viewport {
 pub struct Renderer {
     format: wgpu::TextureFormat,
     samples: u32,
+    part: Part,
+    light: Light,
     background: Background,
     pipelines: Pipelines,
     vertices: wgpu::Buffer,
@@ -127,9 +141,21 @@ impl Renderer {
     /// A renderer for targets of a format, with 1 or 4 samples a pixel ([`default_samples`]).
     #[must_use]
     pub fn new(gpu: &Gpu, target_format: wgpu::TextureFormat, samples: u32) -> Self {
+        Self::of_part(gpu, target_format, samples, Part::Whole)
+    }
+
+    /// A renderer of a part of frames.
+    pub(super) fn of_part(gpu: &Gpu, target_format: wgpu::TextureFormat, samples: u32, part: Part) -> Self {
         let device = &gpu.device;
         let samples = if samples > 1 { 4 } else { 1 };
-        let pipelines = Pipelines::new(device, target_format, samples, gpu.is_software);
+        let variant = Variant {
+            encodes_srgb: !target_format.is_srgb(),
+            is_software: gpu.is_software,
+            is_multisampled: samples > 1,
+            is_sub_frame: part == Part::SubFrame,
+            corner: Corner::Unit,
+        };
+        let pipelines = Pipelines::new(device, target_format, samples, variant);
         let (frame_buffer, globals) = frame_buffer(device, &pipelines, 16 * 1024);
         let geometry = geometry();
         let vertices = filled_buffer(device, cast_slice(&geometry.vertices), wgpu::BufferUsages::VERTEX);
@@ -137,6 +163,8 @@ impl Renderer {
         Self {
             format: target_format,
             samples,
+            part,
+            light: Light::default(),
             background: Background::Sky,
             pipelines,
             vertices,
@@ -168,6 +196,21 @@ impl Renderer {
     /// Sets the background of the next frames.
     pub fn set_background(&mut self, background: Background) {
         self.background = background;
+    }
+
+    /// Sets the light of the shadow map of the next frames.
+    pub(super) fn set_light(&mut self, light: Light) {
+        self.light = light;
+    }
+
+    /// The layout of the globals' binding.
+    pub(super) const fn globals_layout(&self) -> &wgpu::BindGroupLayout {
+        &self.pipelines.globals_layout
+    }
+
+    /// The binding of the globals of the frame that was encoded last.
+    pub(super) const fn globals(&self) -> &wgpu::BindGroup {
+        &self.globals
     }
 
     /// Sets how items of the next frames are arranged.
@@ -203,14 +246,17 @@ impl Renderer {
         }
         let detail = match self.arrangement {
             Arrangement::AsGiven => Detail::FINEST,
-            _ => Detail::of_picture(&frame.view, viewport.height, (self.samples as f32).sqrt()),
+            _ => Detail::of_picture(&frame.view, viewport.height, self.samples_across()),
         };
         let items_moved = self.arranged.take(frame, detail, self.arrangement);
         let most_texels = most_texels(viewport.height);
-        let sun = SunBox::fit(frame, &self.arranged.bounds, most_texels);
+        let sun = match self.part {
+            Part::Overlay => None,
+            Part::Whole | Part::SubFrame => SunBox::fit(frame, &self.light, &self.arranged.bounds, most_texels),
+        };
         let size_texels = sun.as_ref().map(|sun| sun.size_texels);
         self.sun_maps.take(&gpu.device, &self.pipelines, most_texels, size_texels);
-        let globals = Globals::new(frame, sun.as_ref(), viewport);
+        let globals = Globals::new(frame, &self.light, sun.as_ref(), viewport);
         let is_map_due = sun.is_some() && (items_moved || sun != self.sun_map_box);
         let of_sun_map = sun.as_ref().filter(|_| is_map_due).map(Detail::of_sun_map);
         self.take_meshes(gpu, frame, is_map_due);
@@ -227,12 +273,20 @@ impl Renderer {
         // No sun box: the sun map still holds an older frame. Storing `None` forces a redraw when a box exists again.
         self.sun_map_box = sun;
         self.draw_picture(gpu, encoder, frame, target);
+        if self.part == Part::SubFrame {
+            return;
+        }
         let outlined = frame.items.iter().filter(|item| item.outlined).map(Bounds::of);
         if let Some(rectangle) =
             rectangle_px(&frame.view, outlined, [viewport.width, viewport.height], look::OUTLINE_PX + 3.0)
         {
             self.draw_outline(gpu, encoder, frame, target, rectangle);
         }
+    }
+
+    /// Samples along a pixel's side, for the choice of meshes. Sub-frames are samples too.
+    fn samples_across(&self) -> f32 {
+        if self.part == Part::SubFrame { 2.0 } else { (self.samples as f32).sqrt() }
     }
 
     /// Uploads the packed bytes that the GPU does not have yet.
@@ -274,11 +328,14 @@ impl Renderer {
     fn kinds_behind_lines(&self) -> impl Iterator<Item = Kind> {
         let is_any = |meshes: &[Range<u32>]| meshes.iter().any(|instances| !instances.is_empty());
         let (shapes, plane) = self.uploaded.seen.split_at(PLANE);
-        let needed = [
-            (Kind::Shape, is_any(shapes)),
-            (Kind::Plane, is_any(plane)),
-            (Kind::Sky, self.background == Background::Sky),
-        ];
+        let needed = match self.part {
+            Part::Overlay => [(Kind::Depth, true), (Kind::Depth, false), (Kind::Depth, false)],
+            Part::Whole | Part::SubFrame => [
+                (Kind::Shape, is_any(shapes)),
+                (Kind::Plane, is_any(plane)),
+                (Kind::Sky, self.background == Background::Sky),
+            ],
+        };
         needed.into_iter().filter_map(|(kind, is_needed)| is_needed.then_some(kind))
     }
 
@@ -314,7 +371,10 @@ impl Renderer {
                 depth_slice: None,
                 resolve_target,
                 ops: wgpu::Operations {
-                    load: wgpu::LoadOp::Clear(self.clear_colour()),
+                    load: match self.part {
+                        Part::Overlay => wgpu::LoadOp::Load,
+                        Part::Whole | Part::SubFrame => wgpu::LoadOp::Clear(self.clear_colour()),
+                    },
                     store: if is_resolved { wgpu::StoreOp::Discard } else { wgpu::StoreOp::Store },
                 },
             })],
@@ -329,7 +389,8 @@ impl Renderer {
         self.bind_instances(&mut pass);
         pass.set_bind_group(1, &sun_map.bind_group, &[]);
         let device = &gpu.device;
-        self.draw_triangles(device, &mut pass, frame, Kind::Shape, &self.uploaded.triangles.seen);
+        let of_triangles = if self.part == Part::Overlay { Kind::Depth } else { Kind::Shape };
+        self.draw_triangles(device, &mut pass, frame, of_triangles, &self.uploaded.triangles.seen);
         self.bind_instances(&mut pass);
         let (meshes, items) = (&geometry().ranges, &self.uploaded.seen);
         for kind in self.kinds_behind_lines() {
@@ -337,8 +398,12 @@ impl Renderer {
             match kind {
                 Kind::Sky => pass.draw(0..3, 0..1),
                 Kind::Plane => draw_mesh(&mut pass, &meshes[PLANE], &items[PLANE]),
+                Kind::Depth => meshes.iter().zip(items).for_each(|(mesh, of_mesh)| draw_mesh(&mut pass, mesh, of_mesh)),
                 _ => meshes[..PLANE].iter().zip(items).for_each(|(mesh, of_mesh)| draw_mesh(&mut pass, mesh, of_mesh)),
             }
+        }
+        if self.part == Part::SubFrame {
+            return;
         }
         // Lines come before ghosts, whose depth would hide them.
         for kind in [Kind::LineHidden, Kind::Line] {
@@ -380,7 +445,13 @@ impl Renderer {
             Background::Colour(colour) => colour,
             Background::Transparent => return wgpu::Color::TRANSPARENT,
         };
-        let encode = |channel: f32| f64::from(if self.format.is_srgb() { channel } else { srgb_from_linear(channel) });
+        let encode = |channel: f32| {
+            f64::from(match self.part {
+                Part::SubFrame => look::untoned(channel),
+                Part::Whole | Part::Overlay if self.format.is_srgb() => channel,
+                Part::Whole | Part::Overlay => srgb_from_linear(channel),
+            })
+        };
         wgpu::Color { r: encode(colour.x), g: encode(colour.y), b: encode(colour.z), a: 1.0 }
     }
 }
@@ -405,10 +476,19 @@ fn draw_mesh(pass: &mut wgpu::RenderPass<'_>, mesh: &MeshRange, instances: &Rang
     }
 }
 
-fn set_viewport(pass: &mut wgpu::RenderPass<'_>, viewport: Viewport) {
+pub(super) fn set_viewport(pass: &mut wgpu::RenderPass<'_>, viewport: Viewport) {
     let Viewport { x, y, width, height, .. } = viewport;
     pass.set_viewport(x as f32, y as f32, width as f32, height as f32, 0.0, 1.0);
     pass.set_scissor_rect(x, y, width, height);
+}
+
+#[expect(clippy::unnecessary_wraps, reason = "a pass takes it so")]
+pub(super) fn colour_attachment(
+    view: &wgpu::TextureView,
+    load: wgpu::LoadOp<wgpu::Color>,
+) -> Option<wgpu::RenderPassColorAttachment<'_>> {
+    let ops = wgpu::Operations { load, store: wgpu::StoreOp::Store };
+    Some(wgpu::RenderPassColorAttachment { view, depth_slice: None, resolve_target: None, ops })
 }
 
 fn depth_attachment(

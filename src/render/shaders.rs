@@ -27,6 +27,8 @@ pub enum Source {
     Mesh,
     /// The same with holes, without colours.
     Masked,
+    /// Sums of sub-frames.
+    Refine,
 }
 
 /// What vertices are transformed by.
@@ -44,8 +46,8 @@ pub enum Corner {
 pub const CORNERS: usize = Corner::Skin as usize + 1;
 
 /// The number of sources.
-pub const SOURCES: usize = Source::Masked as usize + 1;
-const VARIANTS: usize = 8 * CORNERS;
+pub const SOURCES: usize = Source::Refine as usize + 1;
+const VARIANTS: usize = 16 * CORNERS;
 
 /// The variants of a module.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,6 +58,8 @@ pub struct Variant {
     pub is_software: bool,
     /// Targets have several samples per pixel.
     pub is_multisampled: bool,
+    /// The target takes light before the tone curve: it is a sub-frame.
+    pub is_sub_frame: bool,
     /// What vertices are transformed by.
     pub corner: Corner,
 }
@@ -64,7 +68,7 @@ static PARSED: [[OnceLock<Module>; VARIANTS]; SOURCES] = [const { [const { OnceL
 
 /// Parses the modules that a plain picture on the CPU needs.
 pub fn parse_usual() {
-    let variant = Variant { encodes_srgb: false, is_software: true, is_multisampled: false, corner: Corner::Unit };
+    let variant = Variant { encodes_srgb: false, is_software: true, is_multisampled: false, is_sub_frame: false, corner: Corner::Unit };
     for source in [Source::Silhouette, Source::Shape, Source::Plane, Source::Sky] {
         parsed(source, variant);
     }
@@ -77,9 +81,10 @@ pub fn module(device: &wgpu::Device, source: Source, variant: Variant) -> wgpu::
 }
 
 fn parsed(source: Source, variant: Variant) -> &'static Module {
-    let Variant { encodes_srgb, is_software, is_multisampled, corner } = variant;
-    let flags = usize::from(encodes_srgb) | usize::from(is_software) << 1 | usize::from(is_multisampled) << 2;
-    let index = flags | (corner as usize) << 3;
+    let Variant { encodes_srgb, is_software, is_multisampled, is_sub_frame, corner } = variant;
+    let flags = [encodes_srgb, is_software, is_multisampled, is_sub_frame];
+    let flags = flags.iter().rev().fold(0, |bits, &flag| bits << 1 | usize::from(flag));
+    let index = flags | (corner as usize) << 4;
     PARSED[source as usize][index]
         .get_or_init(|| wgsl::parse_str(&text(source, variant)).expect("the program's own shaders have no errors"))
 }
@@ -95,23 +100,44 @@ fn text(source: Source, variant: Variant) -> String {
         Corner::Mesh => &[file!("normal.wgsl"), file!("mesh_corner.wgsl")],
         Corner::Skin => &[file!("normal.wgsl"), file!("skin_corner.wgsl")],
     };
-    let sun = if variant.is_software { file!("shadow_one.wgsl") } else { file!("shadow_square.wgsl") };
+    // Many sub-frames filter their shadows together.
+    let sun = if variant.is_software || variant.is_sub_frame { file!("shadow_one.wgsl") } else { file!("shadow_square.wgsl") };
     let own: &[&str] = match source {
-        Source::Shape => &[file!("pixel.wgsl"), file!("lit.wgsl"), sun, file!("toned.wgsl"), file!("shape.wgsl")],
+        Source::Shape => &[
+            file!("pixel.wgsl"),
+            file!("lit.wgsl"),
+            sun,
+            file!("arriving.wgsl"),
+            file!("toned.wgsl"),
+            file!("shape.wgsl"),
+        ],
         Source::Plane => &[file!("pixel.wgsl"), file!("lit.wgsl"), sun, file!("plane.wgsl")],
         Source::Sky => &[file!("pixel.wgsl"), file!("sky.wgsl")],
         Source::Silhouette => &[file!("pixel.wgsl"), file!("silhouette.wgsl")],
         Source::Stroke => &[file!("stroke.wgsl")],
         Source::Outline => &[file!("outline.wgsl")],
         Source::Identity => &[file!("identity.wgsl")],
-        Source::Mesh => &[file!("lit.wgsl"), sun, file!("surface.wgsl"), file!("toned.wgsl"), file!("mesh.wgsl")],
+        Source::Mesh => &[
+            file!("lit.wgsl"),
+            sun,
+            file!("arriving.wgsl"),
+            file!("surface.wgsl"),
+            file!("toned.wgsl"),
+            file!("mesh.wgsl"),
+        ],
         Source::Masked => &[file!("surface.wgsl"), file!("masked.wgsl")],
+        Source::Refine => &[file!("refine.wgsl")],
     };
     let corner = match source {
-        Source::Sky | Source::Stroke | Source::Outline => &[],
+        Source::Sky | Source::Stroke | Source::Outline | Source::Refine => &[],
         _ => corner,
     };
-    let mut text = format!("const ENCODE_SRGB = {};\n{}", variant.encodes_srgb, file!("common.wgsl"));
+    let mut text = format!(
+        "const ENCODE_SRGB = {};\nconst IS_SUB_FRAME = {};\n{}",
+        variant.encodes_srgb,
+        variant.is_sub_frame,
+        file!("common.wgsl")
+    );
     text.extend(corner.iter().chain(own).copied());
     // `textureLoad` has the same form for both; the last argument is then the sample.
     if source == Source::Outline && variant.is_multisampled {
@@ -129,18 +155,24 @@ mod tests {
     /// Also the variants that only a GPU uses.
     #[test]
     fn every_variant_of_every_source_is_valid() {
-        use Source::{Identity, Masked, Mesh, Outline, Plane, Shape, Silhouette, Sky, Stroke};
-        let sources = [Shape, Plane, Sky, Silhouette, Stroke, Outline, Identity, Mesh, Masked];
+        use Source::{Identity, Masked, Mesh, Outline, Plane, Refine, Shape, Silhouette, Sky, Stroke};
+        let sources = [Shape, Plane, Sky, Silhouette, Stroke, Outline, Identity, Mesh, Masked, Refine];
         assert_eq!(sources.len(), SOURCES);
         for source in sources {
             for bits in 0..VARIANTS {
                 let has = |bit: usize| bits >> bit & 1 == 1;
-                let corner = [Corner::Unit, Corner::Mesh, Corner::Skin][bits >> 3];
+                let corner = [Corner::Unit, Corner::Mesh, Corner::Skin][bits >> 4];
                 let is_of_triangles = corner != Corner::Unit;
                 if matches!(source, Mesh | Masked) && !is_of_triangles || source == Plane && is_of_triangles {
                     continue;
                 }
-                let variant = Variant { encodes_srgb: has(0), is_software: has(1), is_multisampled: has(2), corner };
+                let variant = Variant {
+                    encodes_srgb: has(0),
+                    is_software: has(1),
+                    is_multisampled: has(2),
+                    is_sub_frame: has(3),
+                    corner,
+                };
                 let validated =
                     Validator::new(ValidationFlags::all(), Capabilities::empty()).validate(parsed(source, variant));
                 assert!(validated.is_ok(), "{source:?} {variant:?}: {validated:?}");

@@ -4,7 +4,7 @@ use bytemuck::{Pod, Zeroable};
 use glam::{Mat4, Vec3, Vec4};
 
 use crate::frame::{DrawItem, Frame};
-use crate::render::light::{SunBox, towards_sun_in_world};
+use crate::render::light::{Light, SunBox, towards_sun_in_world};
 use crate::render::look;
 use crate::render::renderer::Viewport;
 
@@ -26,8 +26,12 @@ pub struct Globals {
     ray_right_in_world: Vec4,
     /// The ray's change from a pixel to the one below; w is the viewport's height in pixels.
     ray_down_in_world: Vec4,
-    /// Unit direction; w is a shadow texel's side in scene units.
+    /// Unit direction.
     towards_sun_in_world: Vec4,
+    /// Unit direction to the light of the shadow map; w is a shadow texel's side in scene units.
+    towards_light_in_world: Vec4,
+    /// How much the shadow map counts for the sun and for the sky; z is one over the number of sub-frames.
+    weights: Vec4,
     /// Linear light; w is the outline's width in pixels.
     horizon: Vec4,
     /// Linear light; w is the ground's height in scene units.
@@ -38,13 +42,15 @@ pub struct Globals {
 
 impl Globals {
     /// The globals of a picture that fills a viewport.
-    pub fn new(frame: &Frame, sun: Option<&SunBox>, viewport: Viewport) -> Self {
+    pub fn new(frame: &Frame, light: &Light, sun: Option<&SunBox>, viewport: Viewport) -> Self {
         let view = &frame.view;
         let [width, height] = [viewport.width, viewport.height].map(|side| side as f32);
         let up = (view.vertical_fov * 0.5).tan();
         let right = up * view.aspect;
         let (right_step, down_step) = (2.0 * right / width, -2.0 * up / height);
-        let first = Vec3::new(-right, up, -1.0);
+        // The middle of the picture is beside the view's axis where a sub-frame's is moved.
+        let middle = view.clip_from_eye.z_axis;
+        let first = Vec3::new((middle.x - 1.0) * right, (middle.y + 1.0) * up, -1.0);
         let ray = |in_eye: Vec3, w: f32| view.world_from_eye.transform_vector3(in_eye).extend(w);
         let eye_in_world = Vec3::from(view.world_from_eye.translation);
         // Without shadows everything is nearer the sun than the map's content.
@@ -56,7 +62,9 @@ impl Globals {
             first_ray_in_world: ray(first, 0.0),
             ray_right_in_world: ray(Vec3::X * right_step, width),
             ray_down_in_world: ray(Vec3::Y * down_step, height),
-            towards_sun_in_world: towards_sun_in_world().extend(sun.map_or(0.0, |sun| sun.texel)),
+            towards_sun_in_world: towards_sun_in_world().extend(0.0),
+            towards_light_in_world: light.towards_in_world.extend(sun.map_or(0.0, |sun| sun.texel)),
+            weights: Vec4::new(light.of_sun, light.of_sky, light.of_mean, 0.0),
             horizon: look::PALETTE.horizon.extend(look::OUTLINE_PX),
             zenith: look::PALETTE.zenith.extend(ground_height(frame)),
             accent: look::PALETTE.accent.extend(0.0),

@@ -91,7 +91,7 @@ impl Host for Disk {
     ) -> Result<(PathBuf, FileOutcome<()>), DiskStop> {
         let path = path.unwrap_or_else(|| storage::next_screenshot_path(self.editor.keyframe_file()));
         let painter = self.painter.as_mut().expect("a script that takes screenshots has a painter");
-        let png = painter.png(&picture_of_editor(&self.editor, painter.size_px(), has_overlays))?;
+        let png = painter.png(picture_of_editor(&self.editor, painter.size_px(), has_overlays))?;
         let written = storage::write(&path, &png).map_err(|error| error.message());
         Ok((path, written))
     }

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use super::ProgressKind;
+use super::{ProgressKind, RefiningArguments};
 use super::help;
 use super::values::{format, interpolation, key_time, samples, seconds, size, still_format};
 use crate::colour::Colour;
@@ -73,11 +73,14 @@ pub struct RenderArguments {
     /// Samples a pixel, 1 or 4 [default: 4; 1 on a software adapter].
     #[arg(long, value_name = "1|4", value_parser = samples())]
     pub samples: Option<u32>,
+    /// How pictures are refined.
+    #[command(flatten)]
+    pub refining: RefiningArguments,
     /// The interpolation to use instead of the file's.
     #[arg(long, value_name = "NAME", value_parser = interpolation())]
     pub interpolation: Option<Interpolation>,
     /// Write node indices instead of colours, as a 16-bit grey PNG: 0 for background, else the node's pre-order index plus 1.
-    #[arg(long, conflicts_with_all = ["fps", "sheet", "ghosts", "samples"])]
+    #[arg(long, conflicts_with_all = ["fps", "sheet", "ghosts", "samples", "quality"])]
     pub id: bool,
     /// How progress is told.
     #[arg(long, value_enum, default_value_t)]

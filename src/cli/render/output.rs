@@ -47,6 +47,7 @@ impl Output {
             None => Self { format: &PNG, is_one_image: true },
         };
         output.check(arguments)?;
+        check_refining(arguments)?;
         let is_film = !output.is_one_image && !output.format.is_still();
         if is_film && arguments.manifest().is_some() && storage::is_standard(path) {
             // Its hash is that of the file.
@@ -80,6 +81,20 @@ impl Output {
             return Err(misuse(&format!("{option} is for a folder of numbered images")));
         }
         Ok(())
+    }
+}
+
+/// Whether the options of refined pictures go with the quality.
+fn check_refining(arguments: &RenderArguments) -> Result<(), CliError> {
+    let refining = &arguments.refining;
+    match refining.of_refined() {
+        Some(option) if !refining.quality.is_refined() => {
+            Err(misuse(&format!("{option} is for refined pictures: give --quality good, film, poster or a number above 1")))
+        }
+        _ if refining.quality.is_refined() && arguments.samples.is_some_and(|samples| samples > 1) => {
+            Err(misuse("--samples 4 is for plain pictures: a sub-frame has one sample a pixel, and --quality says how many there are"))
+        }
+        _ => Ok(()),
     }
 }
 

@@ -1,6 +1,6 @@
 //! The outline around the chosen node's shapes.
 
-use super::{Renderer, Target, depth_attachment, draw_mesh, set_viewport};
+use super::{Renderer, Target, colour_attachment, depth_attachment, draw_mesh, set_viewport};
 use crate::frame::Frame;
 use crate::render::gpu::Gpu;
 use crate::render::mesh::geometry;
@@ -50,13 +50,4 @@ impl Renderer {
         pass.set_bind_group(1, &mask.bind_group, &[]);
         pass.draw(0..3, 0..1);
     }
-}
-
-#[expect(clippy::unnecessary_wraps, reason = "a pass takes it so")]
-fn colour_attachment(
-    view: &wgpu::TextureView,
-    load: wgpu::LoadOp<wgpu::Color>,
-) -> Option<wgpu::RenderPassColorAttachment<'_>> {
-    let ops = wgpu::Operations { load, store: wgpu::StoreOp::Store };
-    Some(wgpu::RenderPassColorAttachment { view, depth_slice: None, resolve_target: None, ops })
 }
