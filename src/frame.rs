@@ -220,6 +220,18 @@ impl Frame {
         }
     }
 
+    /// Whether another frame shows the same scene in the same view. What is drawn over the scene may differ.
+    #[must_use]
+    pub fn has_same_scene(&self, other: &Self) -> bool {
+        let are_alike = |(one, other): (&DrawItem, &DrawItem)| DrawItem { outlined: other.outlined, ..*one } == *other;
+        self.view == other.view
+            && self.lens == other.lens
+            && self.items.len() == other.items.len()
+            && self.items.iter().zip(&other.items).all(are_alike)
+            && self.world_from_bind == other.world_from_bind
+            && are_same_meshes(&self.meshes, &other.meshes)
+    }
+
     /// Whether there is anything besides the scene: ghosts, lines, dots, the arcball, an outline.
     #[must_use]
     pub fn has_overlay(&self) -> bool {

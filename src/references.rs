@@ -12,10 +12,12 @@ pub use list::{LIST_NAME, read_list};
 pub use page::{PAGE_NAME, page};
 pub use shot::{Shot, When};
 
-use crate::export::{Animation, ExportError, Moment, Moments, Painter, Size, Source, Span, Stage, Viewpoint};
+use crate::export::{
+    self, Animation, ExportError, Exposure, Moment, Moments, Painter, Shutter, Size, Source, Span, Stage, Viewpoint,
+};
 use crate::files::{self, FileError, LARGEST_IMAGE_BYTES, WorkError, scene};
 use crate::flip::{CompareError, Comparison, Scores, check_sizes, compare};
-use crate::render::{GpuError, Image};
+use crate::render::{GpuError, Image, Refinement};
 use crate::storage;
 use crate::words::texts;
 
@@ -188,6 +190,7 @@ impl<'a> References<'a> {
         if (self.painter.size(), self.painter.samples()) != (size, shot.samples) {
             self.painter = Painter::headless(size, Some(shot.samples))?;
         }
+        self.painter.refine(Refinement::of_quality(shot.quality));
         // A scene in a file is in the folder; the name of a built-in one is no file there.
         let named = shot.scene.as_ref().map(|name| {
             let beside = self.folder.join(name);
@@ -204,8 +207,11 @@ impl<'a> References<'a> {
             When::Keyframe(index) => still(source.shown(None, Some(index))?),
             When::Frame { number, fps } => self.frame_of_film(shot, number, fps, source, view)?,
         };
-        let frame = Stage::new(source, view, 0, self.painter.size_px()).frame(&moment)?;
-        Ok(self.painter.image(&frame)?)
+        let mut stage = Stage::new(source, view, 0, self.painter.size_px());
+        if let (When::Frame { fps, .. }, Some((_, moments))) = (shot.when, &self.film) {
+            stage.expose(&Exposure { shutter: Shutter::OF_FILMS, focus: None }, fps, moments.len())?;
+        }
+        Ok(self.painter.shot(&export::Shot::of_stage(&stage, &moment)?)?)
     }
 
     /// A frame of a film. The next of the same film costs no second look at its times.

@@ -106,6 +106,8 @@ pub struct Settings {
     pub reduce_motion: bool,
     /// Whether the corner with what the recorded camera sees stays while something plays.
     pub inset_while_playing: bool,
+    /// Whether the picture is refined while nothing moves.
+    pub refine_at_rest: bool,
 }
 
 impl Default for Settings {
@@ -126,6 +128,7 @@ impl Default for Settings {
             recorded_eye: false,
             reduce_motion: false,
             inset_while_playing: false,
+            refine_at_rest: true,
         }
     }
 }
@@ -166,6 +169,8 @@ struct File {
     reduce_motion: bool,
     #[serde(default)]
     inset_while_playing: bool,
+    #[serde(default = "kept")]
+    refine_at_rest: bool,
 }
 
 const fn kept() -> bool {
@@ -283,6 +288,7 @@ impl Settings {
             recorded_eye: file.recorded_eye,
             reduce_motion: file.reduce_motion,
             inset_while_playing: file.inset_while_playing,
+            refine_at_rest: file.refine_at_rest,
         })
     }
 
@@ -309,6 +315,7 @@ impl Settings {
             recorded_eye: self.recorded_eye,
             reduce_motion: self.reduce_motion,
             inset_while_playing: self.inset_while_playing,
+            refine_at_rest: self.refine_at_rest,
         };
         let mut text = serde_json::to_string_pretty(&file).expect("settings are plain text and numbers");
         text.push('\n');
@@ -357,7 +364,7 @@ mod tests {
             settings.used(Path::new("folder/걷기.json"));
             settings.window = Some(WindowPlace { size: [900.0, 600.0], at_px: Some([-3, 4]), is_maximized: true });
             settings.tour = false;
-            (settings.reduce_motion, settings.inset_while_playing) = (true, true);
+            (settings.reduce_motion, settings.inset_while_playing, settings.refine_at_rest) = (true, true, false);
             assert!(settings.resized("side", Some(300.2)));
             assert!(!settings.resized("side", Some(300.4)));
             let text = settings.to_json();

@@ -27,6 +27,7 @@ mod outside;
 mod panels;
 mod place;
 pub mod pointer;
+mod rest;
 mod screen;
 mod settings_file;
 mod shared;

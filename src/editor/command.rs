@@ -98,6 +98,8 @@ pub enum WindowCommand {
     ToggleInsetWhilePlaying,
     /// Shows changes of the view at once, or eases them.
     ToggleReduceMotion,
+    /// Refines the picture while nothing moves, or shows the plain one.
+    ToggleRefineAtRest,
     /// Keeps a journal, or none.
     ToggleJournal,
     /// The panels one step larger.

@@ -3,7 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::{Animation, ExportError, Exposure, Painter, Shutter, RenderRequest, Size, Source, Span, Subject, Watch, check_format};
+use super::{
+    Animation, ExportError, Exposure, Painter, RenderRequest, Shutter, Size, Source, Span, Subject, Watch, check_format,
+};
 use crate::colour::Colour;
 use crate::film::{ExportBackground, ExportEnd, ExportOptions};
 use crate::render::{Background, Refinement};
@@ -50,7 +52,8 @@ impl Job {
 
     /// Counts the frames written into a folder in `in_folder`, and returns the total.
     fn write(&self, watch: &mut Watch<'_>, in_folder: &mut usize) -> Result<usize, ExportError> {
-        let ExportOptions { path, format, size, fps, range, ghosts, camera, samples, quality, background } = &self.options;
+        let ExportOptions { path, format, size, fps, range, ghosts, camera, samples, quality, background } =
+            &self.options;
         let size = Size { width: size[0], height: size[1] };
         let is_opaque = *background != ExportBackground::Transparent;
         check_format(format, size, Some(*fps), is_opaque, path)?;
@@ -74,7 +77,7 @@ impl Job {
         // Errors in the animation are found before anything is drawn.
         let planned = request.plan()?;
         let mut painter = Painter::headless(size, *samples)?;
-        painter.refine(quality.is_refined().then(|| Refinement::of(quality.sub_frames())));
+        painter.refine(Refinement::of_quality(*quality));
         painter.set_background(match background {
             ExportBackground::Sky => Background::Sky,
             ExportBackground::Colour(bytes) => Background::Colour(Colour::from_bytes(*bytes).to_linear()),

@@ -66,7 +66,9 @@ impl Painter {
 
     /// Sets how the following pictures are refined; `None`: they are plain.
     pub fn refine(&mut self, refinement: Option<Refinement>) {
-        self.refiner = refinement.map(|refinement| Refiner::new(&self.gpu, Offscreen::FORMAT, refinement));
+        if self.refiner.as_ref().map(Refiner::refinement) != refinement.as_ref() {
+            self.refiner = refinement.map(|refinement| Refiner::new(&self.gpu, Offscreen::FORMAT, refinement));
+        }
     }
 
     /// The pictures' width and height in pixels.
@@ -138,11 +140,7 @@ impl Painter {
     }
 
     /// Starts to draw a frame. `moved` gives it after a part of the shutter's time, or `None` if nothing moves.
-    fn submit<E>(
-        &mut self,
-        frame: &Frame,
-        mut moved: impl FnMut(f64) -> Result<Option<Frame>, E>,
-    ) -> Result<(), E> {
+    fn submit<E>(&mut self, frame: &Frame, mut moved: impl FnMut(f64) -> Result<Option<Frame>, E>) -> Result<(), E> {
         let Self { offscreen, gpu, renderer, refiner, size, .. } = self;
         let Some(refiner) = refiner else {
             offscreen.submit(gpu, renderer, frame);

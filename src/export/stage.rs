@@ -79,15 +79,8 @@ impl<'a> Stage<'a> {
     /// A stage for pictures of a size, with `ghosts` keyframes before and after as ghosts.
     #[must_use]
     pub fn new(source: Source<'a>, viewpoint: Viewpoint, ghosts: u8, size_px: Vec2) -> Self {
-        let mut stage = Self {
-            source,
-            viewpoint,
-            ghosts,
-            size_px,
-            distance: 1.0,
-            open: OpenTime::default(),
-            lens: None,
-        };
+        let mut stage =
+            Self { source, viewpoint, ghosts, size_px, distance: 1.0, open: OpenTime::default(), lens: None };
         if viewpoint == Viewpoint::Turntable {
             stage.distance = stage.fitting_distance();
         }

@@ -8,7 +8,7 @@ use serde::{Deserialize, Deserializer};
 use super::shot::{Shot, When};
 use crate::decode;
 use crate::files::{self, FileError};
-use crate::film::{FrameNumbers, MOST_FRAMES_PER_SECOND};
+use crate::film::{FrameNumbers, MOST_FRAMES_PER_SECOND, Quality};
 use crate::flip::DEFAULT_TOLERANCE;
 use crate::interpolation::Interpolation;
 use crate::words::{Message, texts};
@@ -46,6 +46,7 @@ struct Defaults {
     size: Option<[u32; 2]>,
     interpolation: Option<String>,
     samples: Option<u32>,
+    quality: Option<NamedQuality>,
     camera: Option<String>,
     tolerance: Option<f32>,
 }
@@ -66,6 +67,7 @@ struct Entry {
     size: Option<[u32; 2]>,
     interpolation: Option<String>,
     samples: Option<u32>,
+    quality: Option<NamedQuality>,
     camera: Option<String>,
     tolerance: Option<f32>,
     reference: Option<String>,
@@ -76,6 +78,24 @@ struct Entry {
 enum KeyTimes {
     One(f64),
     Many(Vec<f64>),
+}
+
+/// A quality by its name or its number of sub-frames.
+#[derive(Clone, Deserialize)]
+#[serde(untagged, expecting = "decode.kind.quality")]
+enum NamedQuality {
+    Name(String),
+    SubFrames(u64),
+}
+
+impl NamedQuality {
+    fn quality(&self) -> Result<Quality, Message> {
+        let text = match self {
+            Self::Name(name) => name.clone(),
+            Self::SubFrames(count) => count.to_string(),
+        };
+        Quality::parse(&text).ok_or_else(|| texts::references_quality(text, Quality::MOST))
+    }
 }
 
 /// The keyframe file of an entry.
@@ -157,6 +177,11 @@ impl Entry {
         if !matches!(samples, 1 | 4) {
             return Err(texts::references_samples(samples.to_string()));
         }
+        let quality = self.quality.as_ref().or(defaults.quality.as_ref()).map(NamedQuality::quality).transpose()?;
+        let quality = quality.unwrap_or_default();
+        if samples > 1 && quality.is_refined() {
+            return Err(texts::REFERENCES_SAMPLES_OF_REFINED.into());
+        }
         let tolerance = self.tolerance.or(defaults.tolerance).unwrap_or(DEFAULT_TOLERANCE);
         if !(0.0..=1.0).contains(&tolerance) {
             return Err(texts::references_tolerance(tolerance.to_string()));
@@ -170,6 +195,7 @@ impl Entry {
             size: self.size.or(defaults.size).unwrap_or(USUAL_SIZE),
             interpolation: interpolation.transpose()?,
             samples,
+            quality,
             camera: self.camera.or_else(|| defaults.camera.clone()),
             tolerance,
             reference: String::new(),

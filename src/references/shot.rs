@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use crate::film::Quality;
 use crate::interpolation::Interpolation;
 
 /// What a picture shows of its animation.
@@ -39,6 +40,8 @@ pub struct Shot {
     pub interpolation: Option<Interpolation>,
     /// Samples a pixel, 1 or 4.
     pub samples: u32,
+    /// The quality of the picture.
+    pub quality: Quality,
     /// The eye, or turntable.
     pub camera: Option<String>,
     /// The largest score that counts as the same.

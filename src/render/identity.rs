@@ -10,8 +10,8 @@ use crate::frame::Frame;
 use crate::render::arrange::{Arranged, Arrangement};
 use crate::render::detail::Detail;
 use crate::render::gpu::{Gpu, GpuError};
-use crate::render::light::Light;
 use crate::render::instances::{INSTANCES_START, Instance, Packed};
+use crate::render::light::Light;
 use crate::render::mesh::{Vertex, geometry};
 use crate::render::pipelines::{DEPTH_FORMAT, Form};
 use crate::render::renderer::Viewport;
@@ -37,7 +37,14 @@ pub fn node_picture(gpu: &Gpu, frame: &Frame, width: u32, height: u32) -> Result
     arranged.take(frame, detail, Arrangement::SortedAndCut);
     let mut skins = Skins::new(Skinning::Processor);
     skins.take(frame, &arranged, false);
-    packed.pack(frame, &arranged, &Globals::new(frame, &Light::default(), None, Viewport::whole(width, height)), detail, None, &skins);
+    packed.pack(
+        frame,
+        &arranged,
+        &Globals::new(frame, &Light::default(), None, Viewport::whole(width, height)),
+        detail,
+        None,
+        &skins,
+    );
     let usage = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::VERTEX;
     // The globals' binding ends at the start of the instances, also if there are none.
     let buffer =
@@ -173,7 +180,13 @@ fn pipeline(device: &wgpu::Device, layouts: &Layouts, form: Form) -> wgpu::Rende
         Form::Mesh(form) => (form.is_masked, form.is_double_sided),
     };
     // Integers need no encoding, and there is one sample per pixel.
-    let variant = Variant { encodes_srgb: false, is_software: false, is_multisampled: false, is_sub_frame: false, corner: form.corner() };
+    let variant = Variant {
+        encodes_srgb: false,
+        is_software: false,
+        is_multisampled: false,
+        is_sub_frame: false,
+        corner: form.corner(),
+    };
     let (source, vertex, fragment) = if is_masked {
         (Source::Masked, "masked_identity_vertex", "masked_identity_fragment")
     } else {

@@ -85,6 +85,22 @@ impl Offscreen {
         self.back.submit(gpu, Vec::new(), encoder, &self.texture);
     }
 
+    /// Draws a refined picture of a frame in which nothing moves, and waits for it.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::ReadBack`] if the device is lost.
+    pub fn render_refined(&mut self, gpu: &Gpu, refiner: &mut Refiner, frame: &Frame) -> Result<Image, GpuError> {
+        self.back.clear();
+        refiner.restart();
+        let mut of_sub_frames = frame.clone();
+        while refiner.next().is_some() {
+            refiner.add(gpu, &mut of_sub_frames, [self.texture.width(), self.texture.height()]);
+        }
+        self.submit_refined(gpu, refiner, frame);
+        self.read(gpu).map(|drawn| drawn.rows().to_image())
+    }
+
     /// Drops pictures that were submitted and not read.
     pub fn clear(&mut self) {
         self.back.clear();

@@ -51,7 +51,7 @@ impl Refiner {
         let scene = Renderer::of_part(gpu, SUB_FRAME_FORMAT, 1, Part::SubFrame);
         let texture = |binding| wgpu::BindGroupLayoutEntry {
             binding,
-            visibility: wgpu::ShaderStages::FRAGMENT,
+            visibility: wgpu::ShaderStages::VERTEX_FRAGMENT,
             ty: wgpu::BindingType::Texture {
                 sample_type: wgpu::TextureSampleType::Float { filterable: false },
                 view_dimension: wgpu::TextureViewDimension::D2,
@@ -128,6 +128,12 @@ impl Refiner {
         self.count = 0;
     }
 
+    /// The number of sub-frames that were added.
+    #[must_use]
+    pub const fn count(&self) -> u32 {
+        self.count
+    }
+
     /// The sub-frame that is added next; `None` if the picture has all of them.
     #[must_use]
     pub fn next(&self) -> Option<SubFrame> {
@@ -173,8 +179,10 @@ impl Refiner {
     /// target's viewport has the size of the sub-frames. Without any sub-frame nothing is drawn.
     pub fn show(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, frame: &Frame, target: Target<'_>) {
         let Some(sums) = self.sums.as_ref().filter(|_| self.count > 0) else { return };
+        let Some(viewport) = target.viewport.inside() else { return };
+        let target = Target { viewport, ..target };
         let [sum, _] = sums.before_and_after(self.count);
-        let mut showing = begin(encoder, target.view, wgpu::LoadOp::Load);
+        let mut showing = begin(encoder, target.view, wgpu::LoadOp::Clear(self.overlay.clear_colour()));
         set_viewport(&mut showing, target.viewport);
         showing.set_pipeline(&self.mean_pipeline);
         showing.set_bind_group(0, self.scene.globals(), &[]);

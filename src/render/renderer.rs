@@ -75,7 +75,7 @@ impl Viewport {
     }
 
     /// The part of this viewport that is inside its target; `None` if it is outside.
-    fn inside(self) -> Option<Self> {
+    pub(super) fn inside(self) -> Option<Self> {
         let width = self.width.min(self.target_px[0].saturating_sub(self.x));
         let height = self.height.min(self.target_px[1].saturating_sub(self.y));
         (width > 0 && height > 0).then_some(Self { width, height, ..self })
@@ -439,7 +439,7 @@ impl Renderer {
         pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint16);
     }
 
-    fn clear_colour(&self) -> wgpu::Color {
+    pub(super) fn clear_colour(&self) -> wgpu::Color {
         let colour = match self.background {
             Background::Sky => look::PALETTE.surround,
             Background::Colour(colour) => colour,

@@ -68,7 +68,13 @@ static PARSED: [[OnceLock<Module>; VARIANTS]; SOURCES] = [const { [const { OnceL
 
 /// Parses the modules that a plain picture on the CPU needs.
 pub fn parse_usual() {
-    let variant = Variant { encodes_srgb: false, is_software: true, is_multisampled: false, is_sub_frame: false, corner: Corner::Unit };
+    let variant = Variant {
+        encodes_srgb: false,
+        is_software: true,
+        is_multisampled: false,
+        is_sub_frame: false,
+        corner: Corner::Unit,
+    };
     for source in [Source::Silhouette, Source::Shape, Source::Plane, Source::Sky] {
         parsed(source, variant);
     }
@@ -101,7 +107,11 @@ fn text(source: Source, variant: Variant) -> String {
         Corner::Skin => &[file!("normal.wgsl"), file!("skin_corner.wgsl")],
     };
     // Many sub-frames filter their shadows together.
-    let sun = if variant.is_software || variant.is_sub_frame { file!("shadow_one.wgsl") } else { file!("shadow_square.wgsl") };
+    let sun = if variant.is_software || variant.is_sub_frame {
+        file!("shadow_one.wgsl")
+    } else {
+        file!("shadow_square.wgsl")
+    };
     let own: &[&str] = match source {
         Source::Shape => &[
             file!("pixel.wgsl"),

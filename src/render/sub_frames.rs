@@ -10,6 +10,7 @@ use std::f32::consts::{FRAC_PI_4, TAU};
 
 use glam::{Affine3A, Vec2, Vec3};
 
+use crate::film::Quality;
 use crate::frame::{Lens, View};
 use crate::render::light::{Light, towards_sun_in_world};
 
@@ -39,6 +40,12 @@ impl Refinement {
     #[must_use]
     pub const fn of(sub_frames: u32) -> Self {
         Self { sub_frames, sun_degrees: Self::SUN_DEGREES, sky_light: true }
+    }
+
+    /// The refinement of a quality; `None` for the plain picture.
+    #[must_use]
+    pub fn of_quality(quality: Quality) -> Option<Self> {
+        quality.is_refined().then(|| Self::of(quality.sub_frames()))
     }
 
     /// The sub-frames with the sun's shadow map.
@@ -181,7 +188,8 @@ fn filter_before(place: f64) -> f64 {
 /// Coordinate `dimension`, 0 to 4, of point `index` of a Sobol sequence, scrambled: at least 0, below 1.
 fn sobol(index: u32, dimension: usize) -> f64 {
     /// Degree, inner coefficients, and first direction numbers of the primitive polynomials of dimensions 2 to 5 (Joe and Kuo, 2008).
-    const POLYNOMIALS: [(usize, u32, [u32; 3]); 4] = [(1, 0, [1, 0, 0]), (2, 1, [1, 3, 0]), (3, 1, [1, 3, 1]), (3, 2, [1, 1, 1])];
+    const POLYNOMIALS: [(usize, u32, [u32; 3]); 4] =
+        [(1, 0, [1, 0, 0]), (2, 1, [1, 3, 0]), (3, 1, [1, 3, 1]), (3, 2, [1, 1, 1])];
     let bits = if dimension == 0 {
         index.reverse_bits()
     } else {
@@ -300,9 +308,7 @@ mod tests {
     #[test]
     fn the_disc_is_covered_evenly() {
         let count = 1 << 12;
-        let within = (0..count).filter(|&index| {
-            on_disc(sobol(index, 2) as f32, sobol(index, 3) as f32).length() < 0.5
-        });
+        let within = (0..count).filter(|&index| on_disc(sobol(index, 2) as f32, sobol(index, 3) as f32).length() < 0.5);
         let part = within.count() as f32 / count as f32;
         assert!((part - 0.25).abs() < 0.01, "{part}");
     }

@@ -25,6 +25,7 @@ impl Settings {
             recorded_eye,
             reduce_motion,
             inset_while_playing,
+            refine_at_rest,
         } = self;
         Self {
             keys: merged_map(keys, &base.keys, file.keys),
@@ -42,6 +43,7 @@ impl Settings {
             recorded_eye: changed(recorded_eye, &base.recorded_eye, file.recorded_eye),
             reduce_motion: changed(reduce_motion, &base.reduce_motion, file.reduce_motion),
             inset_while_playing: changed(inset_while_playing, &base.inset_while_playing, file.inset_while_playing),
+            refine_at_rest: changed(refine_at_rest, &base.refine_at_rest, file.refine_at_rest),
         }
     }
 
@@ -121,6 +123,7 @@ mod tests {
             file.recorded_eye = true;
             file.reduce_motion = true;
             file.inset_while_playing = true;
+            file.refine_at_rest = false;
             file.panels.insert("timeline".to_owned(), 200.0);
             file.keys.insert("redo".to_owned(), vec!["F2".to_owned()]);
         });
@@ -134,6 +137,7 @@ mod tests {
             expected.recorded_eye = true;
             expected.reduce_motion = true;
             expected.inset_while_playing = true;
+            expected.refine_at_rest = false;
             expected.panels = BTreeMap::from([("side".to_owned(), 300.0), ("timeline".to_owned(), 200.0)]);
             expected.keys = BTreeMap::from([("redo".to_owned(), vec!["F2".to_owned()])]);
         });

@@ -15,7 +15,7 @@ use super::icons::was_pressed;
 use super::theme::{CORNER, GRID, ROW, Tokens};
 use super::words::Words;
 use crate::editor::{Command, Editor, FileCommand, WindowCommand};
-use crate::film::{Encoder, ExportBackground, ExportOptions, FORMATS, Format};
+use crate::film::{Encoder, ExportBackground, ExportOptions, FORMATS, Format, Quality};
 use crate::frame::MOST_GHOSTS;
 use crate::keyframe::{PlayRange, to_f64};
 use crate::words::texts;
@@ -122,7 +122,11 @@ impl ExportDialog {
                                 .on_hover_text(hint);
                         });
                         row(ui, words.say(texts::BACKGROUND), |ui| background(ui, options, words));
-                        row(ui, words.say(texts::SAMPLES_A_PIXEL), |ui| samples(ui, options, words));
+                        row(ui, words.say(texts::QUALITY), |ui| quality(ui, options, words));
+                        // A sub-frame has one.
+                        if !options.quality.is_refined() {
+                            row(ui, words.say(texts::SAMPLES_A_PIXEL), |ui| samples(ui, options, words));
+                        }
                     },
                 );
             },
@@ -291,6 +295,16 @@ fn background(ui: &mut Ui, options: &mut ExportOptions, words: Words) {
 fn samples(ui: &mut Ui, options: &mut ExportOptions, words: Words) {
     let all = [(None, words.say(texts::AS_SUITS_THE_GRAPHICS_ADAPTER)), (Some(1), "1"), (Some(4), "4")];
     choose(ui, words.say(texts::SAMPLES_A_PIXEL), &mut options.samples, &all);
+}
+
+fn quality(ui: &mut Ui, options: &mut ExportOptions, words: Words) {
+    let names = [texts::QUALITY_DRAFT, texts::QUALITY_GOOD, texts::QUALITY_FILM, texts::QUALITY_POSTER];
+    let of = |(quality, name): (Quality, _)| (quality, format!("{} ({})", words.say(name), quality.sub_frames()));
+    let labels = [Quality::DRAFT, Quality::GOOD, Quality::FILM, Quality::POSTER].into_iter().zip(names).map(of);
+    let labels: Vec<(Quality, String)> = labels.collect();
+    let all: Vec<(Quality, &str)> = labels.iter().map(|(quality, label)| (*quality, label.as_str())).collect();
+    let hint = words.say(texts::QUALITY_HINT);
+    ui.scope(|ui| choose(ui, words.say(texts::QUALITY), &mut options.quality, &all)).response.on_hover_text(hint);
 }
 
 /// Why these options cannot be exported.

@@ -108,6 +108,7 @@ impl Panels {
             recorded_eye: self.settings.recorded_eye,
             reduce_motion: self.settings.reduce_motion,
             inset_while_playing: self.settings.inset_while_playing,
+            refine_at_rest: self.settings.refine_at_rest,
         };
         Panel::top("menu bar").exact_size(theme::MENU_BAR).frame(plain(tokens.panel, 4, 1)).show(ui, |ui| {
             menu::show(ui, shown, state, commands);

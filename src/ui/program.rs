@@ -56,6 +56,7 @@ impl Panels {
             WindowCommand::ToggleReload => settings.reload = !settings.reload,
             WindowCommand::ToggleRecordedEye => settings.recorded_eye = !settings.recorded_eye,
             WindowCommand::ToggleInsetWhilePlaying => settings.inset_while_playing = !settings.inset_while_playing,
+            WindowCommand::ToggleRefineAtRest => settings.refine_at_rest = !settings.refine_at_rest,
             WindowCommand::ToggleReduceMotion => settings.reduce_motion = !settings.reduce_motion,
             WindowCommand::ToggleJournal => settings.journal = !settings.journal,
             WindowCommand::Larger => settings.scale_percent = settings.next_scale(true),

@@ -60,6 +60,8 @@ pub struct Shell {
     show_again: Option<Instant>,
     /// When the next picture of a keyframe is made, unless something happens before.
     pub(super) thumbnail_due: Option<Instant>,
+    /// When the picture at rest gets its next sub-frame.
+    pub(super) rest_due: Option<Instant>,
     pub(super) meter: Meter,
     title: String,
     error: Option<WindowError>,
@@ -103,6 +105,7 @@ impl Shell {
             last_tick: None,
             show_again: None,
             thumbnail_due: None,
+            rest_due: None,
             meter: Meter::default(),
             title: String::new(),
             error: None,
@@ -252,6 +255,7 @@ impl Shell {
         }
         self.plan_thumbnail();
         self.plan_inset();
+        self.plan_rest();
         self.read_wanted_folder();
     }
 
@@ -430,12 +434,13 @@ impl ApplicationHandler<UserEvent> for Shell {
         }
         self.make_thumbnail(at);
         self.make_inset(at);
+        self.make_sub_frame(at);
         self.update_title();
         if self.is_quitting {
             event_loop.exit();
         }
-        let due =
-            [next_tick, next_look, self.show_again, self.thumbnail_due, self.inset.due].into_iter().flatten().min();
+        let due = [next_tick, next_look, self.show_again, self.thumbnail_due, self.inset.due, self.rest_due];
+        let due = due.into_iter().flatten().min();
         event_loop.set_control_flow(due.map_or(ControlFlow::Wait, ControlFlow::WaitUntil));
     }
 }

@@ -10,6 +10,7 @@ use winit::window::Window;
 use super::inset::InsetPainter;
 use super::meter::{Meter, Work};
 use super::panels::{PanelPainter, WindowLayout};
+use super::rest::{AT_REST, Next, RestingPicture};
 use super::screen::Screen;
 use super::{UserEvent, WindowError, now};
 use crate::camera::Camera;
@@ -17,7 +18,7 @@ use crate::editor::gizmo::Handle;
 use crate::editor::{Editor, LimbBall, PathDot, WorkEye};
 use crate::frame::Frame;
 use crate::pose::RbtIndex;
-use crate::render::{Gpu, GpuError, Image, Offscreen, Renderer, Target, Viewport, default_samples};
+use crate::render::{Gpu, GpuError, Image, Offscreen, Refiner, Renderer, Target, Viewport, default_samples};
 use crate::scene::Part;
 use crate::ui::{Panels, THUMBNAIL_PX, UiOutput, theme};
 use crate::view::{
@@ -84,7 +85,10 @@ pub struct WindowSurface {
     renderer: Renderer,
     panel_painter: PanelPainter,
     /// What small pictures are made with, once one was wanted.
-    thumbnails: Option<(Renderer, Offscreen)>,
+    thumbnails: Option<(Refiner, Offscreen)>,
+    /// What the window shows, without its panels.
+    shown: Option<(Frame, Viewport)>,
+    pub(super) resting: Option<RestingPicture>,
     /// What the recorded camera's picture is drawn with, once one was wanted.
     inset: Option<InsetPainter>,
 }
@@ -160,6 +164,8 @@ impl WindowSurface {
             renderer,
             panel_painter,
             thumbnails: None,
+            shown: None,
+            resting: None,
             inset: None,
         })
     }
@@ -233,12 +239,12 @@ impl WindowSurface {
         let shapes = std::mem::take(&mut laid_out.shapes);
         let cut = self.panel_painter.update(&self.gpu, &self.context, shapes, &mut laid_out.textures, layout);
         meter.add(Work::Ui, built, cut);
-        self.draw(&frame);
+        self.draw(frame);
         self.panel_painter.free(&mut laid_out.textures);
         meter.add(Work::Drawing, cut, now());
     }
 
-    fn draw(&mut self, frame: &Frame) {
+    fn draw(&mut self, frame: Frame) {
         let Some(picture) = self.screen.next(&self.gpu) else { return };
         let texture = picture.texture();
         let view =
@@ -246,9 +252,20 @@ impl WindowSurface {
         let mut encoder = self.gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         let viewport = viewport(self.view, self.screen.size_px());
         let target = Target { view: &view(self.screen.scene_format()), viewport };
-        self.renderer.encode(&self.gpu, &mut encoder, frame, target);
+        match self.resting.as_mut().and_then(|resting| resting.of(&frame, viewport)) {
+            Some(refiner) => refiner.show(&self.gpu, &mut encoder, &frame, target),
+            None => self.renderer.encode(&self.gpu, &mut encoder, &frame, target),
+        }
+        self.shown = Some((frame, viewport));
         let before = self.panel_painter.draw(&self.gpu, &mut encoder, texture, &view(self.screen.format()));
         self.screen.show(&self.gpu, picture, before, encoder);
+    }
+
+    /// Adds a sub-frame of what the window shows.
+    pub fn refine(&mut self) -> Option<Next> {
+        let (gpu, format) = (&self.gpu, self.screen.scene_format());
+        let resting = self.resting.get_or_insert_with(|| RestingPicture::new(gpu, format));
+        self.shown.as_ref().map(|shown| resting.go_on(gpu, shown))
     }
 
     /// A small picture, of [`THUMBNAIL_PX`] pixels.
@@ -258,12 +275,12 @@ impl WindowSurface {
     pub fn thumbnail(&mut self, frame: &Frame) -> Result<Image, GpuError> {
         if self.thumbnails.is_none() {
             let [width, height] = THUMBNAIL_PX.map(|side| u32::try_from(side).unwrap_or(1));
-            // It is so small that many samples cost nothing.
-            let renderer = Renderer::new(&self.gpu, Offscreen::FORMAT, 4);
-            self.thumbnails = Some((renderer, Offscreen::new(&self.gpu, width, height)?));
+            // It is so small that many sub-frames cost nothing.
+            let refiner = Refiner::new(&self.gpu, Offscreen::FORMAT, AT_REST);
+            self.thumbnails = Some((refiner, Offscreen::new(&self.gpu, width, height)?));
         }
-        let (renderer, offscreen) = self.thumbnails.as_mut().expect("it was just made");
-        offscreen.render(&self.gpu, renderer, frame)
+        let (refiner, offscreen) = self.thumbnails.as_mut().expect("it was just made");
+        offscreen.render_refined(&self.gpu, refiner, frame)
     }
 
     /// Draws what the recorded camera sees, in a size in pixels, into a texture that panels can show.
@@ -278,9 +295,9 @@ impl WindowSurface {
     /// [`GpuError`]
     pub fn picture(&self, editor: &Editor, has_overlays: bool) -> Result<Image, GpuError> {
         let [width, height] = whole(self.view.size_px);
-        let mut renderer = Renderer::new(&self.gpu, Offscreen::FORMAT, default_samples(self.gpu.is_software));
+        let mut refiner = Refiner::new(&self.gpu, Offscreen::FORMAT, AT_REST);
         let frame = picture_of_editor(editor, self.view.size_px, has_overlays);
-        Offscreen::new(&self.gpu, width, height)?.render(&self.gpu, &mut renderer, &frame)
+        Offscreen::new(&self.gpu, width, height)?.render_refined(&self.gpu, &mut refiner, &frame)
     }
 }
 

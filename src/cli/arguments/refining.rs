@@ -37,10 +37,11 @@ const USUAL_F_STOP: f32 = 2.8;
 impl RefiningArguments {
     /// How pictures are refined; `None`: they are plain.
     pub fn refinement(&self) -> Option<Refinement> {
-        self.quality.is_refined().then(|| Refinement {
-            sub_frames: self.quality.sub_frames(),
-            sun_degrees: self.sun_size.unwrap_or(Refinement::SUN_DEGREES),
-            sky_light: self.sky_light.unwrap_or(true),
+        let usual = Refinement::of_quality(self.quality)?;
+        Some(Refinement {
+            sun_degrees: self.sun_size.unwrap_or(usual.sun_degrees),
+            sky_light: self.sky_light.unwrap_or(usual.sky_light),
+            ..usual
         })
     }
 

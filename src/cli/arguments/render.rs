@@ -4,9 +4,9 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use super::{ProgressKind, RefiningArguments};
 use super::help;
 use super::values::{format, interpolation, key_time, samples, seconds, size, still_format};
+use super::{ProgressKind, RefiningArguments};
 use crate::colour::Colour;
 use crate::export::{Size, Span};
 use crate::film::{Format, FrameNumbers, Grid, MOST_FRAMES_PER_SECOND};

@@ -88,12 +88,12 @@ impl Output {
 fn check_refining(arguments: &RenderArguments) -> Result<(), CliError> {
     let refining = &arguments.refining;
     match refining.of_refined() {
-        Some(option) if !refining.quality.is_refined() => {
-            Err(misuse(&format!("{option} is for refined pictures: give --quality good, film, poster or a number above 1")))
-        }
-        _ if refining.quality.is_refined() && arguments.samples.is_some_and(|samples| samples > 1) => {
-            Err(misuse("--samples 4 is for plain pictures: a sub-frame has one sample a pixel, and --quality says how many there are"))
-        }
+        Some(option) if !refining.quality.is_refined() => Err(misuse(&format!(
+            "{option} is for refined pictures: give --quality good, film, poster or a number above 1"
+        ))),
+        _ if refining.quality.is_refined() && arguments.samples.is_some_and(|samples| samples > 1) => Err(misuse(
+            "--samples 4 is for plain pictures: a sub-frame has one sample a pixel, and --quality says how many there are",
+        )),
         _ => Ok(()),
     }
 }

@@ -104,6 +104,8 @@ pub struct WindowState {
     pub reduce_motion: bool,
     /// Whether the corner with what the recorded camera sees stays while something plays.
     pub inset_while_playing: bool,
+    /// Whether the picture is refined while nothing moves.
+    pub refine_at_rest: bool,
 }
 
 /// A menu in a menu.

@@ -24,6 +24,7 @@ fn lists() -> Vec<Row> {
     let recorded_eye = binding("recorded-eye-at-start", WindowCommand::ToggleRecordedEye);
     let inset = binding("inset-while-playing", WindowCommand::ToggleInsetWhilePlaying);
     let motion = binding("reduce-motion", WindowCommand::ToggleReduceMotion);
+    let refine = binding("refine-at-rest", WindowCommand::ToggleRefineAtRest);
     let journal = binding("journal", WindowCommand::ToggleJournal).menu(Menu::File);
     vec![
         Row::listed(Changes::Window, commands.hotkeys(&["Ctrl+Shift+P"]).menu(Menu::Help)),
@@ -37,6 +38,7 @@ fn lists() -> Vec<Row> {
         Row::listed(Changes::Window, reload.ticked(|_, window| window.reload)),
         Row::listed(Changes::Window, recorded_eye.ticked(|_, window| window.recorded_eye)),
         Row::listed(Changes::Window, inset.ticked(|_, window| window.inset_while_playing)),
+        Row::listed(Changes::Window, refine.ticked(|_, window| window.refine_at_rest)),
         Row::listed(Changes::Window, motion.ticked(|_, window| window.reduce_motion)),
         Row::listed(Changes::Window, journal.ticked(|_, window| window.journal)),
     ]
