@@ -1,4 +1,5 @@
-// Shared by every shader: the globals of a picture, and the last step of every fragment. Colours are linear light until `finished`. No
+// Shared by every shader: the globals of a picture, and the last step of every fragment. Colours are linear light until `finished`; those of surfaces
+// and of the sky are light before the tone curve until `finished_light`. No
 // shader uses derivatives, so that a picture has the same bytes each time. The renderer prepends two constants. ENCODE_SRGB: whether the
 // shader must encode sRGB because the target does not. IS_SUB_FRAME: whether the target takes light before the tone curve, in a picture of
 // which many make one.
@@ -20,9 +21,9 @@ struct Globals {
     towards_light_in_world: vec4f,
     // In a sub-frame: how much its shadow map counts for the sun, and for the sky; z: one over the number of sub-frames that are added up.
     weights: vec4f,
-    // w: the outline's width in pixels.
+    // Light before the tone curve. w: the outline's width in pixels.
     horizon: vec4f,
-    // w: the height of the ground.
+    // The same. w: the height of the ground.
     zenith: vec4f,
     accent: vec4f,
 }
@@ -46,14 +47,6 @@ fn finished_light(light: vec3f, opacity: f32) -> vec4f {
         return vec4f(light, opacity);
     }
     return finished(toned(light), opacity);
-}
-
-// A colour of its own at any exposure.
-fn finished_colour(colour: vec3f) -> vec4f {
-    if IS_SUB_FRAME {
-        return vec4f(untoned(colour), 1.0);
-    }
-    return finished(colour, 1.0);
 }
 
 fn finished(colour: vec3f, opacity: f32) -> vec4f {

@@ -42,7 +42,7 @@ fn base_of(pixel: MeshPixel) -> vec4f {
 
 fn shaded(pixel: MeshPixel, is_front: bool, base: vec4f) -> vec4f {
     if material.emissive.w > 0.5 {
-        return finished_colour(base.rgb);
+        return finished_light(untoned(base.rgb), 1.0);
     }
     let turned = pixel.normal * select(-1.0, 1.0, is_front);
     let normal = turned * inverseSqrt(max(dot(turned, turned), 1e-30));
@@ -63,7 +63,7 @@ fn shaded(pixel: MeshPixel, is_front: bool, base: vec4f) -> vec4f {
     // A metal shows its surroundings in its colour: the ground below, the sky above, the more blurred the rougher it is.
     let mirrored = reflect(-to_eye, normal).y;
     let sharp = mix(8.0, 1.5, roughness);
-    let surroundings = mix(BOUNCE * 1.4, mix(globals.horizon.xyz, globals.zenith.xyz, saturate(mirrored)) * 0.9, saturate(0.5 + 0.5 * sharp * mirrored));
+    let surroundings = mix(BOUNCE * 1.4, mix(globals.horizon.xyz, globals.zenith.xyz, saturate(mirrored)) / EXPOSURE, saturate(0.5 + 0.5 * sharp * mirrored));
     let tint = mix(vec3f(1.0), base.rgb, metallic);
     let metal = base.rgb * metallic * (ambient * surroundings + SUN * (0.25 * sun));
     let rim = pow2(pow2(1.0 - facing_eye)) * (1.0 - 0.7 * metallic);

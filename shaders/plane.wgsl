@@ -24,8 +24,8 @@ fn plane_vertex(corner: Corner) -> Pixel {
     out.surface = vec4f(corner.core.xz * half_extents, corner.core.xz);
     out.along_view = vec3f(dot(x_axis, from_eye) / scale.x, height, dot(z_axis, from_eye) / scale.y);
     out.map_position = map_position(in_world, normal);
-    out.colour = vec4f(corner.colour * (fill + GROUND_SUN * sun), select(1.0 / (haze_distance * haze_distance), counts, IS_SUB_FRAME));
-    out.shaded = corner.colour * fill;
+    out.colour = vec4f(untoned(corner.colour * (fill + GROUND_SUN * sun)), select(1.0 / haze_distance, counts, IS_SUB_FRAME));
+    out.shaded = untoned(corner.colour * fill);
     return out;
 }
 
@@ -47,7 +47,8 @@ fn plane_fragment(pixel: Pixel) -> @location(0) vec4f {
     let from_eye = pixel.along_view;
     let grid = pixel.surface.xy;
     let squared = dot(from_eye, from_eye);
-    let size = globals.eye_in_world.w * sqrt(squared);
+    let distance = sqrt(squared);
+    let size = globals.eye_in_world.w * distance;
     let footprint = size * (1.0 + abs(from_eye.xz) / max(abs(from_eye.y), 0.001));
     let pixels = 1.0 / footprint;
     let fine = lines_cover(grid, 0.014, footprint, pixels);
@@ -57,22 +58,21 @@ fn plane_fragment(pixel: Pixel) -> @location(0) vec4f {
     // The ground fades into the horizon with distance, and before the edge of a wide plane.
     var density = pixel.colour.w;
     if IS_SUB_FRAME {
-        let haze_distance = 30.0 + 6.0 * abs(from_eye.y);
-        density = 1.0 / (haze_distance * haze_distance);
+        density = 1.0 / (30.0 + 6.0 * abs(from_eye.y));
     }
-    let haze = 1.0 - exp2(-squared * density);
+    let hazes = distance * density;
+    let haze = 1.0 - exp2(-hazes * sqrt(hazes));
     let towards_edge = max(abs(pixel.surface.z), abs(pixel.surface.w));
     let edge = saturate((towards_edge - 0.55) * 2.4) * saturate(squared * 0.0002 - 0.1);
     let hidden = max(haze, edge * edge);
     if IS_SUB_FRAME {
         // As `light_arriving`: the light without shadows, and how that of the shadow map's light differs.
-        let in_sun = untoned(mix(pixel.colour.rgb * unmarked, globals.horizon.xyz, hidden));
-        let in_shade = untoned(mix(pixel.shaded * unmarked, globals.horizon.xyz, hidden));
         let is_of_sky = globals.weights.y > 0.0;
-        let share = select(in_sun - in_shade, in_shade * (1.0 - hidden), is_of_sky);
-        let nothing_hidden = select(globals.weights.x, pixel.colour.w, is_of_sky);
-        return vec4f(in_sun + share * (pixel.colour.w * arriving - nothing_hidden), 1.0);
+        let share = select(pixel.colour.rgb - pixel.shaded, pixel.shaded, is_of_sky);
+        let where_lit = select(globals.weights.x, pixel.colour.w, is_of_sky);
+        let ground = pixel.colour.rgb + share * (pixel.colour.w * arriving - where_lit);
+        return vec4f(mix(ground * unmarked, globals.horizon.xyz, hidden), 1.0);
     }
     let ground = mix(pixel.shaded, pixel.colour.rgb, arriving) * unmarked;
-    return finished(mix(ground, globals.horizon.xyz, hidden), 1.0);
+    return finished_light(mix(ground, globals.horizon.xyz, hidden), 1.0);
 }

@@ -29,5 +29,5 @@ fn sky_fragment(pixel: Pixel) -> @location(0) vec4f {
     }
     let cell = floor(in_pixels * vec2f(0.125, 1.0));
     let noise = fract(pixel.map_position.z * fract(dot(cell, pixel.surface.zw))) - 0.5;
-    return finished_colour(mix(pixel.shaded, pixel.colour.rgb, climb) + noise * pixel.colour.w);
+    return finished_light(mix(pixel.shaded, pixel.colour.rgb, climb) + noise * pixel.colour.w, 1.0);
 }

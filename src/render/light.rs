@@ -81,9 +81,11 @@ pub fn towards_sun_in_world() -> Vec3 {
     look::TOWARDS_SUN_IN_WORLD.normalize()
 }
 
-/// The largest number of texels along the map's longest side, for a picture's height in pixels.
-pub fn most_texels(height_px: u32) -> u32 {
-    ((height_px as f32 * TEXELS_PER_ROW) as u32).next_multiple_of(TEXEL_STEP).clamp(4 * TEXEL_STEP, MOST_TEXELS)
+/// The largest number of texels along the map's longest side, for a picture's height in pixels. The many maps of the sky may be coarser:
+/// no edge of one of them shows.
+pub fn most_texels(height_px: u32, light: &Light) -> u32 {
+    let per_row = if light.of_sky > 0.0 { 0.5 * TEXELS_PER_ROW } else { TEXELS_PER_ROW };
+    ((height_px as f32 * per_row) as u32).next_multiple_of(TEXEL_STEP).clamp(4 * TEXEL_STEP, MOST_TEXELS)
 }
 
 impl SunBox {

@@ -249,7 +249,7 @@ impl Renderer {
             _ => Detail::of_picture(&frame.view, viewport.height, self.samples_across()),
         };
         let items_moved = self.arranged.take(frame, detail, self.arrangement);
-        let most_texels = most_texels(viewport.height);
+        let most_texels = most_texels(viewport.height, &self.light);
         let sun = match self.part {
             Part::Overlay => None,
             Part::Whole | Part::SubFrame => SunBox::fit(frame, &self.light, &self.arranged.bounds, most_texels),
@@ -286,7 +286,7 @@ impl Renderer {
 
     /// Samples along a pixel's side, for the choice of meshes. Sub-frames are samples too.
     fn samples_across(&self) -> f32 {
-        if self.part == Part::SubFrame { 2.0 } else { (self.samples as f32).sqrt() }
+        if self.part == Part::SubFrame { 1.5 } else { (self.samples as f32).sqrt() }
     }
 
     /// Uploads the packed bytes that the GPU does not have yet.

@@ -32,9 +32,9 @@ pub struct Globals {
     towards_light_in_world: Vec4,
     /// How much the shadow map counts for the sun and for the sky; z is one over the number of sub-frames.
     weights: Vec4,
-    /// Linear light; w is the outline's width in pixels.
+    /// Light before the tone curve; w is the outline's width in pixels.
     horizon: Vec4,
-    /// Linear light; w is the ground's height in scene units.
+    /// Light before the tone curve; w is the ground's height in scene units.
     zenith: Vec4,
     /// Linear light.
     accent: Vec4,
@@ -65,8 +65,8 @@ impl Globals {
             towards_sun_in_world: towards_sun_in_world().extend(0.0),
             towards_light_in_world: light.towards_in_world.extend(sun.map_or(0.0, |sun| sun.texel)),
             weights: Vec4::new(light.of_sun, light.of_sky, light.of_mean, 0.0),
-            horizon: look::PALETTE.horizon.extend(look::OUTLINE_PX),
-            zenith: look::PALETTE.zenith.extend(ground_height(frame)),
+            horizon: look::PALETTE.horizon.map(look::untoned).extend(look::OUTLINE_PX),
+            zenith: look::PALETTE.zenith.map(look::untoned).extend(ground_height(frame)),
             accent: look::PALETTE.accent.extend(0.0),
         }
     }
