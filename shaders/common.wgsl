@@ -1,8 +1,8 @@
 // Shared by every shader: the globals of a picture, and the last step of every fragment. Colours are linear light until `finished`; those of surfaces
 // and of the sky are light before the tone curve until `finished_light`. No
 // shader uses derivatives, so that a picture has the same bytes each time. The renderer prepends two constants. ENCODE_SRGB: whether the
-// shader must encode sRGB because the target does not. IS_SUB_FRAME: whether the target takes light before the tone curve, in a picture of
-// which many make one.
+// shader must encode sRGB because the target does not. IS_SUB_FRAME: whether the target takes the sum of light before the tone curve,
+// of which the mean is shown.
 
 struct Globals {
     clip_from_world: mat4x4f,
@@ -19,13 +19,15 @@ struct Globals {
     towards_sun_in_world: vec4f,
     // Unit direction to the light of the shadow map; w: a shadow texel's side in scene units.
     towards_light_in_world: vec4f,
-    // In a sub-frame: how much its shadow map counts for the sun, and for the sky; z: one over the number of sub-frames that are added up.
+    // In a sub-frame: how much its shadow map counts for the sun, and for the sky; z: one over the number of sub-frames so far.
     weights: vec4f,
     // Light before the tone curve. w: the outline's width in pixels.
     horizon: vec4f,
     // The same. w: the height of the ground.
     zenith: vec4f,
     accent: vec4f,
+    // In a sub-frame: the light behind everything, and its opacity.
+    backdrop: vec4f,
 }
 
 @group(0) @binding(0) var<uniform> globals: Globals;
@@ -41,10 +43,10 @@ fn untoned(colour: vec3f) -> vec3f {
     return (1.0 - sqrt(max(1.0 - 0.94 * colour, vec3f(0.0)))) / 0.47;
 }
 
-// A colour that is light before the tone curve.
-fn finished_light(light: vec3f, opacity: f32) -> vec4f {
+// A colour that is light before the tone curve, at a place in the target.
+fn finished_light(light: vec3f, opacity: f32, in_pixels: vec4f) -> vec4f {
     if IS_SUB_FRAME {
-        return vec4f(light, opacity);
+        return added(vec4f(light, opacity), in_pixels);
     }
     return finished(toned(light), opacity);
 }

@@ -42,7 +42,7 @@ fn base_of(pixel: MeshPixel) -> vec4f {
 
 fn shaded(pixel: MeshPixel, is_front: bool, base: vec4f) -> vec4f {
     if material.emissive.w > 0.5 {
-        return finished_light(untoned(base.rgb), 1.0);
+        return finished_light(untoned(base.rgb), 1.0, pixel.in_clip);
     }
     let turned = pixel.normal * select(-1.0, 1.0, is_front);
     let normal = turned * inverseSqrt(max(dot(turned, turned), 1e-30));
@@ -68,5 +68,5 @@ fn shaded(pixel: MeshPixel, is_front: bool, base: vec4f) -> vec4f {
     let metal = base.rgb * metallic * (ambient * surroundings + SUN * (0.25 * sun));
     let rim = pow2(pow2(1.0 - facing_eye)) * (1.0 - 0.7 * metallic);
     let lit = diffuse + metal + tint * SUN * (highlight * (1.0 + 2.0 * metallic)) + SKY_FILL * (rim * (0.22 + 0.2 * normal.y));
-    return finished_light((lit + material.emissive.rgb) * EXPOSURE, 1.0);
+    return finished_light((lit + material.emissive.rgb) * EXPOSURE, 1.0, pixel.in_clip);
 }

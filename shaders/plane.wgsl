@@ -71,8 +71,8 @@ fn plane_fragment(pixel: Pixel) -> @location(0) vec4f {
         let share = select(pixel.colour.rgb - pixel.shaded, pixel.shaded, is_of_sky);
         let where_lit = select(globals.weights.x, pixel.colour.w, is_of_sky);
         let ground = pixel.colour.rgb + share * (pixel.colour.w * arriving - where_lit);
-        return vec4f(mix(ground * unmarked, globals.horizon.xyz, hidden), 1.0);
+        return added(vec4f(mix(ground * unmarked, globals.horizon.xyz, hidden), 1.0), pixel.in_clip);
     }
     let ground = mix(pixel.shaded, pixel.colour.rgb, arriving) * unmarked;
-    return finished_light(mix(ground, globals.horizon.xyz, hidden), 1.0);
+    return finished_light(mix(ground, globals.horizon.xyz, hidden), 1.0, pixel.in_clip);
 }

@@ -38,7 +38,7 @@ fn shape_fragment(pixel: Pixel) -> @location(0) vec4f {
     let highlight = pow2(h8) * h8 * sun;
     let rim = pow2(pow2(1.0 - max(facing_eye, 0.0)));
     let lit = ambient + pixel.colour.rgb * (SUN * sun) + SUN * (0.16 * highlight) + SKY_FILL * (rim * (0.22 + 0.2 * normal.y));
-    return finished_light(lit * EXPOSURE, pixel.colour.w);
+    return finished_light(lit * EXPOSURE, pixel.colour.w, pixel.in_clip);
 }
 
 // Slightly farther (depth is reversed), so that a ghost exactly on its shape stays hidden.

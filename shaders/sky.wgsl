@@ -29,5 +29,11 @@ fn sky_fragment(pixel: Pixel) -> @location(0) vec4f {
     }
     let cell = floor(in_pixels * vec2f(0.125, 1.0));
     let noise = fract(pixel.map_position.z * fract(dot(cell, pixel.surface.zw))) - 0.5;
-    return finished_light(mix(pixel.shaded, pixel.colour.rgb, climb) + noise * pixel.colour.w, 1.0);
+    return finished_light(mix(pixel.shaded, pixel.colour.rgb, climb) + noise * pixel.colour.w, 1.0, pixel.in_clip);
+}
+
+// One colour, or nothing. In a sub-frame every pixel must be drawn, so that it has the sum of those before.
+@fragment
+fn backdrop_fragment(pixel: Pixel) -> @location(0) vec4f {
+    return added(globals.backdrop, pixel.in_clip);
 }

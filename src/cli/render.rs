@@ -64,10 +64,11 @@ fn draw(
         Ok(Animation::of(reading::keyframes(file, &scene, common)?.file, arguments.interpolation))
     };
     let animation = arguments.file.as_deref().map(read).transpose()?;
-    let subject = match arguments.sheet {
-        Some(grid) => Subject::Sheet(grid),
-        None if output.is_one_image => Subject::Picture { at: arguments.at, keyframe: arguments.keyframe },
-        None => Subject::Film { fps: arguments.fps.unwrap_or(output.format.usual_frames_per_second) },
+    let subject = match (arguments.sheet, arguments.strobe) {
+        (Some(grid), _) => Subject::Sheet(grid),
+        (None, Some(count)) => Subject::Strobe(count),
+        (None, None) if output.is_one_image => Subject::Picture { at: arguments.at, keyframe: arguments.keyframe },
+        (None, None) => Subject::Film { fps: arguments.fps.unwrap_or(output.format.usual_frames_per_second) },
     };
     let request = RenderRequest {
         source: Source { scene: &scene, animation: animation.as_ref(), file: arguments.file.as_deref() },
@@ -94,7 +95,7 @@ fn draw(
     if arguments.id {
         let png = identities::png(painter, &planned.first_frame(painter)?)?;
         write_picture(&arguments.output, &png, &mut written)?;
-    } else if matches!(subject, Subject::Picture { .. }) {
+    } else if matches!(subject, Subject::Picture { .. } | Subject::Strobe(_)) {
         planned.write(painter, &mut |_, _| true, &mut written)?;
     } else {
         planned.write(

@@ -5,7 +5,9 @@ use std::path::Path;
 use super::ffmpeg::find_ffmpeg;
 use super::folder::{clear_folder, missing_frames};
 use super::write::{Written, unwritten, write_film, write_folder, write_through_ffmpeg};
-use super::{Drawing, ExportError, Exposure, Moments, Painter, Shot, Size, Source, Span, Stage, Viewpoint, Watch};
+use super::{
+    Drawing, ExportError, Exposure, Moment, Moments, Painter, Shot, Size, Source, Span, Stage, Viewpoint, Watch,
+};
 use crate::film::{Cell, Encoder, Format, FormatProblem, FrameNumbers, Grid, StartStill, contact_sheet};
 use crate::frame::Frame;
 use crate::storage;
@@ -20,6 +22,8 @@ pub enum Subject {
         /// The keyframe's index.
         keyframe: Option<i64>,
     },
+    /// One picture of this number of moments, at least 2: the last as it is, those before it translucent.
+    Strobe(u32),
     /// A contact sheet.
     Sheet(Grid),
     /// A film, or a folder of numbered pictures if the format is for single pictures.
@@ -64,6 +68,8 @@ pub struct PlannedRender<'a> {
     viewpoint: Viewpoint,
     /// What is drawn.
     moments: Moments,
+    /// What a strobe shows besides, the earliest first.
+    earlier: Vec<Moment>,
     /// Frames of the whole film.
     film_frames: usize,
 }
@@ -119,6 +125,7 @@ impl<'a> RenderRequest<'a> {
                 Moments::of_picture(self.source.shown(at, keyframe)?, self.span.seconds)
             }
             Subject::Sheet(grid) => Moments::of_sheet(self.span, self.source, grid)?,
+            Subject::Strobe(columns) => Moments::of_sheet(self.span, self.source, Grid { columns, rows: 1 })?,
             Subject::Film { fps } => Moments::of_film(self.span, self.source, viewpoint, fps)?,
         };
         let film_frames = whole.all.len();
@@ -134,7 +141,13 @@ impl<'a> RenderRequest<'a> {
             }
             _ => whole,
         };
-        Ok(PlannedRender { request: self, viewpoint, moments, film_frames })
+        let mut earlier = moments.all.clone();
+        let last = earlier.pop().filter(|_| matches!(self.subject, Subject::Strobe(_)));
+        let (earlier, moments) = match last {
+            Some(last) => (earlier, Moments { all: vec![last] }),
+            None => (Vec::new(), moments),
+        };
+        Ok(PlannedRender { request: self, viewpoint, moments, earlier, film_frames })
     }
 }
 
@@ -188,14 +201,15 @@ impl PlannedRender<'_> {
                 let bytes = sheet(grid, still.start, &mut drawing, watch)?;
                 write_picture(output, &bytes, written)
             }
-            (Subject::Picture { .. }, Encoder::Still(still)) => {
+            (Subject::Picture { .. } | Subject::Strobe(_), Encoder::Still(still)) => {
                 let shot = Shot::of_stage(&stage, &self.moments.all[0])?;
                 let bytes = drawing.painter.encoded(&shot, |size| (still.start)(Some(size)))?;
                 write_picture(output, &bytes, written)
             }
-            (Subject::Picture { .. } | Subject::Sheet(_), Encoder::Film(_) | Encoder::Ffmpeg(_)) => {
-                Err(FormatProblem::NoPicture.into())
-            }
+            (
+                Subject::Picture { .. } | Subject::Strobe(_) | Subject::Sheet(_),
+                Encoder::Film(_) | Encoder::Ffmpeg(_),
+            ) => Err(FormatProblem::NoPicture.into()),
         }
     }
 
@@ -204,6 +218,7 @@ impl PlannedRender<'_> {
         let mut stage = Stage::new(*source, self.viewpoint, *ghosts, painter.size_px());
         let fps = if let Subject::Film { fps } = subject { *fps } else { STILLS_A_SECOND };
         stage.expose(exposure, fps, self.film_frames)?;
+        stage.strobe(&self.earlier);
         Ok(stage)
     }
 }

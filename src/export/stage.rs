@@ -13,7 +13,7 @@ use crate::keyframe::PlayRange;
 use crate::pose::{Pose, RbtIndex};
 use crate::rbt::Rbt;
 use crate::scene::SceneGraph;
-use crate::view::{Neighbours, add_ghosts, frame_of_scene};
+use crate::view::{Neighbours, add_ghosts, add_strobe, frame_of_scene};
 
 /// The downward angle of the turntable's camera, in degrees.
 const TURNTABLE_DOWN: f32 = 12.0;
@@ -63,6 +63,8 @@ pub struct Stage<'a> {
     distance: f32,
     open: OpenTime,
     lens: Option<SharpAt>,
+    /// Moments that every picture shows besides its own, the earliest first.
+    strobe: &'a [Moment],
 }
 
 /// A lens and the node at which it is sharp.
@@ -79,8 +81,16 @@ impl<'a> Stage<'a> {
     /// A stage for pictures of a size, with `ghosts` keyframes before and after as ghosts.
     #[must_use]
     pub fn new(source: Source<'a>, viewpoint: Viewpoint, ghosts: u8, size_px: Vec2) -> Self {
-        let mut stage =
-            Self { source, viewpoint, ghosts, size_px, distance: 1.0, open: OpenTime::default(), lens: None };
+        let mut stage = Self {
+            source,
+            viewpoint,
+            ghosts,
+            size_px,
+            distance: 1.0,
+            open: OpenTime::default(),
+            lens: None,
+            strobe: &[],
+        };
         if viewpoint == Viewpoint::Turntable {
             stage.distance = stage.fitting_distance();
         }
@@ -101,6 +111,11 @@ impl<'a> Stage<'a> {
         };
         self.lens = exposure.focus.as_ref().map(sharp_at).transpose()?;
         Ok(())
+    }
+
+    /// Sets the moments that every picture shows besides its own, the earliest first.
+    pub const fn strobe(&mut self, earlier: &'a [Moment]) {
+        self.strobe = earlier;
     }
 
     /// Whether its shutter is open for longer than a moment.
@@ -142,6 +157,8 @@ impl<'a> Stage<'a> {
         if self.ghosts > 0 {
             self.add_ghosts(&mut frame, moment);
         }
+        let earlier = self.strobe.iter().map(|earlier| Ok((self.pose(earlier.shown)?, earlier.seconds)));
+        add_strobe(&mut frame, self.source.scene, &earlier.collect::<Result<Vec<_>, ExportError>>()?);
         Ok(frame)
     }
 

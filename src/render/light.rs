@@ -3,7 +3,7 @@
 //! The box is fitted to the shapes that cast a shadow into the view. Its size and centre change in steps, so that shadows do not shimmer
 //! and the map is not drawn again for small movements. It depends on the frame alone.
 
-use glam::{Mat4, Vec3};
+use glam::{Mat4, Vec3, Vec4};
 
 use crate::frame::Frame;
 use crate::render::bounds::{Bounds, ViewSides};
@@ -52,13 +52,22 @@ pub struct Light {
     /// The same for the sky: twice the sub-frames for each of those with the sky, or 0. Twice, since the directions of the upper half are
     /// equally likely, and the mean of their cosines is one half.
     pub of_sky: f32,
-    /// One over the number of sub-frames that are added up.
+    /// One over the number of sub-frames so far, with this one.
     pub of_mean: f32,
+    /// The light behind everything in a sub-frame without a sky, and its opacity.
+    pub backdrop: Vec4,
 }
 
 impl Default for Light {
     fn default() -> Self {
-        Self { towards_in_world: towards_sun_in_world(), turn: None, of_sun: 0.0, of_sky: 0.0, of_mean: 1.0 }
+        Self {
+            towards_in_world: towards_sun_in_world(),
+            turn: None,
+            of_sun: 0.0,
+            of_sky: 0.0,
+            of_mean: 1.0,
+            backdrop: Vec4::ZERO,
+        }
     }
 }
 
@@ -81,10 +90,14 @@ pub fn towards_sun_in_world() -> Vec3 {
     look::TOWARDS_SUN_IN_WORLD.normalize()
 }
 
-/// The largest number of texels along the map's longest side, for a picture's height in pixels. The many maps of the sky may be coarser:
-/// no edge of one of them shows.
+/// The largest number of texels along the map's longest side, for a picture's height in pixels. Maps of sub-frames are coarser, since no
+/// edge of a single one shows, and those of the sky most of all.
 pub fn most_texels(height_px: u32, light: &Light) -> u32 {
-    let per_row = if light.of_sky > 0.0 { 0.5 * TEXELS_PER_ROW } else { TEXELS_PER_ROW };
+    let per_row = match light.turn {
+        None => TEXELS_PER_ROW,
+        Some(_) if light.of_sky > 0.0 => 0.45 * TEXELS_PER_ROW,
+        Some(_) => 0.8 * TEXELS_PER_ROW,
+    };
     ((height_px as f32 * per_row) as u32).next_multiple_of(TEXEL_STEP).clamp(4 * TEXEL_STEP, MOST_TEXELS)
 }
 

@@ -30,6 +30,8 @@ pub enum Kind {
     Plane,
     /// The sky behind everything.
     Sky,
+    /// One colour, or nothing, behind everything in a sub-frame.
+    Backdrop,
     /// A small shadow map. It has the picture's depth format, so that a software driver need not compile again.
     Shadow,
     /// A large shadow map.
@@ -202,6 +204,9 @@ impl Kind {
             Self::Shape => shape(Source::Shape, "shape_vertex", Some("shape_fragment"), (GreaterEqual, true), false),
             Self::Plane => shape(Source::Plane, "plane_vertex", Some("plane_fragment"), (GreaterEqual, true), false),
             Self::Sky => screen(Source::Sky, "sky_vertex", "sky_fragment", Some((GreaterEqual, false)), false),
+            Self::Backdrop => {
+                screen(Source::Sky, "sky_vertex", "backdrop_fragment", Some((GreaterEqual, false)), false)
+            }
             Self::Shadow | Self::LargeShadow => shape(
                 Source::Silhouette,
                 "shadow_vertex",
@@ -267,7 +272,18 @@ impl Pipelines {
             min_binding_size: None,
         };
         Self {
-            globals_layout: layout("globals", &[entry(0, ShaderStages::VERTEX_FRAGMENT, globals)]),
+            globals_layout: layout(
+                "globals",
+                &[
+                    entry(0, ShaderStages::VERTEX_FRAGMENT, globals),
+                    // The sum of the sub-frames before.
+                    entry(
+                        1,
+                        ShaderStages::FRAGMENT,
+                        texture(wgpu::TextureSampleType::Float { filterable: false }, false),
+                    ),
+                ][..if variant.is_sub_frame { 2 } else { 1 }],
+            ),
             sun_map_layout: layout(
                 "sun map",
                 &[

@@ -9,10 +9,8 @@ use crate::render::shaders::{self, Corner, Source, Variant};
 use crate::render::sub_frames::{Refinement, SubFrame};
 use crate::render::targets::texture_view;
 
-/// Format of a sub-frame.
-const SUB_FRAME_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
 /// Format of the sum.
-const SUM_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Float;
+pub(super) const SUM_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Float;
 
 /// Adds sub-frames, one at a time, and shows their mean.
 #[derive(Debug)]
@@ -24,7 +22,6 @@ pub struct Refiner {
     overlay: Renderer,
     sums: Option<Sums>,
     layout: wgpu::BindGroupLayout,
-    sum_pipeline: wgpu::RenderPipeline,
     mean_pipeline: wgpu::RenderPipeline,
     count: u32,
     /// The last sub-frames that were submitted, the oldest first.
@@ -38,8 +35,7 @@ const MOST_UNDER_WAY: usize = 3;
 #[derive(Debug)]
 struct Sums {
     size_px: [u32; 2],
-    added: wgpu::TextureView,
-    /// Each with the binding that reads it, and the sub-frame.
+    /// Each with the binding that reads it.
     sums: [(wgpu::TextureView, wgpu::BindGroup); 2],
 }
 
@@ -48,9 +44,9 @@ impl Refiner {
     #[must_use]
     pub fn new(gpu: &Gpu, target_format: wgpu::TextureFormat, refinement: Refinement) -> Self {
         let device = &gpu.device;
-        let scene = Renderer::of_part(gpu, SUB_FRAME_FORMAT, 1, Part::SubFrame);
-        let texture = |binding| wgpu::BindGroupLayoutEntry {
-            binding,
+        let scene = Renderer::of_part(gpu, SUM_FORMAT, 1, Part::SubFrame);
+        let sum = wgpu::BindGroupLayoutEntry {
+            binding: 0,
             visibility: wgpu::ShaderStages::VERTEX_FRAGMENT,
             ty: wgpu::BindingType::Texture {
                 sample_type: wgpu::TextureSampleType::Float { filterable: false },
@@ -59,52 +55,47 @@ impl Refiner {
             },
             count: None,
         };
-        let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-            label: Some("sums"),
-            entries: &[texture(0), texture(1)],
-        });
+        let layout =
+            device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some("sum"), entries: &[sum] });
         let pipeline_layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             label: Some("sums"),
             bind_group_layouts: &[Some(scene.globals_layout()), Some(&layout)],
             immediate_size: 0,
         });
-        let pipeline = |fragment, format: wgpu::TextureFormat| {
-            let variant = Variant {
-                encodes_srgb: !format.is_srgb(),
-                is_software: gpu.is_software,
-                is_multisampled: false,
-                is_sub_frame: false,
-                corner: Corner::Unit,
-            };
-            let module = shaders::module(device, Source::Refine, variant);
-            device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-                label: Some(fragment),
-                layout: Some(&pipeline_layout),
-                vertex: wgpu::VertexState {
-                    module: &module,
-                    entry_point: Some("whole_vertex"),
-                    compilation_options: wgpu::PipelineCompilationOptions::default(),
-                    buffers: &[],
-                },
-                primitive: wgpu::PrimitiveState::default(),
-                depth_stencil: None,
-                multisample: wgpu::MultisampleState::default(),
-                fragment: Some(wgpu::FragmentState {
-                    module: &module,
-                    entry_point: Some(fragment),
-                    compilation_options: wgpu::PipelineCompilationOptions::default(),
-                    targets: &[Some(format.into())],
-                }),
-                multiview_mask: None,
-                cache: None,
-            })
+        let variant = Variant {
+            encodes_srgb: !target_format.is_srgb(),
+            is_software: gpu.is_software,
+            is_multisampled: false,
+            is_sub_frame: false,
+            corner: Corner::Unit,
         };
+        let module = shaders::module(device, Source::Refine, variant);
+        let mean_pipeline = device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+            label: Some("mean"),
+            layout: Some(&pipeline_layout),
+            vertex: wgpu::VertexState {
+                module: &module,
+                entry_point: Some("whole_vertex"),
+                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                buffers: &[],
+            },
+            primitive: wgpu::PrimitiveState::default(),
+            depth_stencil: None,
+            multisample: wgpu::MultisampleState::default(),
+            fragment: Some(wgpu::FragmentState {
+                module: &module,
+                entry_point: Some("mean_fragment"),
+                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                targets: &[Some(target_format.into())],
+            }),
+            multiview_mask: None,
+            cache: None,
+        });
         Self {
             refinement,
             overlay: Renderer::of_part(gpu, target_format, 1, Part::Overlay),
             sums: None,
-            sum_pipeline: pipeline("sum_fragment", SUM_FORMAT),
-            mean_pipeline: pipeline("mean_fragment", target_format),
+            mean_pipeline,
             scene,
             layout,
             count: 0,
@@ -151,21 +142,15 @@ impl Refiner {
         let (Some(sub_frame), Some(sums)) = (self.next(), &self.sums) else { return };
         let steady = frame.view;
         frame.view = sub_frame.view(&steady, frame.lens, size_px);
-        self.scene.set_light(sub_frame.light);
+        let [before, after] = [self.count, self.count + 1].map(|count| &sums.of(count).0);
+        self.scene.begin_sub_frame(gpu, sub_frame.light, before);
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        let viewport = Viewport::whole(size_px[0], size_px[1]);
-        self.scene.encode(gpu, &mut encoder, frame, Target { view: &sums.added, viewport });
-        frame.view = steady;
-        let [before, after] = sums.before_and_after(self.count);
         if self.count == 0 {
-            drop(begin(&mut encoder, &before.0, wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT)));
+            drop(begin(&mut encoder, before, wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT)));
         }
-        let mut adding = begin(&mut encoder, &after.0, wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT));
-        adding.set_pipeline(&self.sum_pipeline);
-        adding.set_bind_group(0, self.scene.globals(), &[]);
-        adding.set_bind_group(1, &before.1, &[]);
-        adding.draw(0..3, 0..1);
-        drop(adding);
+        let viewport = Viewport::whole(size_px[0], size_px[1]);
+        self.scene.encode(gpu, &mut encoder, frame, Target { view: after, viewport });
+        frame.view = steady;
         self.under_way.push_back(gpu.queue.submit([encoder.finish()]));
         if self.under_way.len() > MOST_UNDER_WAY {
             let submission_index = self.under_way.pop_front();
@@ -181,12 +166,11 @@ impl Refiner {
         let Some(sums) = self.sums.as_ref().filter(|_| self.count > 0) else { return };
         let Some(viewport) = target.viewport.inside() else { return };
         let target = Target { viewport, ..target };
-        let [sum, _] = sums.before_and_after(self.count);
         let mut showing = begin(encoder, target.view, wgpu::LoadOp::Clear(self.overlay.clear_colour()));
         set_viewport(&mut showing, target.viewport);
         showing.set_pipeline(&self.mean_pipeline);
         showing.set_bind_group(0, self.scene.globals(), &[]);
-        showing.set_bind_group(1, &sum.1, &[]);
+        showing.set_bind_group(1, &sums.of(self.count).1, &[]);
         showing.draw(0..3, 0..1);
         drop(showing);
         if frame.has_overlay() {
@@ -199,25 +183,23 @@ impl Sums {
     fn new(gpu: &Gpu, layout: &wgpu::BindGroupLayout, size_px: [u32; 2]) -> Self {
         let device = &gpu.device;
         let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING;
-        let added = texture_view(device, "sub-frame", SUB_FRAME_FORMAT, 1, size_px, usage);
         let sums = [(); 2].map(|()| {
             let sum = texture_view(device, "sum", SUM_FORMAT, 1, size_px, usage);
-            let entry =
-                |binding, view| wgpu::BindGroupEntry { binding, resource: wgpu::BindingResource::TextureView(view) };
+            let resource = wgpu::BindingResource::TextureView(&sum);
             let binding = device.create_bind_group(&wgpu::BindGroupDescriptor {
-                label: Some("sums"),
+                label: Some("sum"),
                 layout,
-                entries: &[entry(0, &sum), entry(1, &added)],
+                entries: &[wgpu::BindGroupEntry { binding: 0, resource }],
             });
             (sum, binding)
         });
-        Self { size_px, added, sums }
+        Self { size_px, sums }
     }
 
-    /// The sum of the first `count` sub-frames, and the place of the sum with one more.
-    const fn before_and_after(&self, count: u32) -> [&(wgpu::TextureView, wgpu::BindGroup); 2] {
+    /// The sum of the first `count` sub-frames.
+    const fn of(&self, count: u32) -> &(wgpu::TextureView, wgpu::BindGroup) {
         let [even, odd] = &self.sums;
-        if count.is_multiple_of(2) { [even, odd] } else { [odd, even] }
+        if count.is_multiple_of(2) { even } else { odd }
     }
 }
 

@@ -7,7 +7,7 @@ use std::ops::Range;
 use std::{mem, thread};
 
 use bytemuck::cast_slice;
-use glam::Vec3;
+use glam::{Vec3, Vec4};
 
 use crate::colour::srgb_from_linear;
 use crate::frame::Frame;
@@ -20,8 +20,9 @@ use crate::render::light::{Light, SunBox, most_texels};
 use crate::render::look;
 use crate::render::mesh::{MeshRange, PLANE, geometry};
 use crate::render::pipelines::{Kind, Pipelines};
+use crate::render::refine::SUM_FORMAT;
 use crate::render::shaders::{Corner, Variant};
-use crate::render::targets::{SunMap, SunMaps, Targets};
+use crate::render::targets::{SunMap, SunMaps, Targets, texture_view};
 use crate::render::triangles::{JointRows, MeshCache, Skinning, Skins};
 use crate::render::uniforms::Globals;
 
@@ -117,6 +118,8 @@ pub struct Renderer {
     indices: wgpu::Buffer,
     frame_buffer: wgpu::Buffer,
     globals: wgpu::BindGroup,
+    /// The sum of the sub-frames before, for a sub-frame.
+    sum_before: Option<wgpu::TextureView>,
     /// The sun maps: shadow maps of several sizes.
     sun_maps: SunMaps,
     targets: Option<Targets>,
@@ -156,7 +159,10 @@ impl Renderer {
             corner: Corner::Unit,
         };
         let pipelines = Pipelines::new(device, target_format, samples, variant);
-        let (frame_buffer, globals) = frame_buffer(device, &pipelines, 16 * 1024);
+        // A sub-frame has its own.
+        let sum_before = (part == Part::SubFrame)
+            .then(|| texture_view(device, "no sum", SUM_FORMAT, 1, [1, 1], wgpu::TextureUsages::TEXTURE_BINDING));
+        let (frame_buffer, globals) = frame_buffer(device, &pipelines, 16 * 1024, sum_before.as_ref());
         let geometry = geometry();
         let vertices = filled_buffer(device, cast_slice(&geometry.vertices), wgpu::BufferUsages::VERTEX);
         let indices = filled_buffer(device, cast_slice(&geometry.indices), wgpu::BufferUsages::INDEX);
@@ -171,6 +177,7 @@ impl Renderer {
             indices,
             frame_buffer,
             globals,
+            sum_before,
             sun_maps: SunMaps::default(),
             targets: None,
             arrangement: Arrangement::default(),
@@ -198,9 +205,19 @@ impl Renderer {
         self.background = background;
     }
 
-    /// Sets the light of the shadow map of the next frames.
-    pub(super) fn set_light(&mut self, light: Light) {
-        self.light = light;
+    /// Sets the light of the shadow map of the next sub-frame, and the sum that it adds to.
+    pub(super) fn begin_sub_frame(&mut self, gpu: &Gpu, light: Light, sum_before: &wgpu::TextureView) {
+        self.light = Light { backdrop: self.backdrop(), ..light };
+        self.globals = globals(&gpu.device, &self.pipelines, &self.frame_buffer, Some(sum_before));
+        self.sum_before = Some(sum_before.clone());
+    }
+
+    /// The light behind everything, and its opacity.
+    fn backdrop(&self) -> Vec4 {
+        match self.background {
+            Background::Sky | Background::Transparent => Vec4::ZERO,
+            Background::Colour(colour) => colour.map(look::untoned).extend(1.0),
+        }
     }
 
     /// The layout of the globals' binding.
@@ -286,7 +303,7 @@ impl Renderer {
 
     /// Samples along a pixel's side, for the choice of meshes. Sub-frames are samples too.
     fn samples_across(&self) -> f32 {
-        if self.part == Part::SubFrame { 1.5 } else { (self.samples as f32).sqrt() }
+        if self.part == Part::SubFrame { 1.2 } else { (self.samples as f32).sqrt() }
     }
 
     /// Uploads the packed bytes that the GPU does not have yet.
@@ -294,7 +311,9 @@ impl Renderer {
         let needed = self.packed.bytes.len() as u64;
         let grows = self.frame_buffer.size() < needed;
         if grows {
-            (self.frame_buffer, self.globals) = frame_buffer(&gpu.device, &self.pipelines, needed.next_power_of_two());
+            let size = needed.next_power_of_two();
+            (self.frame_buffer, self.globals) =
+                frame_buffer(&gpu.device, &self.pipelines, size, self.sum_before.as_ref());
         }
         if grows {
             gpu.queue.write_buffer(&self.frame_buffer, 0, &self.packed.bytes);
@@ -330,11 +349,13 @@ impl Renderer {
         let (shapes, plane) = self.uploaded.seen.split_at(PLANE);
         let needed = match self.part {
             Part::Overlay => [(Kind::Depth, true), (Kind::Depth, false), (Kind::Depth, false)],
-            Part::Whole | Part::SubFrame => [
-                (Kind::Shape, is_any(shapes)),
-                (Kind::Plane, is_any(plane)),
-                (Kind::Sky, self.background == Background::Sky),
-            ],
+            Part::Whole | Part::SubFrame => {
+                let (sky, is_needed) = match (self.background, self.part) {
+                    (Background::Sky, _) => (Kind::Sky, true),
+                    (_, part) => (Kind::Backdrop, part == Part::SubFrame),
+                };
+                [(Kind::Shape, is_any(shapes)), (Kind::Plane, is_any(plane)), (sky, is_needed)]
+            }
         };
         needed.into_iter().filter_map(|(kind, is_needed)| is_needed.then_some(kind))
     }
@@ -396,7 +417,7 @@ impl Renderer {
         for kind in self.kinds_behind_lines() {
             pass.set_pipeline(self.pipelines.get(device, kind));
             match kind {
-                Kind::Sky => pass.draw(0..3, 0..1),
+                Kind::Sky | Kind::Backdrop => pass.draw(0..3, 0..1),
                 Kind::Plane => draw_mesh(&mut pass, &meshes[PLANE], &items[PLANE]),
                 Kind::Depth => meshes.iter().zip(items).for_each(|(mesh, of_mesh)| draw_mesh(&mut pass, mesh, of_mesh)),
                 _ => meshes[..PLANE].iter().zip(items).for_each(|(mesh, of_mesh)| draw_mesh(&mut pass, mesh, of_mesh)),
@@ -445,13 +466,7 @@ impl Renderer {
             Background::Colour(colour) => colour,
             Background::Transparent => return wgpu::Color::TRANSPARENT,
         };
-        let encode = |channel: f32| {
-            f64::from(match self.part {
-                Part::SubFrame => look::untoned(channel),
-                Part::Whole | Part::Overlay if self.format.is_srgb() => channel,
-                Part::Whole | Part::Overlay => srgb_from_linear(channel),
-            })
-        };
+        let encode = |channel: f32| f64::from(if self.format.is_srgb() { channel } else { srgb_from_linear(channel) });
         wgpu::Color { r: encode(colour.x), g: encode(colour.y), b: encode(colour.z), a: 1.0 }
     }
 }
@@ -509,19 +524,36 @@ fn filled_buffer(device: &wgpu::Device, bytes: &[u8], usage: wgpu::BufferUsages)
 }
 
 /// The buffer that holds a whole frame, and the binding of its globals.
-fn frame_buffer(device: &wgpu::Device, pipelines: &Pipelines, size: u64) -> (wgpu::Buffer, wgpu::BindGroup) {
+fn frame_buffer(
+    device: &wgpu::Device,
+    pipelines: &Pipelines,
+    size: u64,
+    sum_before: Option<&wgpu::TextureView>,
+) -> (wgpu::Buffer, wgpu::BindGroup) {
     let buffer = device.create_buffer(&wgpu::BufferDescriptor {
         label: Some("frame"),
         size,
         usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST,
         mapped_at_creation: false,
     });
-    let binding =
-        wgpu::BufferBinding { buffer: &buffer, offset: 0, size: std::num::NonZeroU64::new(INSTANCES_START as u64) };
-    let globals = device.create_bind_group(&wgpu::BindGroupDescriptor {
+    let globals = globals(device, pipelines, &buffer, sum_before);
+    (buffer, globals)
+}
+
+/// The binding of a frame's globals, and of the sum that a sub-frame adds to.
+fn globals(
+    device: &wgpu::Device,
+    pipelines: &Pipelines,
+    buffer: &wgpu::Buffer,
+    sum_before: Option<&wgpu::TextureView>,
+) -> wgpu::BindGroup {
+    let binding = wgpu::BufferBinding { buffer, offset: 0, size: std::num::NonZeroU64::new(INSTANCES_START as u64) };
+    let buffer = wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::Buffer(binding) };
+    let sum =
+        sum_before.map(|view| wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::TextureView(view) });
+    device.create_bind_group(&wgpu::BindGroupDescriptor {
         label: Some("globals"),
         layout: &pipelines.globals_layout,
-        entries: &[wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::Buffer(binding) }],
-    });
-    (buffer, globals)
+        entries: &std::iter::once(buffer).chain(sum).collect::<Vec<_>>(),
+    })
 }

@@ -148,6 +148,7 @@ fn text(source: Source, variant: Variant) -> String {
         variant.is_sub_frame,
         file!("common.wgsl")
     );
+    text.push_str(if variant.is_sub_frame { file!("sum.wgsl") } else { file!("no_sum.wgsl") });
     text.extend(corner.iter().chain(own).copied());
     // `textureLoad` has the same form for both; the last argument is then the sample.
     if source == Source::Outline && variant.is_multisampled {

@@ -81,6 +81,7 @@ impl Refinement {
                 of_sun: weights[0],
                 of_sky: weights[1],
                 of_mean: 1.0 / (number + 1) as f32,
+                ..Light::default()
             },
         }
     }

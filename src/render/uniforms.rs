@@ -38,6 +38,8 @@ pub struct Globals {
     zenith: Vec4,
     /// Linear light.
     accent: Vec4,
+    /// The light behind everything in a sub-frame, and its opacity.
+    backdrop: Vec4,
 }
 
 impl Globals {
@@ -68,6 +70,7 @@ impl Globals {
             horizon: look::PALETTE.horizon.map(look::untoned).extend(look::OUTLINE_PX),
             zenith: look::PALETTE.zenith.map(look::untoned).extend(ground_height(frame)),
             accent: look::PALETTE.accent.extend(0.0),
+            backdrop: light.backdrop,
         }
     }
 }

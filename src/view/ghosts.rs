@@ -9,7 +9,7 @@ use super::scene::place_skin;
 use crate::colour::Colour;
 use crate::frame::{DrawItem, Frame, Ghost, ItemMesh, MOST_GHOSTS};
 use crate::keyframe::{KeyframeIndex, KeyframeList};
-use crate::pose::RbtIndex;
+use crate::pose::{Pose, RbtIndex};
 use crate::scene::{NodeId, SceneGraph};
 
 /// Opacity of the nearest ghost.
@@ -37,8 +37,8 @@ pub struct Neighbours<'a> {
 
 /// The nodes whose shapes have ghosts, and how those look.
 pub(super) struct GhostLook {
-    /// The tint, in linear light.
-    pub tint: Vec3,
+    /// The tint, in linear light; `None`: the shapes' own colours.
+    pub tint: Option<Vec3>,
     /// The opacity, 0 to 1.
     pub opacity: f32,
     /// Indices of the nodes.
@@ -55,7 +55,8 @@ pub(super) fn push_ghosts(
     for index in 0..frame.items.len() {
         let item = frame.items[index];
         let node = item.node as usize;
-        let mut ghost = DrawItem { colour: look.tint, outlined: false, is_hidden: false, ..item };
+        let mut ghost =
+            DrawItem { colour: look.tint.unwrap_or(item.colour), outlined: false, is_hidden: false, ..item };
         let is_elsewhere = match item.mesh {
             _ if item.is_ground() => false,
             ItemMesh::Skin { mesh, first_joint } => {
@@ -102,8 +103,24 @@ pub fn add_ghosts(frame: &mut Frame, scene: &SceneGraph, seconds: f64, neighbour
         for (index, tint) in [before.checked_sub(steps), after.checked_add(steps)].into_iter().zip(*TINTS) {
             let Some(keyframe) = index.and_then(|index| keyframes.get(KeyframeIndex::new(index))) else { continue };
             let world_from_node = scene.world_from_nodes(&keyframe.pose, seconds);
-            let look = GhostLook { tint, opacity: OPACITY / f32::from(away), nodes: nodes_below(scene, only) };
+            let look =
+                GhostLook { tint: Some(tint), opacity: OPACITY / f32::from(away), nodes: nodes_below(scene, only) };
             push_ghosts(frame, scene, &look, |node| world_from_node[node].get());
         }
+    }
+}
+
+/// Opacity of the earliest and of the last pose that a strobe shows beside the displayed one.
+const STROBE_OPACITIES: [f32; 2] = [0.2, 0.75];
+
+/// Adds earlier poses, each with its time in seconds, in the shapes' own colours: the later, the less translucent. `scene` must be the
+/// frame's.
+pub fn add_strobe(frame: &mut Frame, scene: &SceneGraph, earlier: &[(Pose, f64)]) {
+    let [first, last] = STROBE_OPACITIES;
+    for (index, (pose, seconds)) in earlier.iter().enumerate() {
+        let world_from_node = scene.world_from_nodes(pose, *seconds);
+        let opacity = first + (last - first) * index as f32 / (earlier.len() - 1).max(1) as f32;
+        let look = GhostLook { tint: None, opacity, nodes: nodes_below(scene, &[]) };
+        push_ghosts(frame, scene, &look, |node| world_from_node[node].get());
     }
 }

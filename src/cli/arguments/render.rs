@@ -55,6 +55,9 @@ pub struct RenderArguments {
     /// A contact sheet of COLUMNS times ROWS images, evenly from --from to --to. Each has --size (by default 320x240).
     #[arg(long, value_name = "COLUMNSxROWS", conflicts_with_all = ["at", "keyframe", "fps"], value_parser = grid)]
     pub sheet: Option<Grid>,
+    /// Show N moments in one picture, evenly from --from to --to: the last as it is, those before it ever more translucent. 2 to 32.
+    #[arg(long, value_name = "N", requires = "file", conflicts_with_all = ["at", "keyframe", "fps", "frames", "sheet", "ghosts"], value_parser = clap::value_parser!(u32).range(2..=32))]
+    pub strobe: Option<u32>,
     /// Show ghosts: moving nodes as in the N keyframes before (orange) and after (blue), translucent. At most 20.
     #[arg(long, value_name = "N", requires = "file", value_parser = clap::value_parser!(u8).range(0..=i64::from(MOST_GHOSTS)))]
     pub ghosts: Option<u8>,
@@ -80,7 +83,7 @@ pub struct RenderArguments {
     #[arg(long, value_name = "NAME", value_parser = interpolation())]
     pub interpolation: Option<Interpolation>,
     /// Write node indices instead of colours, as a 16-bit grey PNG: 0 for background, else the node's pre-order index plus 1.
-    #[arg(long, conflicts_with_all = ["fps", "sheet", "ghosts", "samples", "quality"])]
+    #[arg(long, conflicts_with_all = ["fps", "sheet", "ghosts", "samples", "quality", "strobe"])]
     pub id: bool,
     /// How progress is told.
     #[arg(long, value_enum, default_value_t)]

@@ -59,16 +59,26 @@ impl Output {
     /// Whether the options go with it.
     fn check(self, arguments: &RenderArguments) -> Result<(), CliError> {
         if !self.is_one_image {
-            if arguments.at.is_some() || arguments.keyframe.is_some() || arguments.sheet.is_some() || arguments.id {
+            if arguments.at.is_some()
+                || arguments.keyframe.is_some()
+                || arguments.sheet.is_some()
+                || arguments.id
+                || arguments.strobe.is_some()
+            {
                 let names = listed(&still_names(), "or");
                 return Err(misuse(&format!(
-                    "--at, --keyframe, --sheet and --id make one image: --output names a {names}"
+                    "--at, --keyframe, --sheet, --strobe and --id make one image: --output names a {names}"
                 )));
             }
         } else if arguments.frames.is_some() {
             return Err(misuse("--frames is for films and folders; --at is for one image"));
-        } else if arguments.sheet.is_none() && (arguments.from.is_some() || arguments.to.is_some()) {
-            return Err(misuse("--from and --to are for films, folders and contact sheets; --at is for one image"));
+        } else if arguments.sheet.is_none()
+            && arguments.strobe.is_none()
+            && (arguments.from.is_some() || arguments.to.is_some())
+        {
+            return Err(misuse(
+                "--from and --to are for films, folders, contact sheets and --strobe; --at is for one image",
+            ));
         }
         if arguments.id && self.format != &PNG {
             return Err(misuse("--id writes a 16-bit grey PNG: --output names a PNG"));
