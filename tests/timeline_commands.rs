@@ -343,3 +343,18 @@ proptest! {
         prop_assert!((arriving - leaving).abs() < 0.02 * scale * scale, "{arriving} and {leaving}");
     }
 }
+
+#[test]
+fn keyframes_that_came_during_a_drag_are_retimed_from_what_they_are() {
+    let mut editor = editor_with(0);
+    apply(&mut editor, Command::View(ViewCommand::Choose(Some(RbtIndex::new(1)))));
+    apply(&mut editor, Command::Gesture(GestureCommand::Begin));
+    let keyframes = editor_with(6).document().keyframes.clone();
+    let read = keyframes_to_json(editor.scene(), &keyframes, Interpolation::Linear, 2000);
+    let _ = editor.keyframes_read(std::path::Path::new("other.json"), Ok(read.into_bytes()));
+    apply(&mut editor, Command::Gesture(GestureCommand::Begin));
+    select(&mut editor, &[2]);
+    timeline(&mut editor, TimelineEdit::RetimeKeyframes(Retiming { by_ms: 500, end: None, ripples: false }));
+    let durations: Vec<f64> = editor.document().keyframes.as_slice().iter().map(|keyframe| keyframe.duration).collect();
+    assert_eq!(durations[1..3], [1.25, 0.75]);
+}

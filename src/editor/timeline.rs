@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::apply::CommandResult;
 use super::commands::Row;
 use super::placing::placeable;
-use super::{ClipboardCommand, Command, CommandError, Editor, TimelineEdit};
+use super::{ClipboardCommand, Command, CommandError, Document, Editor, TimelineEdit};
 use crate::keyframe::{DURATION_RANGE, Easing, Keyframe, KeyframeIndex, KeyframeList, Retimed, Retiming};
 use crate::pose::{Pose, RbtIndex};
 use crate::rbt::Rbt;
@@ -186,7 +186,10 @@ impl Editor {
             return Err(self.no_keyframe());
         }
         // A drag always starts from its first state, so that an interval that was as short as can be has its length again.
-        let before = self.gesture.as_ref().map_or(&self.document, |gesture| &gesture.before);
+        // Where other keyframes came meanwhile, there is no such state.
+        let at_first = self.gesture.as_ref().map(|gesture| &gesture.before);
+        let is_of_these = |before: &&Document| before.keyframes.len() == self.document.keyframes.len();
+        let before = at_first.filter(is_of_these).unwrap_or(&self.document);
         let durations: Vec<f64> = before.keyframes.as_slice().iter().map(|keyframe| keyframe.duration).collect();
         let Retimed { durations, by_ms, .. } = retiming.of(&durations, before.ms_between_keyframes, &indices);
         self.record(texts::ACT_RETIMING_OF_KEYFRAMES, None, |document| {

@@ -34,9 +34,11 @@ pub fn display(more: &[&str]) -> (Running, String) {
     for number in std::iter::repeat_with(|| first + TRIED.fetch_add(1, Ordering::Relaxed)).take(1000) {
         let name = format!(":{number}");
         let socket = format!("/tmp/.X11-unix/X{number}");
-        if Path::new(&socket).exists() || Path::new(&format!("/tmp/.X{number}-lock")).exists() {
+        if is_taken(number, &socket) {
             continue;
         }
+        // A server that was killed leaves its socket.
+        let _ = std::fs::remove_file(&socket);
         let mut xvfb = Command::new("Xvfb");
         let mut server = start("Xvfb", xvfb.args([&name, "-screen", "0", "1280x800x24", "-noreset"]).args(more));
         let is_up = wait_for(|| server.0.try_wait().is_ok_and(|end| end.is_some()) || Path::new(&socket).exists());
@@ -46,6 +48,14 @@ pub fn display(more: &[&str]) -> (Running, String) {
         }
     }
     panic!("no display is free");
+}
+
+/// Whether a server has a display. Its lock holds its process, which may be gone.
+fn is_taken(number: u32, socket: &str) -> bool {
+    match std::fs::read_to_string(format!("/tmp/.X{number}-lock")) {
+        Ok(process) => Path::new("/proc").join(process.trim()).exists(),
+        Err(_) => Path::new(socket).exists(),
+    }
 }
 
 pub fn wait_for(mut condition: impl FnMut() -> bool) -> bool {
