@@ -3,7 +3,9 @@
 mod apng;
 mod changes;
 mod gif;
+mod mapping;
 mod mp4;
+mod oklab;
 mod palette;
 mod png;
 mod small_png;

@@ -96,6 +96,27 @@ fn a_gif_keeps_what_is_transparent() {
 }
 
 #[test]
+fn a_gif_does_not_write_noise_that_nobody_sees() {
+    let plan = Plan { width: 64, height: 32, frames: 3, frames_per_second: 25, is_opaque: true };
+    let level = |x: u32, y: u32| 40 + (x + 2 * y) as u8;
+    let noisy = |noise: u8| {
+        let pixels = (0..32).flat_map(|y| (0..64).map(move |x| (x, y)));
+        let rgba = pixels.flat_map(|(x, y)| [level(x, y), 90 + noise * (x % 2) as u8, level(y, x), 255]).collect();
+        Image { width: 64, height: 32, rgba }
+    };
+    let pictures = [noisy(0), noisy(1), noisy(2)];
+    let mut bytes = Vec::new();
+    let mut film = Film::new(encoder(&GIF), plan, &pictures, &mut bytes).unwrap();
+    for (index, picture) in pictures.iter().enumerate() {
+        film.push(picture, 40.0 * index as f64, 40.0 * (index + 1) as f64).unwrap();
+    }
+    film.finish().unwrap();
+    let (shown, _) = gif_pictures(&bytes);
+    assert!(shown[0] == shown[1], "a change of one level shows");
+    assert!(shown[1] != shown[2], "two changes of one level do not add up");
+}
+
+#[test]
 fn few_colours_are_kept_exactly() {
     let two = Image { width: 2, height: 1, rgba: vec![1, 2, 3, 255, 250, 251, 252, 255] };
     let palette = Palette::of(std::slice::from_ref(&two));

@@ -6,7 +6,8 @@ use std::io::Write;
 use gif::{DisposalMethod, Frame, Repeat};
 
 use super::changes::changes;
-use super::palette::{MOST_COLOURS, Mapping, Palette};
+use super::mapping::Mapping;
+use super::palette::{MOST_COLOURS, Palette};
 use crate::film::{Encoder, FilmEncoder, FilmError, FilmFormat, Format, Plan};
 use crate::picture::Image;
 use crate::words::texts;
@@ -31,6 +32,10 @@ pub static GIF: Format = Format {
     }),
 };
 
+/// A pixel keeps its colour while no channel is farther from it than this, in levels: the eye sees no difference, and what does not change
+/// need not be written.
+const HELD_LEVELS: u8 = 1;
+
 /// The shortest time that programs show a picture for, in hundredths of a second: they replace shorter ones by 0.1 s.
 const SHORTEST: u32 = 2;
 
@@ -40,6 +45,8 @@ struct GifFilm<W: Write> {
     sides: [u16; 2],
     encoder: gif::Encoder<W>,
     mapping: Mapping,
+    /// The current picture with the colours that it keeps.
+    held: Image,
     /// The current picture, as indices into the palette.
     shown: Vec<u8>,
     next: Vec<u8>,
@@ -56,13 +63,28 @@ impl<W: Write> GifFilm<W> {
         let mut encoder = gif::Encoder::new(output, sides[0], sides[1], &colours)?;
         encoder.set_repeat(Repeat::Infinite)?;
         let mapping = Mapping::new(palette);
-        Ok(Self { plan, sides, encoder, mapping, shown: Vec::new(), next: Vec::new(), given: 0 })
+        let held = Image { width: plan.width, height: plan.height, rgba: Vec::new() };
+        Ok(Self { plan, sides, encoder, mapping, held, shown: Vec::new(), next: Vec::new(), given: 0 })
+    }
+
+    /// Takes over the pixels that have changed: all, if the palette has all colours.
+    fn take(&mut self, image: &Image) {
+        if self.held.rgba.is_empty() || self.mapping.palette().is_exact() {
+            self.held.rgba.clone_from(&image.rgba);
+            return;
+        }
+        for (held, new) in self.held.rgba.as_chunks_mut::<4>().0.iter_mut().zip(image.rgba.as_chunks::<4>().0) {
+            if held.iter().zip(new).any(|(held, new)| held.abs_diff(*new) > HELD_LEVELS) {
+                *held = *new;
+            }
+        }
     }
 }
 
 impl<W: Write + Send> FilmEncoder for GifFilm<W> {
     fn push(&mut self, image: &Image, _start_ms: f64, end_ms: f64) -> Result<(), FilmError> {
-        self.mapping.indices(image, &mut self.next);
+        self.take(image);
+        self.mapping.indices(&self.held, &mut self.next);
         let transparent = u8::MAX;
         let (rectangle, buffer) = if self.shown.is_empty() || !self.plan.is_opaque {
             ([0, 0, self.sides[0], self.sides[1]], Cow::Borrowed(&self.next[..]))

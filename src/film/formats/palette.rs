@@ -1,57 +1,27 @@
-//! A palette of at most 255 colours for a whole film, and a mapping to it that does not flicker.
-//!
-//! One palette serves all pictures, and the dither depends only on a pixel's position and colour, so unchanged pixels stay unchanged.
+//! A palette of at most 255 colours for a whole film.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
-use color_quant::NeuQuant;
-
+use super::oklab::{Lab, distance_squared, from_levels, to_levels};
 use crate::picture::Image;
 
 /// Colours in a palette; the one after them is transparent.
 pub const MOST_COLOURS: usize = 255;
 /// Approximate number of pixels that are read from the sampled pictures.
 const SAMPLED_PIXELS: usize = 120_000;
-/// Approximate smallest number of pixels that the network learns from.
-const LEARNED_PIXELS: usize = 60_000;
-/// The largest change of a dithered channel, in levels of 256.
-const DITHER_LEVELS: i32 = 9;
-/// Bits per channel of the table of nearest colours.
-const TABLE_BITS: u32 = 6;
-
-/// Bayer's matrix of order 8: each number of 0 to 63 once, with neighbours far apart.
-const BAYER: [[u8; 8]; 8] = {
-    let mut matrix = [[0; 8]; 8];
-    let mut y = 0;
-    while y < 8 {
-        let mut x = 0;
-        while x < 8 {
-            let mut value = 0;
-            let mut bit = 0;
-            while bit < 3 {
-                let (x_bit, y_bit) = ((x >> bit) & 1, (y >> bit) & 1);
-                value |= ((x_bit ^ y_bit) << (5 - 2 * bit)) | (y_bit << (4 - 2 * bit));
-                bit += 1;
-            }
-            matrix[y][x] = value as u8;
-            x += 1;
-        }
-        y += 1;
-    }
-    matrix
-};
+/// How often the colours move to the middle of those that are nearest to them. After that they hardly move.
+const ROUNDS: usize = 8;
 
 /// The palette of a film.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Palette {
     colours: Vec<[u8; 3]>,
-    /// Whether the palette has all colours of the film, so that no dither is needed.
     is_exact: bool,
 }
 
 impl Palette {
-    /// The palette of a film from sample pictures: their own colours if they are few, otherwise 255 that NeuQuant finds. Pixels with less
-    /// than half opacity are ignored.
+    /// The palette of a film from sample pictures: their own colours if they are few, otherwise 255 that are as near to theirs as can be to
+    /// the eye. Pixels with less than half opacity are ignored.
     #[must_use]
     pub fn of(pictures: &[Image]) -> Self {
         let pixels =
@@ -60,23 +30,12 @@ impl Palette {
         for pixel in pixels() {
             few.insert([pixel[0], pixel[1], pixel[2]]);
             if few.len() > MOST_COLOURS {
-                return Self { colours: Self::found(pixels()), is_exact: false };
+                // An odd step that does not divide usual widths samples every column.
+                let step = (pixels().count() / SAMPLED_PIXELS).max(1) | 1;
+                return Self { colours: found(&points(pixels().step_by(step))), is_exact: false };
             }
         }
         Self { colours: few.into_iter().collect(), is_exact: true }
-    }
-
-    fn found<'a>(pixels: impl Iterator<Item = &'a [u8]> + Clone) -> Vec<[u8; 3]> {
-        // An odd step that does not divide usual widths samples every column.
-        let step = (pixels.clone().count() / SAMPLED_PIXELS).max(1) | 1;
-        let sample: Vec<u8> = pixels.step_by(step).flat_map(|pixel| [pixel[0], pixel[1], pixel[2], u8::MAX]).collect();
-        // The network learns by repetition: if there are few pixels they are repeated.
-        let sample = sample.repeat((LEARNED_PIXELS * 4 / sample.len().max(1)).max(1));
-        let found = NeuQuant::new(3, MOST_COLOURS, &sample).color_map_rgb();
-        let mut colours: Vec<[u8; 3]> = found.chunks_exact(3).map(|colour| [colour[0], colour[1], colour[2]]).collect();
-        colours.sort_unstable();
-        colours.dedup();
-        colours
     }
 
     /// The colours.
@@ -85,73 +44,93 @@ impl Palette {
         &self.colours
     }
 
-    fn nearest(&self, colour: [i32; 3]) -> u8 {
-        // Weights: the eye is most sensitive to green, least to blue.
-        let distance = |other: &[u8; 3]| {
-            let [r, g, b] = [0, 1, 2].map(|channel| i32::from(other[channel]) - colour[channel]);
-            3 * r * r + 6 * g * g + 2 * b * b
-        };
-        let index = (0..self.colours.len()).min_by_key(|&index| distance(&self.colours[index]));
-        index.and_then(|index| u8::try_from(index).ok()).unwrap_or_default()
+    /// Whether it has all colours of the sample pictures.
+    #[must_use]
+    pub const fn is_exact(&self) -> bool {
+        self.is_exact
     }
 }
 
-/// A cached mapping of colours to palette indices.
-pub struct Mapping {
-    palette: Palette,
-    /// The largest change of a dithered channel, in levels of 256.
-    dither_levels: i32,
-    /// For each cell, the index of the colour nearest to its middle, plus one; 0 if not computed yet.
-    table: Vec<u16>,
+/// A colour of the samples, and how many pixels have it.
+type Point = (Lab, f32);
+
+/// The mean colours of cells of four levels a channel: thousands instead of a hundred thousand.
+fn points<'a>(pixels: impl Iterator<Item = &'a [u8]>) -> Vec<Point> {
+    let mut cells: BTreeMap<[u8; 3], ([u32; 3], u32)> = BTreeMap::new();
+    for pixel in pixels {
+        let (sums, count) = cells.entry([pixel[0] >> 2, pixel[1] >> 2, pixel[2] >> 2]).or_default();
+        (0..3).for_each(|channel| sums[channel] += u32::from(pixel[channel]));
+        *count += 1;
+    }
+    let means = cells.into_values();
+    means.map(|(sums, count)| (from_levels(sums.map(|sum| sum as f32 / count as f32)), count as f32)).collect()
 }
 
-impl Mapping {
-    /// A mapping that dithers, unless the palette has all colours.
-    pub fn new(palette: Palette) -> Self {
-        Self { palette, dither_levels: DITHER_LEVELS, table: vec![0; 1 << (3 * TABLE_BITS)] }
+/// Colours with a small mean square of the distance to the nearest: first by splitting (Wu 1991, without his table), then by k-means.
+fn found(points: &[Point]) -> Vec<[u8; 3]> {
+    let mut groups = vec![Group::of(points.to_vec())];
+    while groups.len() < MOST_COLOURS {
+        let widest = (0..groups.len()).max_by(|&a, &b| groups[a].spread.total_cmp(&groups[b].spread)).unwrap_or(0);
+        let Some(halves) = groups[widest].halves() else { break };
+        let [first, second] = halves.map(Group::of);
+        groups[widest] = first;
+        groups.push(second);
     }
-
-    /// A mapping to the nearest colours: pictures show bands, and are packed to half the size.
-    pub fn undithered(palette: Palette) -> Self {
-        Self { dither_levels: 0, ..Self::new(palette) }
-    }
-
-    /// The palette.
-    pub const fn palette(&self) -> &Palette {
-        &self.palette
-    }
-
-    /// The palette indices of a picture's pixels; [`MOST_COLOURS`] for pixels with less than half opacity.
-    pub fn indices(&mut self, image: &Image, out: &mut Vec<u8>) {
-        out.clear();
-        let width = image.width as usize;
-        let transparent = u8::MAX;
-        for (y, row) in image.rgba.chunks_exact(4 * width).enumerate() {
-            let thresholds = &BAYER[y % 8];
-            for (x, pixel) in row.chunks_exact(4).enumerate() {
-                out.push(if pixel[3] < 128 {
-                    transparent
-                } else {
-                    self.index([pixel[0], pixel[1], pixel[2]], thresholds[x % 8])
-                });
+    let mut middles: Vec<Lab> = groups.iter().map(|group| group.middle).collect();
+    for _ in 0..ROUNDS {
+        let mut sums = vec![([0.0_f64; 3], 0.0_f64); middles.len()];
+        for (colour, weight) in points {
+            let (sum, all) = &mut sums[nearest(&middles, *colour)];
+            (0..3).for_each(|part| sum[part] += f64::from(colour[part] * weight));
+            *all += f64::from(*weight);
+        }
+        for (middle, (sum, all)) in middles.iter_mut().zip(sums) {
+            if all > 0.0 {
+                *middle = sum.map(|part| (part / all) as f32);
             }
         }
     }
+    let colours: BTreeSet<[u8; 3]> = middles.into_iter().map(to_levels).collect();
+    colours.into_iter().collect()
+}
 
-    fn index(&mut self, colour: [u8; 3], threshold: u8) -> u8 {
-        if self.palette.is_exact
-            && let Ok(index) = self.palette.colours.binary_search(&colour)
-        {
-            return index.to_le_bytes()[0];
+/// The index of the colour nearest to another; of equally near ones the first.
+pub fn nearest(colours: &[Lab], colour: Lab) -> usize {
+    let mut best = (f32::INFINITY, 0);
+    for (index, other) in colours.iter().enumerate() {
+        let distance = distance_squared(*other, colour);
+        if distance < best.0 {
+            best = (distance, index);
         }
-        let moved = (2 * i32::from(threshold) - 63) * self.dither_levels / 126;
-        let shift = 8 - TABLE_BITS;
-        let cells = colour.map(|channel| (i32::from(channel) + moved).clamp(0, 255) >> shift);
-        let cell = cells.iter().fold(0, |cell, &part| (cell << TABLE_BITS) | part.unsigned_abs() as usize);
-        if self.table[cell] == 0 {
-            let middle = 1 << (shift - 1);
-            self.table[cell] = u16::from(self.palette.nearest(cells.map(|part| (part << shift) + middle))) + 1;
-        }
-        self.table[cell].wrapping_sub(1).to_le_bytes()[0]
+    }
+    best.1
+}
+
+/// Colours that share one of the palette, until they are split.
+struct Group {
+    points: Vec<Point>,
+    middle: Lab,
+    /// The axis along which they lie farthest apart.
+    axis: usize,
+    /// The sum of squared distances from the middle along it.
+    spread: f32,
+}
+
+impl Group {
+    fn of(points: Vec<Point>) -> Self {
+        let all: f32 = points.iter().map(|(_, weight)| weight).sum();
+        let sum =
+            |value: &dyn Fn(Lab) -> f32| points.iter().map(|(colour, weight)| value(*colour) * weight).sum::<f32>();
+        let middle = [0, 1, 2].map(|axis| sum(&|colour| colour[axis]) / all.max(1.0));
+        let spreads = [0, 1, 2].map(|axis| sum(&|colour| (colour[axis] - middle[axis]).powi(2)));
+        let axis = (1..3).fold(0, |best, axis| if spreads[axis] > spreads[best] { axis } else { best });
+        Self { points, middle, axis, spread: spreads[axis] }
+    }
+
+    /// Those below the middle and the others; `None` if all are the same.
+    fn halves(&self) -> Option<[Vec<Point>; 2]> {
+        let is_below = |(colour, _): &Point| colour[self.axis] < self.middle[self.axis];
+        let (below, above): (Vec<Point>, Vec<Point>) = self.points.iter().copied().partition(is_below);
+        (!below.is_empty() && !above.is_empty()).then_some([below, above])
     }
 }

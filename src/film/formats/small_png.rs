@@ -5,7 +5,8 @@ use std::borrow::Cow;
 use png::{BitDepth, BlendOp, ColorType, Compression, DisposeOp, EncodingError, Filter};
 
 use super::changes::changes;
-use super::palette::{MOST_COLOURS, Mapping, Palette};
+use super::mapping::Mapping;
+use super::palette::{MOST_COLOURS, Palette};
 use crate::picture::Image;
 
 /// Encodes pictures of one palette.
