@@ -8,7 +8,7 @@ use super::progress::{telling, watched};
 use super::targets::format_named;
 use super::{CliError, Common, misuse, output};
 use crate::export::JoinRequest;
-use crate::film::FormatProblem;
+use crate::film::{Format, FormatProblem};
 use crate::storage::{is_standard, output_name};
 use crate::words::texts;
 
@@ -28,7 +28,7 @@ fn join(arguments: &JoinArguments, common: Common<'_>) -> Result<(), CliError> {
     let places = if arguments.json { places.prints("--json") } else { places };
     places.tells(arguments.progress).check()?;
     let named = format_named(arguments.format, &arguments.output)?;
-    let Some(format) = named else { return Err(misuse(&FormatProblem::NoFilm.to_string())) };
+    let Some(format) = named.map(Format::of_films) else { return Err(misuse(&FormatProblem::NoFilm.to_string())) };
     let request = JoinRequest {
         folder: &arguments.folder,
         still: arguments.frame_format,

@@ -21,13 +21,13 @@ pub fn ending_of(output: &Path, results: usize) -> Option<String> {
     Some(ending.to_string_lossy().to_ascii_lowercase())
 }
 
-/// The format of a file: that of its ending, or the one that was named; `None` where neither tells one.
+/// The format of a file: the one that was named, or that of its ending; `None` where neither tells one.
 ///
 /// # Errors
 /// Wrong usage: they are two.
 pub fn format_named(named: Option<&'static Format>, output: &Path) -> Result<Option<&'static Format>, CliError> {
     match (named, format_of_path(output)) {
-        (Some(named), Some(found)) if named != found => {
+        (Some(named), Some(found)) if named.ending != found.ending => {
             let option = format!("--format {}", named.ending);
             Err(misuse(&texts::places_ending_contradicts(found.ending, option).to_string()))
         }

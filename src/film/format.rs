@@ -10,7 +10,7 @@ use super::{FilmError, films, formats};
 use crate::picture::{Image, Rows};
 use crate::words::{Message, Phrase, all_of, display_by_message, one_of, texts};
 
-/// A format: a row of [`FORMATS`](super::FORMATS). Two formats are equal if their names are.
+/// A format: a row of [`FORMATS`](super::FORMATS). Two formats are equal if their names are and both or neither are of films.
 pub struct Format {
     /// The name for people, such as "GIF".
     pub name: &'static str,
@@ -216,6 +216,12 @@ impl Format {
         matches!(self.encoder, Encoder::Still(_))
     }
 
+    /// The format of films with this ending, or itself if there is none.
+    #[must_use]
+    pub fn of_films(&'static self) -> &'static Self {
+        films().find(|format| format.ending == self.ending).unwrap_or(self)
+    }
+
     /// Replaces a film extension by this format's; any other text is kept. A still format gets no extension, because its films are
     /// folders.
     #[must_use]
@@ -245,7 +251,7 @@ impl Format {
 
 impl PartialEq for Format {
     fn eq(&self, other: &Self) -> bool {
-        self.name == other.name
+        self.name == other.name && self.is_still() == other.is_still()
     }
 }
 

@@ -1,6 +1,7 @@
 //! The table of formats: one file and one row each.
 
 mod apng;
+mod blocks;
 mod changes;
 mod gif;
 mod mapping;
@@ -10,6 +11,7 @@ mod palette;
 mod png;
 mod small_png;
 mod webp;
+mod webp_film;
 mod y4m;
 
 use std::path::Path;
@@ -26,7 +28,7 @@ pub use small_png::SmallPng;
 pub use y4m::Y4M;
 
 /// All formats, in the order of the Export dialog: films, then single pictures.
-pub static FORMATS: [&Format; 6] = [&GIF, &APNG, &MP4, &Y4M, &PNG, &webp::WEBP];
+pub static FORMATS: [&Format; 7] = [&GIF, &APNG, &webp_film::WEBP_FILM, &MP4, &Y4M, &PNG, &webp::WEBP];
 
 /// The highest frame rate of formats without a limit of their own.
 pub const MOST_FRAMES_PER_SECOND: u32 = 1000;
@@ -34,10 +36,10 @@ pub const MOST_FRAMES_PER_SECOND: u32 = 1000;
 /// Endings of pictures and films that other programs write, which are refused instead of being taken as part of a name.
 pub const NOT_WRITTEN: [&str; 9] = ["jpg", "jpeg", "webm", "avi", "mov", "mkv", "bmp", "tif", "tiff"];
 
-/// The format with this ending, in lower case and without the dot.
+/// The format with this ending, in lower case and without the dot; of two the one of single pictures.
 #[must_use]
 pub fn format_of_ending(ending: &str) -> Option<&'static Format> {
-    FORMATS.into_iter().find(|format| format.ending == ending)
+    stills().chain(films()).find(|format| format.ending == ending)
 }
 
 /// The format that the ending of a file's name tells.
@@ -91,7 +93,13 @@ pub fn opaque() -> Vec<&'static str> {
 /// Names of formats that keep opacity, those of single pictures first.
 #[must_use]
 pub fn translucent() -> Vec<&'static str> {
-    stills().chain(films()).filter(|format| format.has_opacity).map(|format| format.name).collect()
+    let mut names = Vec::new();
+    for format in stills().chain(films()).filter(|format| format.has_opacity) {
+        if !names.contains(&format.name) {
+            names.push(format.name);
+        }
+    }
+    names
 }
 
 /// The limits of formats that have none.
@@ -105,13 +113,15 @@ mod tests {
     use super::*;
 
     #[test]
-    fn no_two_formats_share_a_name_or_an_ending() {
+    fn no_two_formats_of_pictures_or_of_films_share_a_name_or_an_ending() {
         for (index, format) in FORMATS.iter().enumerate() {
-            assert!(
-                FORMATS[..index].iter().all(|other| other != format && other.ending != format.ending),
-                "{format:?}"
-            );
-            assert_eq!(format_of_ending(format.ending), Some(*format));
+            for other in FORMATS[..index].iter().filter(|other| other.is_still() == format.is_still()) {
+                assert!(other != format && other.name != format.name && other.ending != format.ending, "{format:?}");
+            }
+            let found = format_of_ending(format.ending).unwrap();
+            assert_eq!(if format.is_still() { found } else { found.of_films() }, *format);
+            // One name for one ending, so that a sentence can list them.
+            assert_eq!(found.name, format.name);
             assert!(!NOT_WRITTEN.contains(&format.ending), "{format:?} is written");
             assert_eq!(format.ending, format.ending.to_lowercase());
         }
@@ -125,6 +135,7 @@ mod tests {
         assert_eq!(path(&MP4, "a/walk.gif"), "a/walk.mp4");
         assert_eq!(path(&APNG, "v1.2"), "v1.2.apng");
         assert_eq!(path(&PNG, "a/walk.gif"), "a/walk");
+        assert_eq!(path(format_of_ending("webp").unwrap().of_films(), "a/walk.gif"), "a/walk.webp");
     }
 
     #[test]
@@ -139,6 +150,9 @@ mod tests {
         }
         assert_eq!(problem(&MP4, [641, 480], 60, false).unwrap(), "an MP4 needs an even width and height");
         assert_eq!(problem(&MP4, [640, 480], 60, false), None);
+        let webp = format_of_ending("webp").unwrap().of_films();
+        assert_eq!(problem(webp, [16_384, 8], 30, true).unwrap(), "a WebP film is at most 16383 pixels wide and high");
+        assert_eq!(problem(webp, [16_383, 8], 91, true).unwrap(), "a WebP shows at most 90 frames a second");
         for format in FORMATS {
             assert_eq!(format.problem([640, 480], Some(format.most_frames_per_second), false), None, "{format:?}");
         }

@@ -116,6 +116,51 @@ fn a_gif_does_not_write_noise_that_nobody_sees() {
     assert!(shown[1] != shown[2], "two changes of one level do not add up");
 }
 
+/// The pictures of a WebP, each whole, and their times in milliseconds.
+fn webp_pictures(bytes: &[u8]) -> (Vec<Image>, Vec<u32>) {
+    use image::AnimationDecoder as _;
+    let decoder = image::codecs::webp::WebPDecoder::new(Cursor::new(bytes)).unwrap();
+    let frames = decoder.into_frames().collect_frames().unwrap();
+    let ms = frames
+        .iter()
+        .map(|frame| frame.delay().numer_denom_ms())
+        .map(|(numerator, denominator)| numerator / denominator);
+    let ms = ms.collect();
+    let picture = |frame: image::Frame| {
+        let (width, height) = frame.buffer().dimensions();
+        Image { width, height, rgba: frame.into_buffer().into_raw() }
+    };
+    (frames.into_iter().map(picture).collect(), ms)
+}
+
+#[test]
+fn a_webp_film_shows_the_pictures_for_their_times() {
+    let webp = format_of_ending("webp").unwrap().of_films();
+    for is_opaque in [true, false] {
+        let bytes = film(webp, is_opaque);
+        assert_eq!(bytes, film(webp, is_opaque));
+        assert_eq!(bytes[..4], *b"RIFF");
+        assert_eq!(bytes.len() as u32, 8 + u32::from_le_bytes(*bytes[4..].first_chunk().unwrap()));
+        // It is lossy.
+        assert!(bytes.windows(4).any(|chunk| chunk == b"VP8 ") && !bytes.windows(4).any(|chunk| chunk == b"VP8L"));
+        let (pictures, ms) = webp_pictures(&bytes);
+        // The second and the third are the same. Four thirtieths of a second, rounded once.
+        assert_eq!(ms, [33, 67, 33]);
+        for (found, left) in pictures.iter().zip([2, 5, 9]) {
+            let expected = picture(left, is_opaque);
+            assert_eq!((found.width, found.height), (31, 18));
+            let mut sum = 0;
+            for (found, expected) in found.rgba.chunks_exact(4).zip(expected.rgba.chunks_exact(4)) {
+                assert_eq!(found[3], expected[3]);
+                if expected[3] > 0 {
+                    sum += (0..3).map(|channel| u32::from(found[channel].abs_diff(expected[channel]))).sum::<u32>();
+                }
+            }
+            assert!(sum < 8 * 3 * 31 * 18, "left {left}: {sum} levels");
+        }
+    }
+}
+
 #[test]
 fn few_colours_are_kept_exactly() {
     let two = Image { width: 2, height: 1, rgba: vec![1, 2, 3, 255, 250, 251, 252, 255] };

@@ -356,7 +356,7 @@ fn a_film_shows_right_beside_wrong() {
     }
     sandbox
         .run(&["diagnose", "k.json", "s.csv", "--film", "film.mp4"])
-        .refuses("film.mp4: the name of this film ends in one of .gif, .apng, .y4m");
+        .refuses("film.mp4: the name of this film ends in one of .gif, .apng, .webp, .y4m");
     sandbox.run(&["diagnose", "k.json", "--mistake", "nan-when-equal"]).misuses();
     sandbox.run(&["diagnose", "k.json", "--mistake", "nothing", "--film", "film.gif"]).misuses();
 }

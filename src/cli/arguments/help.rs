@@ -8,11 +8,13 @@ pub fn output() -> String {
     let [stills, own_films, through_ffmpeg] = written_endings();
     let dotted = |endings: &[&str]| -> Vec<String> { endings.iter().map(|ending| format!(".{ending}")).collect() };
     let marked = through_ffmpeg.iter().map(|ending| format!(".{ending} (through ffmpeg)"));
+    let both: Vec<&str> = own_films.iter().copied().filter(|ending| stills.contains(ending)).collect();
     let films: Vec<String> = dotted(&own_films).into_iter().chain(marked).collect();
     format!(
-        "What to write: OUT{} is one image; OUT{} are films; a folder gets frame-00000.png and on",
+        "What to write: OUT{} is one image; OUT{} are films ({} with --fps); a folder gets frame-00000.png and on",
         listed(&dotted(&stills), "or"),
-        listed(&films, "and")
+        listed(&films, "and"),
+        listed(&dotted(&both), "and")
     )
 }
 

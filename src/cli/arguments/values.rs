@@ -3,7 +3,7 @@
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 use crate::export::Size;
-use crate::film::{FORMATS, Format, films, format_of_ending, stills};
+use crate::film::{Format, films, format_of_ending, stills};
 use crate::interpolation::Interpolation;
 use crate::scene::LATEST_SECONDS;
 
@@ -53,14 +53,16 @@ pub fn still_format() -> impl TypedValueParser<Value = &'static Format> {
 
 /// The ending of a format of pictures or films.
 pub fn format() -> impl TypedValueParser<Value = &'static Format> {
-    PossibleValuesParser::new(FORMATS.map(|format| format.ending))
-        .try_map(|ending| format_of_ending(&ending).ok_or("unknown format"))
+    // An ending that pictures and films share is named once.
+    let films = films().map(|format| format.ending);
+    let stills = stills().filter(|format| format.of_films().is_still()).map(|format| format.ending);
+    PossibleValuesParser::new(films.chain(stills)).try_map(|ending| format_of_ending(&ending).ok_or("unknown format"))
 }
 
 /// The ending of a format of films.
 pub fn film_format() -> impl TypedValueParser<Value = &'static Format> {
     PossibleValuesParser::new(films().map(|format| format.ending))
-        .try_map(|ending| format_of_ending(&ending).ok_or("unknown format"))
+        .try_map(|ending| format_of_ending(&ending).map(Format::of_films).ok_or("unknown format"))
 }
 
 /// Samples a pixel.

@@ -30,7 +30,7 @@ const LAST_MS: f64 = 1000.0;
 /// # Errors
 /// [`CliError`]: the ending is not that of a film that is written without another program.
 pub fn format_of(path: &Path) -> Result<FilmFormat, CliError> {
-    if let Some(Encoder::Film(format)) = format_of_path(path).map(|format| &format.encoder) {
+    if let Some(Encoder::Film(format)) = format_of_path(path).map(|format| &format.of_films().encoder) {
         return Ok(*format);
     }
     let [_, own, _] = written_endings();

@@ -35,6 +35,9 @@ impl Output {
         let output = match format {
             _ if is_folder => Self { format: of_folder, is_one_image: false },
             Some(format) if !format.is_still() => Self { format, is_one_image: false },
+            Some(format) if arguments.fps.is_some() && !format.of_films().is_still() => {
+                Self { format: format.of_films(), is_one_image: false }
+            }
             Some(_) if arguments.fps.is_some() => {
                 return Err(misuse("with --fps, --output names a film or a folder for the numbered images"));
             }
@@ -109,6 +112,11 @@ fn check_refining(arguments: &RenderArguments) -> Result<(), CliError> {
 }
 
 fn not_written(ending: &str) -> String {
-    let written: Vec<String> = written_endings().concat().iter().map(|ending| format!(".{ending}")).collect();
+    let mut written: Vec<String> = Vec::new();
+    for ending in written_endings().concat().iter().map(|ending| format!(".{ending}")) {
+        if !written.contains(&ending) {
+            written.push(ending);
+        }
+    }
     format!("--output ends in .{ending}: {} and folders can be written", written.join(", "))
 }
