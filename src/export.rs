@@ -23,7 +23,7 @@ mod write;
 
 pub use crate::keyframe::Animation;
 pub use error::{ErrorKind, ExportError};
-pub use exposure::{Exposure, Focus, Shot, Shutter};
+pub use exposure::{Exposed, Exposure, Focus, Shutter};
 pub use ffmpeg::FfmpegError;
 pub use folder::is_frame_name;
 pub use job::Job;

@@ -13,7 +13,7 @@ pub use page::{PAGE_NAME, page};
 pub use shot::{Shot, When};
 
 use crate::export::{
-    self, Animation, ExportError, Exposure, Moment, Moments, Painter, Shutter, Size, Source, Span, Stage, Viewpoint,
+    Animation, ExportError, Exposed, Exposure, Moment, Moments, Painter, Shutter, Size, Source, Span, Stage, Viewpoint,
 };
 use crate::files::{self, FileError, LARGEST_IMAGE_BYTES, WorkError, scene};
 use crate::flip::{CompareError, Comparison, Scores, check_sizes, compare};
@@ -211,7 +211,7 @@ impl<'a> References<'a> {
         if let (When::Frame { fps, .. }, Some((_, moments))) = (shot.when, &self.film) {
             stage.expose(&Exposure { shutter: Shutter::OF_FILMS, focus: None }, fps, moments.len())?;
         }
-        Ok(self.painter.shot(&export::Shot::of_stage(&stage, &moment)?)?)
+        Ok(self.painter.exposed(&Exposed::of_stage(&stage, &moment)?)?)
     }
 
     /// A frame of a film. The next of the same film costs no second look at its times.

@@ -69,13 +69,13 @@ impl Shutter {
 }
 
 /// One picture: the frame at its moment, and how it looks while the shutter is open.
-pub struct Shot<'a> {
+pub struct Exposed<'a> {
     /// The frame at the picture's moment.
     pub frame: Frame,
     moving: Option<(&'a Stage<'a>, &'a Moment)>,
 }
 
-impl<'a> Shot<'a> {
+impl<'a> Exposed<'a> {
     /// A picture in which nothing moves while the shutter is open.
     #[must_use]
     pub const fn still(frame: Frame) -> Self {
@@ -97,7 +97,7 @@ impl<'a> Shot<'a> {
     }
 }
 
-impl From<Frame> for Shot<'_> {
+impl From<Frame> for Exposed<'_> {
     fn from(frame: Frame) -> Self {
         Self::still(frame)
     }

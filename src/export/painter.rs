@@ -4,7 +4,7 @@ use std::convert::Infallible;
 
 use glam::Vec2;
 
-use super::{ExportError, Shot};
+use super::{ExportError, Exposed};
 use crate::film::StillEncoder;
 use crate::frame::Frame;
 use crate::picture::PngMemory;
@@ -92,9 +92,9 @@ impl Painter {
     ///
     /// # Errors
     /// [`ExportError`]
-    pub fn shot(&mut self, shot: &Shot<'_>) -> Result<Image, ExportError> {
+    pub fn exposed(&mut self, picture: &Exposed<'_>) -> Result<Image, ExportError> {
         self.offscreen.clear();
-        self.submit_shot(shot)?;
+        self.submit_exposed(picture)?;
         Ok(self.offscreen.read(&self.gpu)?.rows().to_image())
     }
 
@@ -103,10 +103,10 @@ impl Painter {
     ///
     /// # Errors
     /// [`ExportError`]
-    pub fn next_drawn(&mut self, shot: Option<&Shot<'_>>) -> Result<Option<Drawn>, ExportError> {
+    pub fn next_drawn(&mut self, picture: Option<&Exposed<'_>>) -> Result<Option<Drawn>, ExportError> {
         let was_under_way = self.offscreen.under_way() > 0;
-        if let Some(shot) = shot {
-            self.submit_shot(shot)?;
+        if let Some(picture) = picture {
+            self.submit_exposed(picture)?;
         }
         Ok(was_under_way.then(|| self.offscreen.read(&self.gpu)).transpose()?)
     }
@@ -116,7 +116,7 @@ impl Painter {
     /// # Errors
     /// [`ExportError`]
     pub fn png(&mut self, frame: Frame) -> Result<Vec<u8>, ExportError> {
-        self.encoded(&Shot::still(frame), |size| Box::new(PngMemory::new(size[0], size[1])))
+        self.encoded(&Exposed::still(frame), |size| Box::new(PngMemory::new(size[0], size[1])))
     }
 
     /// Draws a picture and encodes it. The encoder is made while the GPU draws.
@@ -125,18 +125,18 @@ impl Painter {
     /// [`ExportError`]
     pub fn encoded(
         &mut self,
-        shot: &Shot<'_>,
+        picture: &Exposed<'_>,
         start: impl FnOnce([u32; 2]) -> Box<dyn StillEncoder>,
     ) -> Result<Vec<u8>, ExportError> {
         self.offscreen.clear();
-        self.submit_shot(shot)?;
+        self.submit_exposed(picture)?;
         let mut encoder = start([self.size.width, self.size.height]);
         encoder.encode(&self.offscreen.read(&self.gpu)?.rows())?;
         Ok(encoder.into_bytes())
     }
 
-    fn submit_shot(&mut self, shot: &Shot<'_>) -> Result<(), ExportError> {
-        self.submit(&shot.frame, |shutter| shot.moved(shutter))
+    fn submit_exposed(&mut self, picture: &Exposed<'_>) -> Result<(), ExportError> {
+        self.submit(&picture.frame, |shutter| picture.moved(shutter))
     }
 
     /// Starts to draw a frame. `moved` gives it after a part of the shutter's time, or `None` if nothing moves.

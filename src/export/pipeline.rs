@@ -5,7 +5,7 @@ use std::thread;
 use std::time::Duration;
 
 use super::pictures::{Pictures, Take};
-use super::{ExportError, Moments, Painter, Shot, Size, Stage};
+use super::{ExportError, Exposed, Moments, Painter, Size, Stage};
 use crate::picture::Image;
 use crate::render::Drawn;
 
@@ -55,7 +55,7 @@ impl Drawing<'_> {
             });
             let drawn = moments.all.iter().enumerate().try_for_each(|(index, moment)| -> Result<(), Stop> {
                 goes_on(index)?;
-                match painter.next_drawn(Some(&Shot::of_stage(stage, moment)?))? {
+                match painter.next_drawn(Some(&Exposed::of_stage(stage, moment)?))? {
                     Some(picture) => send(&sender, picture, || goes_on(index)),
                     None => Ok(()),
                 }
@@ -88,7 +88,7 @@ impl Pictures for Drawing<'_> {
 
     fn ahead(&mut self, places: &[usize]) -> Result<Vec<Image>, ExportError> {
         let Self { stage, moments, painter } = self;
-        places.iter().map(|&place| painter.shot(&Shot::of_stage(stage, &moments.all[place])?)).collect()
+        places.iter().map(|&place| painter.exposed(&Exposed::of_stage(stage, &moments.all[place])?)).collect()
     }
 
     fn each(&mut self, watch: &mut Watch<'_>, take: &mut Take<'_>) -> Result<(), ExportError> {

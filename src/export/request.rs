@@ -6,7 +6,7 @@ use super::ffmpeg::find_ffmpeg;
 use super::folder::{clear_folder, missing_frames};
 use super::write::{Written, unwritten, write_film, write_folder, write_through_ffmpeg};
 use super::{
-    Drawing, ExportError, Exposure, Moment, Moments, Painter, Shot, Size, Source, Span, Stage, Viewpoint, Watch,
+    Drawing, ExportError, Exposed, Exposure, Moment, Moments, Painter, Size, Source, Span, Stage, Viewpoint, Watch,
 };
 use crate::film::{Cell, Encoder, Format, FormatProblem, FrameNumbers, Grid, StartStill, contact_sheet};
 use crate::frame::Frame;
@@ -141,12 +141,11 @@ impl<'a> RenderRequest<'a> {
             }
             _ => whole,
         };
-        let mut earlier = moments.all.clone();
-        let last = earlier.pop().filter(|_| matches!(self.subject, Subject::Strobe(_)));
-        let (earlier, moments) = match last {
-            Some(last) => (earlier, Moments { all: vec![last] }),
-            None => (Vec::new(), moments),
-        };
+        let (mut moments, mut earlier) = (moments, Vec::new());
+        if matches!(self.subject, Subject::Strobe(_)) {
+            let last = moments.all.split_off(moments.all.len().saturating_sub(1));
+            earlier = std::mem::replace(&mut moments.all, last);
+        }
         Ok(PlannedRender { request: self, viewpoint, moments, earlier, film_frames })
     }
 }
@@ -202,8 +201,8 @@ impl PlannedRender<'_> {
                 write_picture(output, &bytes, written)
             }
             (Subject::Picture { .. } | Subject::Strobe(_), Encoder::Still(still)) => {
-                let shot = Shot::of_stage(&stage, &self.moments.all[0])?;
-                let bytes = drawing.painter.encoded(&shot, |size| (still.start)(Some(size)))?;
+                let picture = Exposed::of_stage(&stage, &self.moments.all[0])?;
+                let bytes = drawing.painter.encoded(&picture, |size| (still.start)(Some(size)))?;
                 write_picture(output, &bytes, written)
             }
             (

@@ -19,6 +19,8 @@ mod messages;
 mod models;
 mod other_files;
 mod random;
+#[path = "../common/random_numbers.rs"]
+mod random_numbers;
 mod run;
 #[path = "../student/mod.rs"]
 mod student;

@@ -9,6 +9,8 @@ mod make;
 mod meshes;
 mod mutants;
 mod pictures;
+#[path = "../common/random_numbers.rs"]
+mod random_numbers;
 mod reading;
 mod scales;
 mod trips;
