@@ -50,7 +50,7 @@ fn shaded(pixel: MeshPixel, is_front: bool, base: vec4f) -> vec4f {
     let to_sun = globals.towards_sun_in_world.xyz;
     let facing_sun = dot(normal, to_sun);
     let facing_eye = max(dot(normal, to_eye), 0.0);
-    let arriving = light_arriving(normal, facing_sun, map_position(pixel.in_world, normal));
+    let arriving = light_arriving(normal, facing_sun, sun_arriving(map_position(pixel.in_world, normal)));
     let sun = arriving.x;
     let metallic = material.factors.x;
     let roughness = material.factors.y;

@@ -20,12 +20,17 @@ fn shape_vertex_of(corner: Corner) -> Pixel {
 
 @fragment
 fn shape_fragment(pixel: Pixel) -> @location(0) vec4f {
+    return finished_light(shape_light(pixel, sun_arriving(pixel.map_position)), pixel.colour.w, pixel.in_clip);
+}
+
+// The light that comes from a shape to the eye. `in_map`: of the light of the shadow map, the part that arrives.
+fn shape_light(pixel: Pixel, in_map: f32) -> vec3f {
     let normal = normalize(pixel.surface.xyz);
     let to_eye = normalize(pixel.along_view);
     let to_sun = globals.towards_sun_in_world.xyz;
     let facing_sun = dot(normal, to_sun);
     let facing_eye = dot(normal, to_eye);
-    let arriving = light_arriving(normal, facing_sun, pixel.map_position);
+    let arriving = light_arriving(normal, facing_sun, in_map);
     let sun = arriving.x;
     var ambient = pixel.surface.w * (pixel.shaded + pixel.colour.rgb * ((SKY_FILL - BOUNCE) * arriving.y));
     if IS_SUB_FRAME {
@@ -38,7 +43,7 @@ fn shape_fragment(pixel: Pixel) -> @location(0) vec4f {
     let highlight = pow2(h8) * h8 * sun;
     let rim = pow2(pow2(1.0 - max(facing_eye, 0.0)));
     let lit = ambient + pixel.colour.rgb * (SUN * sun) + SUN * (0.16 * highlight) + SKY_FILL * (rim * (0.22 + 0.2 * normal.y));
-    return finished_light(lit * EXPOSURE, pixel.colour.w, pixel.in_clip);
+    return lit * EXPOSURE;
 }
 
 // Slightly farther (depth is reversed), so that a ghost exactly on its shape stays hidden.
@@ -51,6 +56,10 @@ fn ghost_vertex(corner: Corner) -> Pixel {
 
 @fragment
 fn ghost_fragment(pixel: Pixel) -> @location(0) vec4f {
+    return ghost_colour(pixel);
+}
+
+fn ghost_colour(pixel: Pixel) -> vec4f {
     let normal = normalize(pixel.surface.xyz);
     let facing = max(dot(normal, normalize(pixel.along_view)), 0.0);
     let rim = pow2(pow2(1.0 - facing));

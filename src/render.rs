@@ -9,7 +9,9 @@
 mod arrange;
 mod bounds;
 mod choice;
+mod contact;
 mod detail;
+mod edges;
 mod gpu;
 mod identity;
 mod instances;

@@ -6,6 +6,7 @@
 mod capsule;
 mod cone;
 mod cylinder;
+mod edges;
 mod levels;
 mod plane;
 mod round;
@@ -19,6 +20,7 @@ use std::sync::LazyLock;
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
 
+pub use edges::{Edge, edges};
 pub use levels::{LEVELS, LEVELS_OF_KIND, Level, MESHES, PLANE};
 pub use triangles::triangle_mesh;
 

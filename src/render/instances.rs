@@ -5,13 +5,15 @@ use std::mem;
 use std::ops::Range;
 
 use bytemuck::{Pod, Zeroable, bytes_of};
-use glam::{Affine3A, Vec3};
+use glam::{Affine3A, Mat3A, Vec3, Vec4};
 
 use crate::frame::{ArcballMark, DrawItem, Frame, ItemMesh, View};
 use crate::render::arrange::Arranged;
+use crate::render::contact::contacts;
 use crate::render::detail::Detail;
+use crate::render::edges::{self, Edges};
 use crate::render::look;
-use crate::render::mesh::{LEVELS, Level, MESHES};
+use crate::render::mesh::{LEVELS, Level, MESHES, PLANE};
 use crate::render::triangles::{Skins, TriangleDraws};
 use crate::render::uniforms::Globals;
 use crate::scene::MeshKind;
@@ -23,16 +25,19 @@ pub struct Instance {
     /// The three rows of an affine, shape space to world space, that does not mirror.
     world_from_shape: [[f32; 4]; 3],
     /// Of a mesh of triangles the index of its first joint, and the length in the mesh of a unit of the world.
-    half_extents: Vec3,
-    rounding: f32,
-    colour: Vec3,
+    pub half_extents: Vec3,
+    /// In scene units.
+    pub rounding: f32,
+    /// Linear light.
+    pub colour: Vec3,
     node: u32,
-    opacity: f32,
+    /// From 0 to 1.
+    pub opacity: f32,
 }
 
 impl Instance {
     /// The instance of an item drawn with the unit mesh of a level.
-    fn of_unit(item: &DrawItem, level: Level, opacity: f32) -> Self {
+    pub fn of_unit(item: &DrawItem, level: Level, opacity: f32) -> Self {
         let mut world_from_shape = item.world_from_shape;
         // Every mesh is its own mirror image, so a mirrored shape is the same shape unmirrored; culling then needs one winding.
         if world_from_shape.matrix3.determinant() < 0.0 {
@@ -58,6 +63,14 @@ impl Instance {
     ) -> Self {
         let parameters = Vec3::new(first_joint as f32, 1.0 / world_per_mesh.max(1e-9), 0.0);
         Self::new(item, world_from_shape, parameters, 0.0, opacity)
+    }
+
+    /// Shape space to world space.
+    pub fn world_from_shape(&self) -> Affine3A {
+        let [x, y, z] = self.world_from_shape.map(Vec4::from);
+        let moved = Vec3::new(x.w, y.w, z.w);
+        let rows = Mat3A::from_cols(x.truncate().into(), y.truncate().into(), z.truncate().into());
+        Affine3A { matrix3: rows.transpose(), translation: moved.into() }
     }
 
     fn new(item: &DrawItem, world_from_shape: &Affine3A, half_extents: Vec3, rounding: f32, opacity: f32) -> Self {
@@ -110,6 +123,18 @@ pub struct Packed {
     pub arcball: Range<u32>,
     /// Strokes that are dots.
     pub dots: Range<u32>,
+    /// Offset of the shades on the ground in the bytes.
+    pub contacts_start: usize,
+    /// Shades on the ground.
+    pub contacts: Range<u32>,
+    /// Offset of the edges in the bytes.
+    pub edges_start: usize,
+    /// Edges of items.
+    pub edges: Range<u32>,
+    /// Edges of ghosts.
+    pub ghost_edges: Range<u32>,
+    /// Finds edges.
+    finder: Edges,
     /// Indices in the frame by mesh: of casters, then of ghosts.
     by_mesh: [Vec<u32>; MESHES],
 }
@@ -184,6 +209,40 @@ impl Packed {
             end = push(Stroke { from_in_world, to_in_world, colour: dot.colour.to_array(), width_px: dot.diameter_px });
         }
         self.dots = self.arcball.end..end;
+        (self.edges, self.ghost_edges, self.contacts) = (0..0, 0..0, 0..0);
+    }
+
+    /// Adds the shades on the ground.
+    pub fn pack_contacts(&mut self, frame: &Frame, arranged: &Arranged) {
+        self.contacts_start = self.bytes.len();
+        for contact in contacts(frame, &arranged.bounds) {
+            self.bytes.extend_from_slice(bytes_of(&contact));
+            self.contacts.end += 1;
+        }
+    }
+
+    /// Adds the edges of what was packed: of the items that may be visible, if `of_items`, and of ghosts.
+    pub fn pack_edges(&mut self, frame: &Frame, arranged: &Arranged, of_picture: Detail, of_items: bool) {
+        self.edges_start = self.bytes.len();
+        let eye = frame.view.world_from_eye.translation;
+        let mut count = 0;
+        if of_items {
+            let seen = arranged.seen[..PLANE].iter().enumerate();
+            let seen = seen.flat_map(|(level, seen)| seen.iter().flatten().map(move |&index| (level, index)));
+            for (level, index) in edges::order(&frame.view, &arranged.bounds, seen) {
+                let instance = Instance::of_unit(&frame.items[index as usize], LEVELS[level], 1.0);
+                count += self.finder.append(&instance, level, eye, &mut self.bytes);
+            }
+        }
+        self.edges = 0..count;
+        for ghost in frame.ghosts.iter().take(edges::MOST_SHAPES) {
+            if let ItemMesh::Unit(kind) = ghost.item.mesh {
+                let level = of_picture.mesh(&ghost.item, kind);
+                let instance = Instance::of_unit(&ghost.item, LEVELS[level], ghost.opacity);
+                count += self.finder.append(&instance, level, eye, &mut self.bytes);
+            }
+        }
+        self.ghost_edges = self.edges.end..count;
     }
 }
 

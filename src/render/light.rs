@@ -11,6 +11,8 @@ use crate::render::look;
 
 /// Texels along the map's longest side for each row of the picture. Texels are then about as large as pixels.
 const TEXELS_PER_ROW: f32 = 1.2;
+/// The same in a plain picture if the CPU draws: one bilinear tap is the whole filter, so that a texel is larger than a pixel.
+const SOFTWARE_TEXELS_PER_ROW: f32 = 0.65;
 /// Sizes are rounded up to this many texels so that the texture can be reused.
 const TEXEL_STEP: u32 = 64;
 /// The longest side of the map in texels.
@@ -92,8 +94,9 @@ pub fn towards_sun_in_world() -> Vec3 {
 
 /// The largest number of texels along the map's longest side, for a picture's height in pixels. Maps of sub-frames are coarser, since no
 /// edge of a single one shows, and those of the sky most of all.
-pub fn most_texels(height_px: u32, light: &Light) -> u32 {
+pub fn most_texels(height_px: u32, light: &Light, is_software: bool) -> u32 {
     let per_row = match light.turn {
+        None if is_software => SOFTWARE_TEXELS_PER_ROW,
         None => TEXELS_PER_ROW,
         Some(_) if light.of_sky > 0.0 => 0.45 * TEXELS_PER_ROW,
         Some(_) => 0.8 * TEXELS_PER_ROW,

@@ -5,6 +5,8 @@ use std::sync::OnceLock;
 
 use wgpu::{CompareFunction, ShaderStages, VertexFormat};
 
+use crate::render::contact::Contact;
+use crate::render::edges::EdgeLine;
 use crate::render::instances::{Instance, Stroke};
 use crate::render::mesh::Vertex;
 use crate::render::shaders::{self, CORNERS, Corner, SOURCES, Source, Variant};
@@ -56,9 +58,15 @@ pub enum Kind {
     MaskVisible,
     /// The outline around the mask.
     Outline,
+    /// Edges of opaque shapes, smoothed.
+    Edge,
+    /// Edges of ghosts, smoothed.
+    GhostEdge,
+    /// The shade under what stands on the ground.
+    Contact,
 }
 
-const COUNT: usize = Kind::Outline as usize + 1;
+const COUNT: usize = Kind::Contact as usize + 1;
 
 /// What a pipeline draws.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -93,6 +101,8 @@ impl Form {
 enum Input {
     Instances,
     Strokes,
+    Edges,
+    Contacts,
     Nothing,
 }
 
@@ -200,6 +210,7 @@ impl Kind {
             depth,
             blend,
         };
+        let is_ghost = matches!(self, Self::Ghost | Self::GhostEdge);
         match self {
             Self::Shape => shape(Source::Shape, "shape_vertex", Some("shape_fragment"), (GreaterEqual, true), false),
             Self::Plane => shape(Source::Plane, "plane_vertex", Some("plane_fragment"), (GreaterEqual, true), false),
@@ -230,6 +241,22 @@ impl Kind {
                 shape(Source::Silhouette, "position_vertex", Some("mask_fragment"), (GreaterEqual, false), false)
             }
             Self::Outline => screen(Source::Outline, "outline_vertex", "outline_fragment", None, true),
+            Self::Contact => Recipe {
+                source: Source::Contact,
+                vertex: "contact_vertex",
+                fragment: Some("contact_fragment"),
+                input: Input::Contacts,
+                depth: Some((GreaterEqual, false)),
+                blend: true,
+            },
+            Self::Edge | Self::GhostEdge => Recipe {
+                source: Source::Edge,
+                vertex: if is_ghost { "ghost_edge_vertex" } else { "edge_vertex" },
+                fragment: Some(if is_ghost { "ghost_edge_fragment" } else { "edge_fragment" }),
+                input: Input::Edges,
+                depth: Some((GreaterEqual, false)),
+                blend: true,
+            },
         }
     }
 }
@@ -332,7 +359,7 @@ impl Pipelines {
     /// The bind groups of a pipeline.
     fn layout(&self, device: &wgpu::Device, kind: Kind, form: Form, recipe: &Recipe) -> wgpu::PipelineLayout {
         let second = match kind {
-            Kind::Shape | Kind::Plane => Some(&self.sun_map_layout),
+            Kind::Shape | Kind::Plane | Kind::Edge => Some(&self.sun_map_layout),
             Kind::Outline => Some(&self.mask_layout),
             _ => None,
         };
@@ -402,10 +429,19 @@ impl Pipelines {
             (form.corner() == Corner::Skin).then_some(weights_buffer()),
         ];
         let stroke_buffers = [per_instance(size_of::<Stroke>(), &stroke_attributes)];
+        let edge_attributes: [_; 6] = wgpu::vertex_attr_array![
+            0 => Float32x3, 1 => Float32x3, 2 => Float32x3, 3 => Float32x3, 4 => Float32x3, 5 => Float32
+        ];
+        let edge_buffers = [per_instance(size_of::<EdgeLine>(), &edge_attributes)];
+        let contact_attributes: [_; 4] =
+            wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32x3, 3 => Float32x2];
+        let contact_buffers = [per_instance(size_of::<Contact>(), &contact_attributes)];
         let buffers: &[_] = match recipe.input {
             Input::Instances if form == Form::Unit => &instance_buffers[..2],
             Input::Instances => &instance_buffers,
             Input::Strokes => &stroke_buffers,
+            Input::Edges => &edge_buffers,
+            Input::Contacts => &contact_buffers,
             Input::Nothing => &[],
         };
         let is_single = kind.is_shadow() || kind == Kind::Outline;
@@ -419,7 +455,7 @@ impl Pipelines {
                 buffers,
             },
             primitive: wgpu::PrimitiveState {
-                topology: if recipe.input == Input::Strokes {
+                topology: if matches!(recipe.input, Input::Strokes | Input::Edges | Input::Contacts) {
                     wgpu::PrimitiveTopology::TriangleStrip
                 } else {
                     wgpu::PrimitiveTopology::TriangleList

@@ -2,14 +2,14 @@
 
 mod meshes;
 mod outline;
+mod picture;
 
+use std::mem;
 use std::ops::Range;
-use std::{mem, thread};
 
 use bytemuck::cast_slice;
 use glam::{Vec3, Vec4};
 
-use crate::colour::srgb_from_linear;
 use crate::frame::Frame;
 use crate::render::arrange::{Arranged, Arrangement};
 use crate::render::bounds::{Bounds, rectangle_px};
@@ -18,11 +18,11 @@ use crate::render::gpu::Gpu;
 use crate::render::instances::{INSTANCES_START, Packed};
 use crate::render::light::{Light, SunBox, most_texels};
 use crate::render::look;
-use crate::render::mesh::{MeshRange, PLANE, geometry};
-use crate::render::pipelines::{Kind, Pipelines};
+use crate::render::mesh::{MeshRange, geometry};
+use crate::render::pipelines::Pipelines;
 use crate::render::refine::SUM_FORMAT;
 use crate::render::shaders::{Corner, Variant};
-use crate::render::targets::{SunMap, SunMaps, Targets, texture_view};
+use crate::render::targets::{SunMaps, Targets, texture_view};
 use crate::render::triangles::{JointRows, MeshCache, Skinning, Skins};
 use crate::render::uniforms::Globals;
 
@@ -266,7 +266,7 @@ impl Renderer {
             _ => Detail::of_picture(&frame.view, viewport.height, self.samples_across()),
         };
         let items_moved = self.arranged.take(frame, detail, self.arrangement);
-        let most_texels = most_texels(viewport.height, &self.light);
+        let most_texels = most_texels(viewport.height, &self.light, gpu.is_software);
         let sun = match self.part {
             Part::Overlay => None,
             Part::Whole | Part::SubFrame => SunBox::fit(frame, &self.light, &self.arranged.bounds, most_texels),
@@ -278,6 +278,12 @@ impl Renderer {
         let of_sun_map = sun.as_ref().filter(|_| is_map_due).map(Detail::of_sun_map);
         self.take_meshes(gpu, frame, is_map_due);
         self.packed.pack(frame, &self.arranged, &globals, detail, of_sun_map, &self.skins);
+        if self.part == Part::Whole {
+            self.packed.pack_contacts(frame, &self.arranged);
+        }
+        if self.samples == 1 && self.part != Part::SubFrame {
+            self.packed.pack_edges(frame, &self.arranged, detail, self.part == Part::Whole);
+        }
         self.upload(gpu);
         if is_map_due {
             self.sun_map_draws += 1;
@@ -289,7 +295,7 @@ impl Renderer {
         }
         // No sun box: the sun map still holds an older frame. Storing `None` forces a redraw when a box exists again.
         self.sun_map_box = sun;
-        self.draw_picture(gpu, encoder, frame, target);
+        self.draw_picture(&gpu.device, encoder, frame, target);
         if self.part == Part::SubFrame {
             return;
         }
@@ -325,149 +331,11 @@ impl Renderer {
         mem::swap(&mut self.packed, &mut self.uploaded);
     }
 
-    /// Submits the sun map at once, so that the driver compiles the code shared by all pipelines while those of the picture are created.
-    fn draw_first_sun_map(&self, gpu: &Gpu, frame: &Frame) {
-        let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        self.draw_sun_map(&gpu.device, &mut encoder, frame);
-        let commands = encoder.finish();
-        thread::scope(|scope| {
-            // Create the pipelines on a new thread. The driver's thread wakes at submit and may take this core. If the thread cannot be
-            // started, pipelines are created on first use.
-            let make = || {
-                for kind in self.kinds_behind_lines() {
-                    self.pipelines.get(&gpu.device, kind);
-                }
-            };
-            let _ = thread::Builder::new().name("pipelines".to_owned()).spawn_scoped(scope, make);
-            gpu.queue.submit([commands]);
-        });
-    }
-
-    /// The pipelines that are needed before lines are drawn, in drawing order: occluders first.
-    fn kinds_behind_lines(&self) -> impl Iterator<Item = Kind> {
-        let is_any = |meshes: &[Range<u32>]| meshes.iter().any(|instances| !instances.is_empty());
-        let (shapes, plane) = self.uploaded.seen.split_at(PLANE);
-        let needed = match self.part {
-            Part::Overlay => [(Kind::Depth, true), (Kind::Depth, false), (Kind::Depth, false)],
-            Part::Whole | Part::SubFrame => {
-                let (sky, is_needed) = match (self.background, self.part) {
-                    (Background::Sky, _) => (Kind::Sky, true),
-                    (_, part) => (Kind::Backdrop, part == Part::SubFrame),
-                };
-                [(Kind::Shape, is_any(shapes)), (Kind::Plane, is_any(plane)), (sky, is_needed)]
-            }
-        };
-        needed.into_iter().filter_map(|(kind, is_needed)| is_needed.then_some(kind))
-    }
-
-    fn draw_sun_map(&self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder, frame: &Frame) {
-        let Some(SunMap { size_texels: [width, height], kind, view, .. }) = self.sun_maps.in_use() else { return };
-        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            label: Some("sun map"),
-            depth_stencil_attachment: Some(depth_attachment(view, wgpu::LoadOp::Clear(1.0), wgpu::StoreOp::Store)),
-            ..Default::default()
-        });
-        // The border keeps the farthest depth, so that lookups outside the map are lit.
-        pass.set_scissor_rect(1, 1, width - 2, height - 2);
-        pass.set_pipeline(self.pipelines.get(device, *kind));
-        self.bind_instances(&mut pass);
-        for (mesh, instances) in geometry().ranges.iter().zip(&self.uploaded.casters) {
-            draw_mesh(&mut pass, mesh, instances);
-        }
-        self.draw_triangles(device, &mut pass, frame, *kind, &self.uploaded.triangles.casters);
-    }
-
-    fn draw_picture(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, frame: &Frame, target: Target<'_>) {
-        let (Some(targets), Some(sun_map)) = (&self.targets, self.sun_maps.in_use()) else { return };
-        let has_outline = frame.items.iter().any(|item| item.outlined);
-        let (view, resolve_target) = match &targets.samples {
-            Some(samples) => (samples, Some(target.view)),
-            None => (target.view, None),
-        };
-        let is_resolved = resolve_target.is_some();
-        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            label: Some("picture"),
-            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                view,
-                depth_slice: None,
-                resolve_target,
-                ops: wgpu::Operations {
-                    load: match self.part {
-                        Part::Overlay => wgpu::LoadOp::Load,
-                        Part::Whole | Part::SubFrame => wgpu::LoadOp::Clear(self.clear_colour()),
-                    },
-                    store: if is_resolved { wgpu::StoreOp::Discard } else { wgpu::StoreOp::Store },
-                },
-            })],
-            depth_stencil_attachment: Some(depth_attachment(
-                &targets.depth,
-                wgpu::LoadOp::Clear(0.0),
-                if has_outline { wgpu::StoreOp::Store } else { wgpu::StoreOp::Discard },
-            )),
-            ..Default::default()
-        });
-        set_viewport(&mut pass, target.viewport);
-        self.bind_instances(&mut pass);
-        pass.set_bind_group(1, &sun_map.bind_group, &[]);
-        let device = &gpu.device;
-        let of_triangles = if self.part == Part::Overlay { Kind::Depth } else { Kind::Shape };
-        self.draw_triangles(device, &mut pass, frame, of_triangles, &self.uploaded.triangles.seen);
-        self.bind_instances(&mut pass);
-        let (meshes, items) = (&geometry().ranges, &self.uploaded.seen);
-        for kind in self.kinds_behind_lines() {
-            pass.set_pipeline(self.pipelines.get(device, kind));
-            match kind {
-                Kind::Sky | Kind::Backdrop => pass.draw(0..3, 0..1),
-                Kind::Plane => draw_mesh(&mut pass, &meshes[PLANE], &items[PLANE]),
-                Kind::Depth => meshes.iter().zip(items).for_each(|(mesh, of_mesh)| draw_mesh(&mut pass, mesh, of_mesh)),
-                _ => meshes[..PLANE].iter().zip(items).for_each(|(mesh, of_mesh)| draw_mesh(&mut pass, mesh, of_mesh)),
-            }
-        }
-        if self.part == Part::SubFrame {
-            return;
-        }
-        // Lines come before ghosts, whose depth would hide them.
-        for kind in [Kind::LineHidden, Kind::Line] {
-            self.draw_strokes(device, &mut pass, kind, &self.uploaded.lines.clone());
-        }
-        let ghosts = self.uploaded.ghosts.clone();
-        if !frame.ghosts.is_empty() {
-            for kind in [Kind::GhostDepth, Kind::Ghost] {
-                self.draw_triangles(device, &mut pass, frame, kind, &self.uploaded.triangles.ghosts);
-                self.bind_instances(&mut pass);
-                pass.set_pipeline(self.pipelines.get(device, kind));
-                for (mesh, instances) in geometry().ranges.iter().zip(&ghosts) {
-                    draw_mesh(&mut pass, mesh, instances);
-                }
-            }
-        }
-        self.draw_strokes(device, &mut pass, Kind::LineOnTop, &self.uploaded.arcball.clone());
-        self.draw_strokes(device, &mut pass, Kind::Dot, &self.uploaded.dots.clone());
-    }
-
-    fn draw_strokes(&self, device: &wgpu::Device, pass: &mut wgpu::RenderPass<'_>, kind: Kind, strokes: &Range<u32>) {
-        if !strokes.is_empty() {
-            pass.set_pipeline(self.pipelines.get(device, kind));
-            pass.set_vertex_buffer(0, self.frame_buffer.slice(self.uploaded.strokes_start as u64..));
-            pass.draw(0..4, strokes.clone());
-        }
-    }
-
     fn bind_instances(&self, pass: &mut wgpu::RenderPass<'_>) {
         pass.set_bind_group(0, &self.globals, &[]);
         pass.set_vertex_buffer(0, self.vertices.slice(..));
         pass.set_vertex_buffer(1, self.frame_buffer.slice(INSTANCES_START as u64..));
         pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint16);
-    }
-
-    pub(super) fn clear_colour(&self) -> wgpu::Color {
-        let colour = match self.background {
-            Background::Sky => look::PALETTE.surround,
-            Background::Colour(colour) => colour,
-            Background::Transparent => return wgpu::Color::TRANSPARENT,
-        };
-        let encode = |channel: f32| f64::from(if self.format.is_srgb() { channel } else { srgb_from_linear(channel) });
-        wgpu::Color { r: encode(colour.x), g: encode(colour.y), b: encode(colour.z), a: 1.0 }
     }
 }
 

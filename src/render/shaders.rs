@@ -29,6 +29,10 @@ pub enum Source {
     Masked,
     /// Sums of sub-frames.
     Refine,
+    /// Edges of shapes.
+    Edge,
+    /// The shade under what stands on the ground.
+    Contact,
 }
 
 /// What vertices are transformed by.
@@ -46,7 +50,7 @@ pub enum Corner {
 pub const CORNERS: usize = Corner::Skin as usize + 1;
 
 /// The number of sources.
-pub const SOURCES: usize = Source::Refine as usize + 1;
+pub const SOURCES: usize = Source::Contact as usize + 1;
 const VARIANTS: usize = 16 * CORNERS;
 
 /// The variants of a module.
@@ -137,9 +141,19 @@ fn text(source: Source, variant: Variant) -> String {
         ],
         Source::Masked => &[file!("surface.wgsl"), file!("masked.wgsl")],
         Source::Refine => &[file!("refine.wgsl")],
+        Source::Contact => &[file!("contact.wgsl")],
+        Source::Edge => &[
+            file!("pixel.wgsl"),
+            file!("lit.wgsl"),
+            sun,
+            file!("arriving.wgsl"),
+            file!("toned.wgsl"),
+            file!("shape.wgsl"),
+            file!("edge.wgsl"),
+        ],
     };
     let corner = match source {
-        Source::Sky | Source::Stroke | Source::Outline | Source::Refine => &[],
+        Source::Sky | Source::Stroke | Source::Outline | Source::Refine | Source::Contact => &[],
         _ => corner,
     };
     let mut text = format!(
@@ -166,8 +180,8 @@ mod tests {
     /// Also the variants that only a GPU uses.
     #[test]
     fn every_variant_of_every_source_is_valid() {
-        use Source::{Identity, Masked, Mesh, Outline, Plane, Refine, Shape, Silhouette, Sky, Stroke};
-        let sources = [Shape, Plane, Sky, Silhouette, Stroke, Outline, Identity, Mesh, Masked, Refine];
+        use Source::{Contact, Edge, Identity, Masked, Mesh, Outline, Plane, Refine, Shape, Silhouette, Sky, Stroke};
+        let sources = [Shape, Plane, Sky, Silhouette, Stroke, Outline, Identity, Mesh, Masked, Refine, Edge, Contact];
         assert_eq!(sources.len(), SOURCES);
         for source in sources {
             for bits in 0..VARIANTS {

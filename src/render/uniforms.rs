@@ -3,7 +3,8 @@
 use bytemuck::{Pod, Zeroable};
 use glam::{Mat4, Vec3, Vec4};
 
-use crate::frame::{DrawItem, Frame};
+use crate::frame::Frame;
+use crate::render::contact::ground;
 use crate::render::light::{Light, SunBox, towards_sun_in_world};
 use crate::render::look;
 use crate::render::renderer::Viewport;
@@ -68,18 +69,12 @@ impl Globals {
             towards_light_in_world: light.towards_in_world.extend(sun.map_or(0.0, |sun| sun.texel)),
             weights: Vec4::new(light.of_sun, light.of_sky, light.of_mean, 0.0),
             horizon: look::PALETTE.horizon.map(look::untoned).extend(look::OUTLINE_PX),
-            zenith: look::PALETTE.zenith.map(look::untoned).extend(ground_height(frame)),
+            zenith: look::PALETTE
+                .zenith
+                .map(look::untoned)
+                .extend(ground(frame).map_or(NO_GROUND, |item| item.world_from_shape.translation.y)),
             accent: look::PALETTE.accent.extend(0.0),
             backdrop: light.backdrop,
         }
     }
-}
-
-/// Height of the highest level plane; far below everything without planes.
-fn ground_height(frame: &Frame) -> f32 {
-    let is_level = |item: &&DrawItem| {
-        let up = item.world_from_shape.matrix3.y_axis.normalize_or_zero();
-        item.is_ground() && up.y > 0.99
-    };
-    frame.items.iter().filter(is_level).map(|item| item.world_from_shape.translation.y).fold(NO_GROUND, f32::max)
 }
