@@ -67,7 +67,7 @@ fn interpolations_are_compared_wherever_a_sample_is_shown() {
 #[test]
 fn what_is_compared_can_be_chosen() {
     let mut editor = turning();
-    run(&mut editor, "compare-interpolations matrices nlerp\nscrub 1.3");
+    run(&mut editor, "compare-interpolations matrix nlerp\nscrub 1.3");
     assert_eq!(editor.session().compared_blends, [Blend::Nlerp, Blend::Matrices]);
     assert_eq!(tints(&editor), 2);
     run(&mut editor, "compare-interpolations linear");

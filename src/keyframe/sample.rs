@@ -162,6 +162,11 @@ impl<'a> PlayRange<'a> {
         (list[start].pose.get(rbt), list[start + 1].pose.get(rbt))
     }
 
+    /// How long the interval that begins at keyframe `start` of the list lasts, in units of the time between keyframes.
+    pub(super) fn duration(&self, start: KeyframeIndex) -> f64 {
+        self.keyframes.as_slice()[start.get()].duration
+    }
+
     /// One node's `parent_from_node` at the fraction `alpha` of the played interval that begins at keyframe `start` of the list,
     /// 1 ≤ start ≤ N − 2.
     #[must_use]

@@ -2,7 +2,7 @@
 
 use std::sync::LazyLock;
 
-use glam::{Affine3A, Quat, Vec3};
+use glam::Vec3;
 
 use super::ghosts::{GhostLook, OPACITY, nodes_below, push_ghosts};
 use crate::animation_diff::{Played, distances};
@@ -61,23 +61,12 @@ pub fn blend_off(editor: &Editor, blend: Blend) -> Option<(f64, RbtIndex)> {
     let range = PlayRange::new(&editor.document().keyframes).ok()?;
     let off = |rbt: RbtIndex| {
         let played = range.node_at(key_time, editor.document().interpolation, rbt);
-        let blended = Rbt::new(Vec3::ZERO, nearest_rotation(range.blended_at(key_time, blend, rbt)));
+        let blended = Rbt::new(Vec3::ZERO, range.rotation_at(key_time, blend, rbt).as_quat());
         (distances(Rbt { translation: Vec3::ZERO, ..played }, blended).1, rbt)
     };
     match editor.session().chosen.primary() {
         Some(chosen) => Some(off(chosen)),
         None => editor.scene().rbt_indices().map(off).max_by(|a, b| a.0.total_cmp(&b.0)),
-    }
-}
-
-/// The rotation of a matrix that may be sheared: its first axis, and the plane of the first two.
-fn nearest_rotation(matrix: Affine3A) -> Quat {
-    let x = matrix.matrix3.x_axis.try_normalize();
-    let z = matrix.matrix3.x_axis.cross(matrix.matrix3.y_axis).try_normalize();
-    match (x, z) {
-        (Some(x), Some(z)) => Quat::from_mat3a(&glam::Mat3A::from_cols(x, z.cross(x), z)),
-        // Half way between opposite matrices nothing is left of them.
-        _ => Quat::IDENTITY,
     }
 }
 

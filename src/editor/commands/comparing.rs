@@ -62,15 +62,16 @@ fn interpolations() -> Vec<Row> {
         })
         .line(Line::new(
             "compare-interpolations NAME…|all|none",
-            "shows as ghosts the poses of `linear`, `catmull-rom`, `nlerp` or `matrices` wherever a sample is shown",
+            "shows as ghosts the poses of `linear`, `catmull-rom`, `nlerp` or `matrix` wherever a sample is shown",
             |arguments| {
                 let blends = match arguments.words {
                     [] => return Ok(None),
                     ["all"] => Blend::ALL.to_vec(),
                     ["none"] => Vec::new(),
                     words => {
+                        let names = || Blend::ALL.into_iter().map(|blend| (blend, blend.name()));
                         let blend = |word: &&str| {
-                            one_of(word, "an interpolation", Blend::ALL.into_iter().map(|blend| (blend, blend.name())))
+                            Blend::from_name(word).map_or_else(|| one_of(word, "an interpolation", names()), Ok)
                         };
                         words.iter().map(blend).collect::<Result<_, _>>()?
                     }
