@@ -40,6 +40,10 @@ impl Colour {
     pub const BACKDROP: Self = Self::from_rgb(0x1b, 0x1d, 0x21);
     /// Text on [`Colour::BACKDROP`].
     pub const TEXT: Self = Self::from_rgb(0xd7, 0xda, 0xe0);
+    /// Text that matters less on [`Colour::BACKDROP`].
+    pub const DIM: Self = Self::from_rgb(0x8b, 0x91, 0x9c);
+    /// Thin lines on [`Colour::BACKDROP`].
+    pub const LINE: Self = Self::from_rgb(0x32, 0x36, 0x3d);
     /// The sky where it meets the ground.
     pub const HORIZON: Self = Self::from_rgb(0xae, 0xbf, 0xce);
     /// The sky overhead.
@@ -85,6 +89,13 @@ impl Colour {
         }
         let [red, green, blue] = self.0.to_array();
         [byte(red), byte(green), byte(blue)]
+    }
+
+    /// Red, green, blue and full opacity, each 0 to 255: a pixel of a picture.
+    #[must_use]
+    pub const fn to_pixel(self) -> [u8; 4] {
+        let [red, green, blue] = self.to_bytes();
+        [red, green, blue, 0xff]
     }
 
     /// Linear-light red, green and blue, 0 to 1.

@@ -3,11 +3,13 @@
 //! This module does not draw, wait or open files: encoders take pictures and write to any `Write`. The same pictures always give the same
 //! bytes. To add a format, add a file under `formats/` and a row to the table there.
 
+mod compared;
 mod format;
 mod formats;
 mod letters;
 mod numbers;
 mod options;
+mod plot;
 mod quality;
 mod sheet;
 
@@ -17,6 +19,7 @@ use thiserror::Error;
 
 use crate::text::system_words;
 use crate::words::{Message, display_by_message, texts};
+pub use compared::{COMPARED_AT_MOST, ComparedAs, ComparedBoard, ComparedLayout};
 pub use format::{
     Encoder, EncodingError, Film, FilmEncoder, FilmFormat, Format, FormatProblem, Plan, StartStill, StillEncoder,
     StillFormat,
@@ -27,6 +30,7 @@ pub use formats::{
 };
 pub use numbers::{FrameNumbers, FrameNumbersError};
 pub use options::{ExportBackground, ExportEnd, ExportOptions};
+pub use plot::{Plot, PlotCurve, axis_end};
 pub use quality::Quality;
 pub use sheet::{Cell, Grid, contact_sheet};
 

@@ -39,6 +39,14 @@ impl Image {
         self.rows().to_png()
     }
 
+    /// Replaces the pixels from `[left, top]` on by a picture that lies within this one.
+    pub(crate) fn paste(&mut self, [left, top]: [u32; 2], picture: &Rows<'_>) {
+        for (y, row) in (top as usize..).zip(picture.rows()) {
+            let start = 4 * (y * self.width as usize + left as usize);
+            self.rgba[start..start + row.len()].copy_from_slice(row);
+        }
+    }
+
     /// The picture as borrowed rows.
     #[must_use]
     pub fn rows(&self) -> Rows<'_> {

@@ -5,16 +5,7 @@ use crate::colour::Colour;
 use crate::picture::Image;
 
 /// The gap between and around pictures, in pixels.
-const GAP: u32 = 4;
-/// The colour of the gaps.
-const GAP_COLOUR: [u8; 4] = opaque(Colour::BACKDROP);
-/// The colour of captions.
-const TEXT_COLOUR: [u8; 4] = opaque(Colour::TEXT);
-
-const fn opaque(colour: Colour) -> [u8; 4] {
-    let [red, green, blue] = colour.to_bytes();
-    [red, green, blue, 0xff]
-}
+pub(super) const GAP: u32 = 4;
 
 /// From this picture width on, in pixels, letters are twice as large.
 const WIDE: u32 = 240;
@@ -49,20 +40,16 @@ pub fn contact_sheet(grid: Grid, cells: &[Cell]) -> Image {
         height: whole(grid.rows, height + caption_height),
         rgba: Vec::new(),
     };
-    sheet.rgba = GAP_COLOUR.repeat(sheet.width as usize * sheet.height as usize);
-    let row_bytes = 4 * width as usize;
+    sheet.rgba = Colour::BACKDROP.to_pixel().repeat(sheet.width as usize * sheet.height as usize);
     for (cell_index, cell) in (0..grid.columns * grid.rows).zip(cells) {
         let left = GAP + cell_index % grid.columns * (width + GAP);
         let top = GAP + cell_index / grid.columns * (height + caption_height + GAP);
-        for (y, row) in (top..).zip(cell.picture.rgba.chunks_exact(row_bytes.max(4))) {
-            let start = 4 * (y as usize * sheet.width as usize + left as usize);
-            sheet.rgba[start..start + row_bytes].copy_from_slice(row);
-        }
+        sheet.paste([left, top], &cell.picture.rows());
         let fits = |parts: &usize| text_width(&cell.caption[..*parts].join("  "), scale) <= width;
         let parts = (0..=cell.caption.len()).rev().find(fits).unwrap_or(0);
         let text = cell.caption[..parts].join("  ");
         let indent = (width - text_width(&text, scale).min(width)) / 2;
-        write_text(&mut sheet, [left + indent, top + height + 2 * scale], &text, scale, TEXT_COLOUR);
+        write_text(&mut sheet, [left + indent, top + height + 2 * scale], &text, scale, Colour::TEXT.to_pixel());
     }
     sheet
 }
