@@ -5,6 +5,7 @@
 //! removed. [`RenderRequest`] is the entry point, and [`JoinRequest`] for films of pictures that are there; [`Job`] is a request that owns its data, for a thread.
 
 mod child;
+mod compared;
 mod error;
 mod exposure;
 mod ffmpeg;
@@ -22,6 +23,7 @@ mod times;
 mod write;
 
 pub use crate::keyframe::Animation;
+pub use compared::{Compared, Comparison, check_comparison};
 pub use error::{ErrorKind, ExportError};
 pub use exposure::{Exposed, Exposure, Focus, Shutter};
 pub use ffmpeg::FfmpegError;
@@ -31,7 +33,7 @@ pub use join::JoinRequest;
 pub use moments::{Moment, MomentPose, Moments, Source, Span};
 pub use painter::{Painter, Size};
 pub use pictures::{Pictures, Take};
-pub use pipeline::{Drawing, Watch};
+pub use pipeline::{Drawing, Picture, Scenery, Watch};
 pub use request::{PlannedRender, RenderRequest, Subject, check_format, check_sheet, write_picture};
 pub use stage::{Stage, Viewpoint};
 pub use times::{FrameTime, frame_times};

@@ -3,7 +3,9 @@
 use std::hint::black_box;
 use std::path::Path;
 
-use inbetween::export::{Animation, Drawing, Moments, Painter, Size, Source, Span, Stage, Viewpoint, write_folder};
+use inbetween::export::{
+    Animation, Drawing, Moments, Painter, Scenery, Size, Source, Span, Stage, Viewpoint, write_folder,
+};
 use inbetween::film::StillEncoder;
 use inbetween::frame::Frame;
 use inbetween::keyframe::keyframes_from_json;
@@ -37,7 +39,7 @@ pub fn frames(report: &mut Report) {
     let mut written = 0;
     let mut write = || {
         let mut watch = |_, _| true;
-        let mut drawing = Drawing { stage: &stage, moments: &moments, painter: &mut ours };
+        let mut drawing = Drawing { scenery: Scenery::Stage(&stage), moments: &moments, painter: &mut ours };
         let start = |_| -> Box<dyn StillEncoder> { Box::new(PngMemory::default()) };
         write_folder(folder.path(), "png", start, &mut drawing, &mut watch, &mut |_, _| written += 1)
             .expect("the frames can be written");

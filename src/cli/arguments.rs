@@ -2,6 +2,7 @@
 
 mod check;
 mod compare;
+mod comparing;
 mod convert;
 mod diagnose;
 mod diff;
@@ -30,6 +31,7 @@ use clap::{Args, CommandFactory as _, Parser};
 
 pub use check::CheckArguments;
 pub use compare::CompareArguments;
+pub use comparing::ComparingArguments;
 pub use convert::ConvertArguments;
 pub use diagnose::DiagnoseArguments;
 pub use diff::DiffArguments;

@@ -12,7 +12,8 @@ use super::places::Places;
 use super::progress::{telling, watched};
 use super::{CliError, Common, reading, scene};
 use crate::export::{
-    Animation, Painter, RenderRequest, Size, Source, Subject, check_format, check_sheet, is_frame_name, write_picture,
+    Animation, Comparison, Painter, RenderRequest, Size, Source, Subject, check_format, check_sheet, is_frame_name,
+    write_picture,
 };
 use crate::render::Background;
 use crate::storage::output_name;
@@ -36,15 +37,19 @@ fn render(arguments: &RenderArguments, common: Common<'_>) -> Result<(), CliErro
     let output = Output::of(arguments)?;
     places(arguments, common, output).check()?;
     let is_opaque = arguments.background != Background::Transparent;
-    let size = arguments.size.unwrap_or(if arguments.sheet.is_some() { SHEET_SIZE } else { DEFAULT_SIZE });
+    let layout = arguments.comparing.layout(arguments.size, arguments.sheet.is_some())?;
+    let usual_size = if arguments.sheet.is_some() { SHEET_SIZE } else { DEFAULT_SIZE };
+    let size = layout.map_or(arguments.size.unwrap_or(usual_size), |layout| Size::of(layout.size()));
     check_format(output.format, size, arguments.fps, is_opaque, &arguments.output)?;
     if let Some(grid) = arguments.sheet {
         check_sheet(grid, size)?;
     }
-    let mut painter = Painter::headless(size, arguments.samples)?;
+    let view = layout.map_or(size, |layout| Size::of(layout.view()));
+    let mut painter = Painter::headless(view, arguments.samples)?;
     painter.refine(arguments.refining.refinement());
     painter.set_background(arguments.background);
-    let done = draw(arguments, common, output, &mut painter);
+    let comparison = arguments.comparing.comparison(layout);
+    let done = draw(arguments, common, output, comparison.as_ref(), &mut painter);
     if done.is_ok() {
         // Skip the driver's clean-up, which takes milliseconds, because the process ends after this. After an error
         // the driver may still be busy, and must be waited for.
@@ -57,6 +62,7 @@ fn draw(
     arguments: &RenderArguments,
     common: Common<'_>,
     output: Output,
+    comparison: Option<&Comparison<'_>>,
     painter: &mut Painter,
 ) -> Result<(), CliError> {
     let scene = scene::load(common.scene)?;
@@ -78,6 +84,7 @@ fn draw(
         only_missing: arguments.missing,
         camera: arguments.camera.as_deref(),
         ghosts: arguments.ghosts.unwrap_or(0),
+        comparison,
         exposure: arguments.refining.exposure(matches!(subject, Subject::Film { .. })),
         is_opaque: arguments.background != Background::Transparent,
         format: output.format,
@@ -86,7 +93,7 @@ fn draw(
     };
     let planned = request.plan()?;
     // Hashing is slow: only do it for a manifest.
-    let mut manifest = arguments.manifest().is_some().then(|| Manifest::new(painter));
+    let mut manifest = arguments.manifest().is_some().then(|| Manifest::new(painter, planned.size(painter)));
     let mut written = |path: &Path, bytes: &[u8]| {
         if let Some(manifest) = &mut manifest {
             manifest.add(path, bytes);

@@ -47,6 +47,20 @@ pub enum ExportError {
         /// The requested path.
         path: String,
     },
+    /// The scene has no such node whose angular speed could be shown.
+    NoComparedNode {
+        /// The requested path.
+        path: String,
+    },
+    /// A picture is too small for what it is to compare.
+    TooSmallToCompare {
+        /// Its size.
+        size: Size,
+        /// How many interpolations it compares.
+        count: u32,
+        /// A size that is large enough.
+        least: Size,
+    },
     /// The keyframes cannot be played, or not at the requested time.
     Unplayable {
         /// The name of the keyframe file, or of the scene.
@@ -183,6 +197,10 @@ impl ExportError {
             Self::SheetTooLarge { width, height, limit } => texts::export_sheet_too_large(*width, *height, *limit),
             Self::NoCamera { name, eyes } => texts::export_camera_missing(name, eyes.join(", ")),
             Self::NoFocus { path } => texts::export_no_focus(path),
+            Self::NoComparedNode { path } => texts::export_no_compared_node(path),
+            Self::TooSmallToCompare { size, count, least } => {
+                texts::export_too_small_to_compare(size.to_string(), *count, least.to_string())
+            }
             Self::Unplayable { source_name, cause } => texts::export_at(source_name.clone(), cause.message()),
             Self::NoKeyframe { source_name, index, last } => {
                 let problem = match last {
@@ -245,11 +263,14 @@ impl ExportError {
     #[must_use]
     pub const fn kind(&self) -> ErrorKind {
         match self {
-            Self::Format(_) | Self::Backwards { .. } | Self::TooManyFrames | Self::SheetTooLarge { .. } => {
-                ErrorKind::Usage
-            }
+            Self::Format(_)
+            | Self::Backwards { .. }
+            | Self::TooManyFrames
+            | Self::SheetTooLarge { .. }
+            | Self::TooSmallToCompare { .. } => ErrorKind::Usage,
             Self::NoCamera { .. }
             | Self::NoFocus { .. }
+            | Self::NoComparedNode { .. }
             | Self::Unplayable { .. }
             | Self::NoKeyframe { .. }
             | Self::NoFrame { .. }

@@ -68,6 +68,7 @@ impl Job {
             only_missing: false,
             camera: camera.as_deref(),
             ghosts: *ghosts,
+            comparison: None,
             exposure: Exposure { shutter: Shutter::OF_FILMS, focus: None },
             is_opaque,
             format,

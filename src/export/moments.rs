@@ -121,7 +121,7 @@ impl Source<'_> {
 
     /// The key times at which the span begins and ends.
     #[expect(clippy::cast_precision_loss, reason = "no list has 2^52 keyframes")]
-    fn key_times(&self, span: Span, animation: &Animation) -> Result<[f64; 2], ExportError> {
+    pub(super) fn key_times(&self, span: Span, animation: &Animation) -> Result<[f64; 2], ExportError> {
         let range = self.range(animation)?;
         let key_times = [span.from.unwrap_or(0.0), span.to.unwrap_or(range.last_key_time() as f64)];
         for key_time in key_times {

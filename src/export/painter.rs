@@ -21,6 +21,14 @@ pub struct Size {
     pub height: u32,
 }
 
+impl Size {
+    /// A width and a height.
+    #[must_use]
+    pub const fn of([width, height]: [u32; 2]) -> Self {
+        Self { width, height }
+    }
+}
+
 impl std::fmt::Display for Size {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(formatter, "{}x{}", self.width, self.height)

@@ -4,9 +4,10 @@ use std::sync::mpsc;
 use std::thread;
 use std::time::Duration;
 
+use super::compared::Compared;
 use super::pictures::{Pictures, Take};
-use super::{ExportError, Exposed, Moments, Painter, Size, Stage};
-use crate::picture::Image;
+use super::{ExportError, Exposed, Moment, Moments, Painter, Size, Stage};
+use crate::picture::{Image, Rows};
 use crate::render::Drawn;
 
 /// The capacity of the queue: enough that a slow picture on one thread does not stop the other, at acceptable memory.
@@ -21,10 +22,79 @@ fn waiting(size: Size) -> usize {
 /// Receives the number of drawn frames and the total, before each frame and after the last. Returns whether to continue.
 pub type Watch<'a> = dyn FnMut(usize, usize) -> bool + 'a;
 
+/// What a run draws at each moment.
+#[derive(Clone, Copy)]
+pub enum Scenery<'a> {
+    /// A scene with its camera.
+    Stage(&'a Stage<'a>),
+    /// Several, arranged in one picture.
+    Compared(&'a Compared<'a>),
+}
+
+impl<'a> Scenery<'a> {
+    /// The scenes that are drawn for one picture.
+    pub(super) fn stages(self) -> &'a [Stage<'a>] {
+        match self {
+            Self::Stage(stage) => std::slice::from_ref(stage),
+            Self::Compared(compared) => compared.stages(),
+        }
+    }
+
+    /// Draws the picture of a moment.
+    pub(super) fn image(self, painter: &mut Painter, moment: &Moment) -> Result<Image, ExportError> {
+        match self {
+            Self::Stage(stage) => painter.exposed(&Exposed::of_stage(stage, moment)?),
+            Self::Compared(compared) => {
+                let view = |stage| painter.exposed(&Exposed::of_stage(stage, moment)?);
+                let views = compared.stages().iter().map(view).collect::<Result<Vec<_>, _>>()?;
+                Ok(compared.picture(&views.iter().map(Image::rows).collect::<Vec<_>>(), moment))
+            }
+        }
+    }
+
+    /// The next picture of a run, of what was drawn for it; `None` if that ends before.
+    fn next_picture(self, drawn: &mut impl Iterator<Item = Drawn>, moment: &Moment) -> Option<Picture> {
+        match self {
+            Self::Stage(_) => drawn.next().map(Picture::Drawn),
+            Self::Compared(compared) => {
+                let views: Vec<Drawn> = drawn.take(compared.stages().len()).collect();
+                let views: Vec<Rows<'_>> = views.iter().map(Drawn::rows).collect();
+                (views.len() == compared.stages().len()).then(|| Picture::Arranged(compared.picture(&views, moment)))
+            }
+        }
+    }
+}
+
+/// A picture of a run.
+pub enum Picture {
+    /// As it was drawn.
+    Drawn(Drawn),
+    /// Arranged of several that were drawn.
+    Arranged(Image),
+}
+
+impl Picture {
+    /// Its pixels.
+    #[must_use]
+    pub fn rows(&self) -> Rows<'_> {
+        match self {
+            Self::Drawn(drawn) => drawn.rows(),
+            Self::Arranged(image) => image.rows(),
+        }
+    }
+
+    fn into_image(self) -> Image {
+        match self {
+            Self::Drawn(drawn) => drawn.rows().to_image(),
+            Self::Arranged(image) => image,
+        }
+    }
+}
+
 /// The inputs of a run.
 pub struct Drawing<'a> {
-    /// The scene with its camera.
-    pub stage: &'a Stage<'a>,
+    /// What is drawn.
+    pub scenery: Scenery<'a>,
     /// The moments to draw.
     pub moments: &'a Moments,
     /// The painter that draws them.
@@ -39,9 +109,10 @@ impl Drawing<'_> {
     pub fn draw(
         &mut self,
         watch: &mut Watch<'_>,
-        mut take: impl FnMut(usize, Drawn) -> Result<(), ExportError> + Send,
+        mut take: impl FnMut(usize, Picture) -> Result<(), ExportError> + Send,
     ) -> Result<(), ExportError> {
-        let Self { stage, moments, painter } = self;
+        let Self { scenery, moments, painter } = self;
+        let (scenery, stages, moments) = (*scenery, scenery.stages(), *moments);
         let count = moments.all.len();
         let mut goes_on = |done: usize| if watch(done, count) { Ok(()) } else { Err(ExportError::Cancelled) };
         let gives_way = painter.gpu().is_software;
@@ -51,9 +122,20 @@ impl Drawing<'_> {
                 if gives_way {
                     give_way();
                 }
-                receiver.into_iter().enumerate().try_for_each(|(index, drawn)| take(index, drawn))
+                let mut drawn = receiver.into_iter();
+                for (index, moment) in moments.all.iter().enumerate() {
+                    // Where the drawing has ended by an error there are no more.
+                    let Some(picture) = scenery.next_picture(&mut drawn, moment) else { break };
+                    take(index, picture)?;
+                }
+                Ok(())
             });
-            let drawn = moments.all.iter().enumerate().try_for_each(|(index, moment)| -> Result<(), Stop> {
+            let views = moments
+                .all
+                .iter()
+                .enumerate()
+                .flat_map(|(index, moment)| stages.iter().map(move |stage| (index, stage, moment)));
+            let drawn = { views }.try_for_each(|(index, stage, moment)| -> Result<(), Stop> {
                 goes_on(index)?;
                 match painter.next_drawn(Some(&Exposed::of_stage(stage, moment)?))? {
                     Some(picture) => send(&sender, picture, || goes_on(index)),
@@ -87,12 +169,12 @@ impl Pictures for Drawing<'_> {
     }
 
     fn ahead(&mut self, places: &[usize]) -> Result<Vec<Image>, ExportError> {
-        let Self { stage, moments, painter } = self;
-        places.iter().map(|&place| painter.exposed(&Exposed::of_stage(stage, &moments.all[place])?)).collect()
+        let Self { scenery, moments, painter } = self;
+        places.iter().map(|&place| scenery.image(painter, &moments.all[place])).collect()
     }
 
     fn each(&mut self, watch: &mut Watch<'_>, take: &mut Take<'_>) -> Result<(), ExportError> {
-        self.draw(watch, |place, drawn| take(place, drawn.rows().to_image()))
+        self.draw(watch, |place, drawn| take(place, drawn.into_image()))
     }
 }
 

@@ -2,11 +2,13 @@
 
 use std::path::Path;
 
+use super::compared::PlannedComparison;
 use super::ffmpeg::find_ffmpeg;
 use super::folder::{clear_folder, missing_frames};
 use super::write::{Written, unwritten, write_film, write_folder, write_through_ffmpeg};
 use super::{
-    Drawing, ExportError, Exposed, Exposure, Moment, Moments, Painter, Size, Source, Span, Stage, Viewpoint, Watch,
+    Comparison, Drawing, ExportError, Exposed, Exposure, Moment, Moments, Painter, Scenery, Size, Source, Span, Stage,
+    Viewpoint, Watch,
 };
 use crate::film::{Cell, Encoder, Format, FormatProblem, FrameNumbers, Grid, StartStill, contact_sheet};
 use crate::frame::Frame;
@@ -50,6 +52,8 @@ pub struct RenderRequest<'a> {
     pub camera: Option<&'a str>,
     /// Neighbouring keyframes on each side that are shown as ghosts.
     pub ghosts: u8,
+    /// The interpolations that each picture compares, instead of showing the animation's. The painter's pictures have the size of a view.
+    pub comparison: Option<&'a Comparison<'a>>,
     /// How refined pictures are taken.
     pub exposure: Exposure<'a>,
     /// Whether the background is opaque.
@@ -70,6 +74,8 @@ pub struct PlannedRender<'a> {
     moments: Moments,
     /// What a strobe shows besides, the earliest first.
     earlier: Vec<Moment>,
+    /// What pictures compare.
+    comparison: Option<PlannedComparison<'a>>,
     /// Frames of the whole film.
     film_frames: usize,
 }
@@ -146,7 +152,9 @@ impl<'a> RenderRequest<'a> {
             let last = moments.all.split_off(moments.all.len().saturating_sub(1));
             earlier = std::mem::replace(&mut moments.all, last);
         }
-        Ok(PlannedRender { request: self, viewpoint, moments, earlier, film_frames })
+        let plan = |comparison| PlannedComparison::new(comparison, self.source, self.span, self.subject);
+        let comparison = self.comparison.map(plan).transpose()?;
+        Ok(PlannedRender { request: self, viewpoint, moments, earlier, comparison, film_frames })
     }
 }
 
@@ -155,6 +163,12 @@ impl PlannedRender<'_> {
     #[must_use]
     pub fn frame_count(&self) -> usize {
         self.moments.all.len()
+    }
+
+    /// The size of the pictures that a painter's are, or are arranged in.
+    #[must_use]
+    pub fn size(&self, painter: &Painter) -> Size {
+        self.comparison.as_ref().map_or_else(|| painter.size(), PlannedComparison::size)
     }
 
     /// The first frame, at the size of the painter's pictures.
@@ -177,8 +191,16 @@ impl PlannedRender<'_> {
         written: &mut Written<'_>,
     ) -> Result<(), ExportError> {
         let RenderRequest { subject, format, output, is_opaque, .. } = self.request;
-        let (stage, size) = (self.stage(painter)?, painter.size());
-        let mut drawing = Drawing { stage: &stage, moments: &self.moments, painter };
+        let size = self.size(painter);
+        let (stage, compared);
+        let scenery = if let Some(comparison) = &self.comparison {
+            compared = comparison.compared(|| self.stage(painter))?;
+            Scenery::Compared(&compared)
+        } else {
+            stage = self.stage(painter)?;
+            Scenery::Stage(&stage)
+        };
+        let mut drawing = Drawing { scenery, moments: &self.moments, painter };
         match (subject, &format.encoder) {
             (Subject::Film { .. }, Encoder::Still(still)) => {
                 clear_folder(output, format.ending, self.film_frames, self.request.removes_stale)?;
@@ -201,8 +223,15 @@ impl PlannedRender<'_> {
                 write_picture(output, &bytes, written)
             }
             (Subject::Picture { .. } | Subject::Strobe(_), Encoder::Still(still)) => {
-                let picture = Exposed::of_stage(&stage, &self.moments.all[0])?;
-                let bytes = drawing.painter.encoded(&picture, |size| (still.start)(Some(size)))?;
+                let (moment, start) = (&self.moments.all[0], |size| (still.start)(Some(size)));
+                let bytes = match scenery {
+                    Scenery::Stage(stage) => drawing.painter.encoded(&Exposed::of_stage(stage, moment)?, start)?,
+                    Scenery::Compared(_) => {
+                        let mut encoder = start([size.width, size.height]);
+                        encoder.encode(&scenery.image(drawing.painter, moment)?.rows())?;
+                        encoder.into_bytes()
+                    }
+                };
                 write_picture(output, &bytes, written)
             }
             (

@@ -7,13 +7,16 @@ use num_traits::FromPrimitive as _;
 
 use super::exposure::{Exposure, Focus, OpenTime};
 use super::{ExportError, Moment, MomentPose, Source};
+use crate::blend::AlignedAffine;
 use crate::camera::Camera;
+use crate::colour::Colour;
 use crate::frame::{DrawItem, Frame, Lens};
-use crate::keyframe::PlayRange;
+use crate::interpolation::Interpolation;
+use crate::keyframe::{Blend, PlayRange};
 use crate::pose::{Pose, RbtIndex};
 use crate::rbt::Rbt;
 use crate::scene::SceneGraph;
-use crate::view::{Neighbours, add_ghosts, add_strobe, frame_of_scene};
+use crate::view::{Neighbours, add_compared_nodes, add_ghosts, add_strobe, frame_of_nodes, frame_of_scene};
 
 /// The downward angle of the turntable's camera, in degrees.
 const TURNTABLE_DOWN: f32 = 12.0;
@@ -65,6 +68,10 @@ pub struct Stage<'a> {
     lens: Option<SharpAt>,
     /// Moments that every picture shows besides its own, the earliest first.
     strobe: &'a [Moment],
+    /// The blend between keyframes; `None`: the animation's.
+    blend: Option<Blend>,
+    /// Other blends, shown as ghosts.
+    compared: Vec<(Blend, Colour)>,
 }
 
 /// A lens and the node at which it is sharp.
@@ -90,6 +97,8 @@ impl<'a> Stage<'a> {
             open: OpenTime::default(),
             lens: None,
             strobe: &[],
+            blend: None,
+            compared: Vec::new(),
         };
         if viewpoint == Viewpoint::Turntable {
             stage.distance = stage.fitting_distance();
@@ -116,6 +125,16 @@ impl<'a> Stage<'a> {
     /// Sets the moments that every picture shows besides its own, the earliest first.
     pub const fn strobe(&mut self, earlier: &'a [Moment]) {
         self.strobe = earlier;
+    }
+
+    /// Sets the blend between keyframes in place of the animation's interpolation, for all but the camera.
+    pub const fn blend(&mut self, blend: Blend) {
+        self.blend = Some(blend);
+    }
+
+    /// Sets what other blends give as ghosts, each in its colour.
+    pub fn compare(&mut self, others: Vec<(Blend, Colour)>) {
+        self.compared = others;
     }
 
     /// Whether its shutter is open for longer than a moment.
@@ -157,25 +176,52 @@ impl<'a> Stage<'a> {
         if self.ghosts > 0 {
             self.add_ghosts(&mut frame, moment);
         }
-        let earlier = self.strobe.iter().map(|earlier| Ok((self.pose(earlier.shown)?, earlier.seconds)));
-        add_strobe(&mut frame, self.source.scene, &earlier.collect::<Result<Vec<_>, ExportError>>()?);
+        for &(blend, colour) in &self.compared {
+            let nodes = self.world_from_nodes(moment, Some(blend))?;
+            add_compared_nodes(&mut frame, self.source.scene, &nodes, colour);
+        }
+        let earlier = self.strobe.iter().map(|earlier| self.world_from_nodes(earlier, self.blend));
+        add_strobe(&mut frame, self.source.scene, &earlier.collect::<Result<Vec<_>, _>>()?);
         Ok(frame)
     }
 
     fn frame_of_scene(&self, moment: &Moment) -> Result<Frame, ExportError> {
         let scene = self.source.scene;
-        let pose = self.pose(moment.shown)?;
+        let pose = self.pose(moment.shown, None)?;
         let camera = self.camera(&pose, moment);
-        let mut frame = frame_of_scene(scene, &pose, moment.seconds, &camera, self.viewpoint.node());
+        let world_from_node = match self.blend {
+            None => scene.world_from_nodes(&pose, moment.seconds),
+            blend => self.world_from_nodes(moment, blend)?,
+        };
+        let mut frame = frame_of_nodes(scene, &world_from_node, moment.seconds, &camera, self.viewpoint.node());
         frame.lens = self.lens.map(|SharpAt { node, radius }| {
-            let sharp_in_world = scene.world_from_rbt(&pose, moment.seconds, node).translation;
-            let in_eye = frame.view.eye_from_world.transform_point3(sharp_in_world);
+            let sharp_in_world = world_from_node[scene.rbt_node(node).get()].get().translation;
+            let in_eye = frame.view.eye_from_world.transform_point3a(sharp_in_world);
             Lens { radius, focus_distance: (-in_eye.z).max(NEAREST_FOCUS) }
         });
         Ok(frame)
     }
 
-    fn pose(&self, shown: MomentPose) -> Result<Pose, ExportError> {
+    /// Where all nodes are in the world, in arena order, by a blend; `None`: by the animation's interpolation.
+    fn world_from_nodes(&self, moment: &Moment, blend: Option<Blend>) -> Result<Vec<AlignedAffine>, ExportError> {
+        let scene = self.source.scene;
+        let interpolation = match (blend, moment.shown, self.source.animation) {
+            // No pose holds what these give.
+            (Some(blend @ (Blend::Nlerp | Blend::Matrices)), MomentPose::KeyTime(key_time), Some(animation)) => {
+                let range = PlayRange::new(&animation.keyframes).map_err(|cause| self.source.unplayable(cause))?;
+                range.check(key_time).map_err(|cause| self.source.unplayable(cause))?;
+                let blended = |rbt| range.blended_at(key_time, blend, rbt);
+                let nodes = scene.world_from_nodes_with(moment.seconds, blended);
+                return Ok(nodes.into_iter().map(AlignedAffine::from).collect());
+            }
+            (Some(Blend::Played(interpolation)), ..) => Some(interpolation),
+            _ => None,
+        };
+        Ok(scene.world_from_nodes(&self.pose(moment.shown, interpolation)?, moment.seconds))
+    }
+
+    /// The pose of a moment, by an interpolation; `None`: the animation's.
+    fn pose(&self, shown: MomentPose, interpolation: Option<Interpolation>) -> Result<Pose, ExportError> {
         let (Some(animation), scene) = (self.source.animation, self.source.scene) else {
             return Ok(self.source.scene.rest_pose().clone());
         };
@@ -189,7 +235,7 @@ impl<'a> Stage<'a> {
                 })
             }
             MomentPose::KeyTime(key_time) => PlayRange::new(&animation.keyframes)
-                .and_then(|range| range.pose_at(key_time, animation.interpolation))
+                .and_then(|range| range.pose_at(key_time, interpolation.unwrap_or(animation.interpolation)))
                 .map_err(|cause| self.source.unplayable(cause)),
         }
     }
@@ -213,7 +259,7 @@ impl<'a> Stage<'a> {
     /// The distance from which every shape except planes is in view from all sides.
     fn fitting_distance(&self) -> f32 {
         let scene = self.source.scene;
-        let pose = self.source.shown(None, None).and_then(|shown| self.pose(shown));
+        let pose = self.source.shown(None, None).and_then(|shown| self.pose(shown, None));
         let pose = pose.unwrap_or_else(|_| scene.rest_pose().clone());
         let camera =
             Camera { world_from_eye: Rbt::IDENTITY, vertical_fov: scene.vertical_fov(), size_px: self.size_px };

@@ -6,10 +6,11 @@ use std::sync::LazyLock;
 use glam::{Affine3A, Vec3};
 
 use super::scene::place_skin;
+use crate::blend::AlignedAffine;
 use crate::colour::Colour;
 use crate::frame::{DrawItem, Frame, Ghost, ItemMesh, MOST_GHOSTS};
 use crate::keyframe::{KeyframeIndex, KeyframeList};
-use crate::pose::{Pose, RbtIndex};
+use crate::pose::RbtIndex;
 use crate::scene::{NodeId, SceneGraph};
 
 /// Opacity of the nearest ghost.
@@ -113,14 +114,19 @@ pub fn add_ghosts(frame: &mut Frame, scene: &SceneGraph, seconds: f64, neighbour
 /// Opacity of the earliest and of the last pose that a strobe shows beside the displayed one.
 const STROBE_OPACITIES: [f32; 2] = [0.2, 0.75];
 
-/// Adds earlier poses, each with its time in seconds, in the shapes' own colours: the later, the less translucent. `scene` must be the
+/// Adds earlier moments, of each where the nodes were, in the shapes' own colours: the later, the less translucent. `scene` must be the
 /// frame's.
-pub fn add_strobe(frame: &mut Frame, scene: &SceneGraph, earlier: &[(Pose, f64)]) {
+pub fn add_strobe(frame: &mut Frame, scene: &SceneGraph, earlier: &[Vec<AlignedAffine>]) {
     let [first, last] = STROBE_OPACITIES;
-    for (index, (pose, seconds)) in earlier.iter().enumerate() {
-        let world_from_node = scene.world_from_nodes(pose, *seconds);
+    for (index, world_from_node) in earlier.iter().enumerate() {
         let opacity = first + (last - first) * index as f32 / (earlier.len() - 1).max(1) as f32;
         let look = GhostLook { tint: None, opacity, nodes: nodes_below(scene, &[]) };
         push_ghosts(frame, scene, &look, |node| world_from_node[node].get());
     }
+}
+
+/// Adds a ghost of the nodes where something that is compared puts them, in its colour. `scene` must be the frame's.
+pub fn add_compared_nodes(frame: &mut Frame, scene: &SceneGraph, world_from_node: &[AlignedAffine], colour: Colour) {
+    let look = GhostLook { tint: Some(colour.to_linear()), opacity: OPACITY, nodes: nodes_below(scene, &[]) };
+    push_ghosts(frame, scene, &look, |node| world_from_node[node].get());
 }

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use glam::{Affine3A, Vec3};
 
+use crate::blend::AlignedAffine;
 use crate::camera::Camera;
 use crate::frame::{DrawItem, Frame, ItemMesh, View};
 use crate::model::TriangleMesh;
@@ -16,7 +17,18 @@ use crate::scene::{MeshKind, NodeId, NodeKind, Part, PlacedShape, SceneGraph, Sh
 /// shows. `None`: from no node.
 #[must_use]
 pub fn frame_of_scene(scene: &SceneGraph, pose: &Pose, seconds: f64, camera: &Camera, from: Option<RbtIndex>) -> Frame {
-    let world_from_node = scene.world_from_nodes(pose, seconds);
+    frame_of_nodes(scene, &scene.world_from_nodes(pose, seconds), seconds, camera, from)
+}
+
+/// Like [`frame_of_scene`], with all nodes where `world_from_node` puts them: by any affine, in arena order.
+#[must_use]
+pub fn frame_of_nodes(
+    scene: &SceneGraph,
+    world_from_node: &[AlignedAffine],
+    seconds: f64,
+    camera: &Camera,
+    from: Option<RbtIndex>,
+) -> Frame {
     let mut frame = Frame::empty(View::new(camera));
     // The place of each mesh in the frame, by its address.
     let mut places: HashMap<*const TriangleMesh, u32> = HashMap::new();

@@ -8,6 +8,7 @@ mod check;
 mod class;
 mod class_mistakes;
 mod compare;
+mod comparing;
 mod convert;
 mod diagnose;
 mod diff;

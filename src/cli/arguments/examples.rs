@@ -50,6 +50,7 @@ const ALL: [Below; 21] = [
             "inbetween render walk.json -o walk.png --at 0.5",
             "inbetween render walk.json -o walk.mp4 --size 1280x720",
             "inbetween render walk.json -o frames/ --fps 30 --frames 0-59",
+            "inbetween render walk.json -o compared.gif --compare linear,catmull-rom,nlerp,matrix",
         ],
     },
     Below { command: "join", page: "farms", examples: &["inbetween join frames/ --fps 30 -o walk.mp4"] },

@@ -6,7 +6,7 @@ use clap::Args;
 
 use super::help;
 use super::values::{format, interpolation, key_time, samples, seconds, size, still_format};
-use super::{ProgressKind, RefiningArguments};
+use super::{ComparingArguments, ProgressKind, RefiningArguments};
 use crate::colour::Colour;
 use crate::export::{Size, Span};
 use crate::film::{Format, FrameNumbers, Grid, MOST_FRAMES_PER_SECOND};
@@ -58,6 +58,9 @@ pub struct RenderArguments {
     /// Show N moments in one picture, evenly from --from to --to: the last as it is, those before it ever more translucent. 2 to 32.
     #[arg(long, value_name = "N", requires = "file", conflicts_with_all = ["at", "keyframe", "fps", "frames", "sheet", "ghosts"], value_parser = clap::value_parser!(u32).range(2..=32))]
     pub strobe: Option<u32>,
+    /// What is compared.
+    #[command(flatten)]
+    pub comparing: ComparingArguments,
     /// Show ghosts: moving nodes as in the N keyframes before (orange) and after (blue), translucent. At most 20.
     #[arg(long, value_name = "N", requires = "file", value_parser = clap::value_parser!(u8).range(0..=i64::from(MOST_GHOSTS)))]
     pub ghosts: Option<u8>,
@@ -70,7 +73,7 @@ pub struct RenderArguments {
     /// The time of the timed keys, in seconds. In a film, their time at its first frame.
     #[arg(long, value_name = "S", default_value_t = 0.0, allow_negative_numbers = true, value_parser = seconds)]
     pub seconds: f64,
-    /// Width and height in pixels [default: 640x480].
+    /// Width and height in pixels [default: 640x480; with --compare what views of 320x240 need].
     #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = size)]
     pub size: Option<Size>,
     /// Samples a pixel, 1 or 4 [default: 4; 1 on a software adapter].

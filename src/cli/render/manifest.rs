@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use serde_json::{Value, json};
 
 use super::super::CliError;
-use crate::export::Painter;
+use crate::export::{Painter, Size};
 use crate::files::LARGEST_IMAGE_BYTES;
 use crate::storage;
 
@@ -16,9 +16,9 @@ pub struct Manifest {
 }
 
 impl Manifest {
-    /// No files yet.
-    pub fn new(painter: &Painter) -> Self {
-        let (info, size) = (&painter.gpu().info, painter.size());
+    /// No files yet. Pictures have a size.
+    pub fn new(painter: &Painter, size: Size) -> Self {
+        let info = &painter.gpu().info;
         let about = json!({
             "format": "inbetween.rendered",
             "version": 1,

@@ -3,7 +3,7 @@
 use super::super::arguments::RenderArguments;
 use super::super::targets::{format_named, is_folder};
 use super::super::{CliError, misuse};
-use crate::film::{Format, NOT_WRITTEN, PNG, still_names, written_endings};
+use crate::film::{ComparedAs, Format, NOT_WRITTEN, PNG, still_names, written_endings};
 use crate::storage;
 use crate::text::listed;
 use crate::words::texts;
@@ -51,6 +51,12 @@ impl Output {
         };
         output.check(arguments)?;
         check_refining(arguments)?;
+        if arguments.comparing.how() == ComparedAs::Ghosts && (arguments.ghosts.is_some() || arguments.strobe.is_some())
+        {
+            return Err(misuse(
+                "--compare-as ghosts shows ghosts of its own: --ghosts and --strobe go with side-by-side",
+            ));
+        }
         let is_film = !output.is_one_image && !output.format.is_still();
         if is_film && arguments.manifest().is_some() && storage::is_standard(path) {
             // Its hash is that of the file.
