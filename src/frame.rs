@@ -14,6 +14,12 @@ use crate::scene::MeshKind;
 /// The most keyframes on each side whose ghosts are shown, in the window and in films.
 pub const MOST_GHOSTS: u8 = 20;
 
+/// The golden ratio less 1: multiples of it are spread evenly.
+pub(crate) const GOLDEN: f64 = 0.618_033_988_749_894_9;
+
+/// The part of a ghost's opacity that surfaces have which face the eye. `shape.wgsl` has a copy.
+const FACING: f32 = 0.75;
+
 /// Camera matrices of one picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
@@ -111,6 +117,8 @@ pub struct Ghost {
     pub item: DrawItem,
     /// Opacity of the fill, 0 to 1.
     pub opacity: f32,
+    /// The moment that it is of, by its number in a strobe. Such moments are scene: [`Frame::expose`]. `None`: it is no part of the scene.
+    pub moment: Option<u32>,
 }
 
 /// A straight line in the scene, hidden by shapes in front of it.
@@ -232,10 +240,26 @@ impl Frame {
             && are_same_meshes(&self.meshes, &other.meshes)
     }
 
-    /// Whether there is anything besides the scene: ghosts, lines, dots, the arcball, an outline.
+    /// Adds, as items, the moments of a strobe that are exposed at a part of the exposure, 0 to 1: each for as much of it as its ghosts hide
+    /// in plain pictures, at other times than the others. `strobe` is the frame that has them; this one is of the same scene, perhaps later.
+    pub fn expose(&mut self, strobe: &Self, part: f64) {
+        let is_exposed = |ghost: &&Ghost| {
+            let moment = ghost.moment.map(|moment| (part + f64::from(moment) * GOLDEN).fract());
+            moment.is_some_and(|passed| passed < f64::from(FACING * ghost.opacity))
+        };
+        self.items.extend(strobe.ghosts.iter().filter(is_exposed).map(|ghost| ghost.item));
+        // The joints of ghosts follow those of the scene.
+        let own = self.world_from_bind.len().min(strobe.world_from_bind.len());
+        self.world_from_bind.extend_from_slice(&strobe.world_from_bind[own..]);
+    }
+
+    /// Whether there is anything besides the scene: ghosts, lines, dots, the arcball, an outline. Moments of a strobe are scene.
     #[must_use]
     pub fn has_overlay(&self) -> bool {
-        !(self.ghosts.is_empty() && self.lines.is_empty() && self.dots.is_empty() && self.arcball.is_none())
+        !(self.ghosts.iter().all(|ghost| ghost.moment.is_some())
+            && self.lines.is_empty()
+            && self.dots.is_empty()
+            && self.arcball.is_none())
             || self.items.iter().any(|item| item.outlined)
     }
 

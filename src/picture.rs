@@ -2,10 +2,12 @@
 //!
 //! Pixels and bytes only: this module does not draw or open files.
 
+mod mean;
 mod read;
 
 use std::io::Write;
 
+pub use mean::PictureSum;
 pub use read::{ImageReadError, MOST_PIXELS, PNG_HEAD_BYTES, png_size};
 
 /// Rows of pixels from the top, tightly packed.

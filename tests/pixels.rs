@@ -247,7 +247,7 @@ fn check_outline(before: &Image, after: &Image) {
 fn ghosts_blend_once_and_cast_no_shadow() {
     let plain = frame(vec![ground()]);
     let mut with = plain.clone();
-    let ghost = |side| Ghost { item: cube("#2060e0", Vec3::new(0.0, 0.25, 0.0), side), opacity: 0.4 };
+    let ghost = |side| Ghost { item: cube("#2060e0", Vec3::new(0.0, 0.25, 0.0), side), opacity: 0.4, moment: None };
     with.ghosts.push(ghost(1.0));
     let (before, one) = (draw(&plain), draw(&with));
     // A second ghost inside the first is hidden by it.

@@ -3,7 +3,8 @@
 mod support;
 
 use glam::{Affine3A, Quat, Vec3};
-use inbetween::frame::{Dot, Frame, Lens};
+use inbetween::export::{Painter, Size};
+use inbetween::frame::{Dot, Frame, Ghost, Lens};
 use inbetween::render::{Background, Gpu, Image, Offscreen, Refinement, Refiner, Renderer, SubFrame};
 use inbetween::scene::Shape;
 use inbetween::scene::shapes::{Plane, RoundedBox};
@@ -315,5 +316,62 @@ fn a_transparent_background_stays_transparent() {
         if (100..255).contains(&pixel[3]) {
             assert!(pixel[..3].iter().zip(&inside[..3]).all(|(one, other)| one.abs_diff(*other) < 30), "{pixel:?}");
         }
+    }
+}
+
+/// A picture of a frame as exports make it.
+fn exported(refinement: Refinement, frame: &Frame) -> Image {
+    let mut painter = Painter::headless(Size { width: WIDTH, height: HEIGHT }, Some(1)).expect("an adapter");
+    painter.refine(Some(refinement));
+    painter.set_background(BACKGROUND);
+    painter.image(frame).expect("a picture")
+}
+
+#[test]
+fn the_edges_of_ghosts_are_smooth_in_exports() {
+    let slope = (1.0_f32 / 16.0).atan();
+    let ghost = Ghost { item: wall("#303030", 4.0, 0.0, slope), opacity: 0.5, moment: None };
+    let frame = Frame { ghosts: vec![ghost], ..Frame::empty(from_origin()) };
+    let image = exported(without_sky_light(16), &frame);
+    assert!(image.rgba == exported(without_sky_light(16), &frame).rgba);
+    let (middle_x, middle_y) = (f64::from(WIDTH) / 2.0, f64::from(HEIGHT) / 2.0);
+    for x in 20..WIDTH - 21 {
+        let edge_y = middle_y - (f64::from(x) + 0.5 - middle_x) / 16.0;
+        let y = edge_y.floor() as u32;
+        let [above, below] = [light(&image, x, y - 4), light(&image, x, y + 4)];
+        assert!(above - below > 0.1, "there is a ghost");
+        let covered = (light(&image, x, y) - above) / (below - above);
+        let expected = filter_before(f64::from(y) + 0.5 - edge_y);
+        // Eight places, and a margin for the last level of a byte.
+        assert!((covered - expected).abs() < 1.2 / 8.0, "{covered} and {expected} at {x}");
+    }
+}
+
+#[test]
+fn moments_of_a_strobe_are_exposed_for_their_part_and_smooth() {
+    let slope = (1.0_f32 / 16.0).atan();
+    let behind = wall("#c0c0c0", 8.0, 12.0, 0.0);
+    let item = wall("#303030", 4.0, 0.0, slope);
+    let of = |items| Frame { items, ..Frame::empty(from_origin()) };
+    let refinement = Refinement::of(64);
+    let [without, with] = [of(vec![behind]), of(vec![behind, item])].map(|frame| exported(refinement, &frame));
+    for (moment, opacity) in [(0, 0.25_f32), (1, 0.5), (7, 0.75)] {
+        let ghosts = vec![Ghost { item, opacity, moment: Some(moment) }];
+        let image = exported(refinement, &Frame { ghosts, ..of(vec![behind]) });
+        for (x, y) in [(60, 200), (160, 170), (250, 230)] {
+            let [off, on, found] = [&without, &with, &image].map(|image| before_tones(light(image, x, y)));
+            let part = (found - off) / (on - off);
+            // As a ghost that faces the eye.
+            assert!((part - 0.75 * f64::from(opacity)).abs() < 0.06, "{part} for {opacity} at {x}, {y}");
+        }
+        // Its edge covers pixels as the filter says, but that fewer sub-frames have it.
+        let worst = (20..WIDTH - 21).map(|x| {
+            let edge_y = f64::from(HEIGHT) / 2.0 - (f64::from(x) + 0.5 - f64::from(WIDTH) / 2.0) / 16.0;
+            let y = edge_y.floor() as u32;
+            let [above, below, found] = [y - 4, y + 4, y].map(|y| before_tones(light(&image, x, y)));
+            ((found - above) / (below - above) - filter_before(f64::from(y) + 0.5 - edge_y)).abs()
+        });
+        let worst = worst.fold(0.0, f64::max);
+        assert!(worst < 0.15, "{worst} for {opacity}");
     }
 }

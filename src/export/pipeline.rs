@@ -6,9 +6,8 @@ use std::time::Duration;
 
 use super::compared::Compared;
 use super::pictures::{Pictures, Take};
-use super::{ExportError, Exposed, Moment, Moments, Painter, Size, Stage};
+use super::{ExportError, Exposed, Moment, Moments, Painter, Picture, Size, Stage};
 use crate::picture::{Image, Rows};
-use crate::render::Drawn;
 
 /// The capacity of the queue: enough that a slow picture on one thread does not stop the other, at acceptable memory.
 fn waiting(size: Size) -> usize {
@@ -53,40 +52,14 @@ impl<'a> Scenery<'a> {
     }
 
     /// The next picture of a run, of what was drawn for it; `None` if that ends before.
-    fn next_picture(self, drawn: &mut impl Iterator<Item = Drawn>, moment: &Moment) -> Option<Picture> {
+    fn next_picture(self, drawn: &mut impl Iterator<Item = Picture>, moment: &Moment) -> Option<Picture> {
         match self {
-            Self::Stage(_) => drawn.next().map(Picture::Drawn),
+            Self::Stage(_) => drawn.next(),
             Self::Compared(compared) => {
-                let views: Vec<Drawn> = drawn.take(compared.stages().len()).collect();
-                let views: Vec<Rows<'_>> = views.iter().map(Drawn::rows).collect();
-                (views.len() == compared.stages().len()).then(|| Picture::Arranged(compared.picture(&views, moment)))
+                let views: Vec<Picture> = drawn.take(compared.stages().len()).collect();
+                let views: Vec<Rows<'_>> = views.iter().map(Picture::rows).collect();
+                (views.len() == compared.stages().len()).then(|| Picture::Made(compared.picture(&views, moment)))
             }
-        }
-    }
-}
-
-/// A picture of a run.
-pub enum Picture {
-    /// As it was drawn.
-    Drawn(Drawn),
-    /// Arranged of several that were drawn.
-    Arranged(Image),
-}
-
-impl Picture {
-    /// Its pixels.
-    #[must_use]
-    pub fn rows(&self) -> Rows<'_> {
-        match self {
-            Self::Drawn(drawn) => drawn.rows(),
-            Self::Arranged(image) => image.rows(),
-        }
-    }
-
-    fn into_image(self) -> Image {
-        match self {
-            Self::Drawn(drawn) => drawn.rows().to_image(),
-            Self::Arranged(image) => image,
         }
     }
 }
@@ -117,7 +90,7 @@ impl Drawing<'_> {
         let mut goes_on = |done: usize| if watch(done, count) { Ok(()) } else { Err(ExportError::Cancelled) };
         let gives_way = painter.gpu().is_software;
         thread::scope(|scope| {
-            let (sender, receiver) = mpsc::sync_channel::<Drawn>(waiting(painter.size()));
+            let (sender, receiver) = mpsc::sync_channel::<Picture>(waiting(painter.size()));
             let taker = scope.spawn(move || {
                 if gives_way {
                     give_way();
@@ -183,8 +156,8 @@ const STEP: Duration = Duration::from_millis(5);
 
 /// Sends a picture. While the queue is full, because its consumer is slow or hangs, the watcher can cancel.
 fn send(
-    sender: &mpsc::SyncSender<Drawn>,
-    mut picture: Drawn,
+    sender: &mpsc::SyncSender<Picture>,
+    mut picture: Picture,
     mut goes_on: impl FnMut() -> Result<(), ExportError>,
 ) -> Result<(), Stop> {
     loop {

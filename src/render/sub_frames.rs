@@ -11,15 +11,13 @@ use std::f32::consts::{FRAC_PI_4, TAU};
 use glam::{Affine3A, Vec2, Vec3};
 
 use crate::film::Quality;
-use crate::frame::{Lens, View};
+use crate::frame::{GOLDEN, Lens, View};
 use crate::render::light::{Light, towards_sun_in_world};
 
 /// Width and height of the pixel filter, a Blackman-Harris window, in pixels.
 const FILTER_PX: f64 = 1.5;
 /// Of so many sub-frames one has a shadow map of the sun, the others of the sky.
 const SUN_EVERY: u32 = 2;
-/// The golden ratio less 1.
-const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 /// How a picture is refined.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -102,7 +100,8 @@ pub struct SubFrame {
 
 impl SubFrame {
     /// A view moved to this sub-frame's place in the pixel, and on the lens if there is one. `size_px`: the picture's.
-    pub(super) fn view(&self, view: &View, lens: Option<Lens>, size_px: [u32; 2]) -> View {
+    #[must_use]
+    pub fn view(&self, view: &View, lens: Option<Lens>, size_px: [u32; 2]) -> View {
         let mut view = *view;
         let size = Vec2::new(size_px[0] as f32, size_px[1] as f32);
         let mut to_right_and_up = self.from_pixel_px * Vec2::new(-2.0, 2.0) / size;

@@ -48,7 +48,7 @@ pub(super) fn add_comparison(frame: &mut Frame, editor: &Editor) {
     for (blend, tint) in blends.filter(|(blend, _)| compared.contains(blend)) {
         let world_from_node =
             scene.world_from_nodes_with(editor.seconds(), |rbt| range.blended_at(key_time, blend, rbt));
-        let look = GhostLook { tint: Some(tint), opacity: OPACITY, nodes: nodes_below(scene, &robots) };
+        let look = GhostLook { tint: Some(tint), opacity: OPACITY, moment: None, nodes: nodes_below(scene, &robots) };
         push_ghosts(frame, scene, &look, |node| world_from_node[node]);
     }
 }
@@ -87,7 +87,7 @@ pub(super) fn add_compared(frame: &mut Frame, editor: &Editor) {
     let Some(pose) = compared_pose(editor) else { return };
     let scene = editor.scene();
     let world_from_node = scene.world_from_nodes(&pose, editor.seconds());
-    let look = GhostLook { tint: Some(*OTHER_FILE), opacity: OPACITY, nodes: nodes_below(scene, &[]) };
+    let look = GhostLook { tint: Some(*OTHER_FILE), opacity: OPACITY, moment: None, nodes: nodes_below(scene, &[]) };
     push_ghosts(frame, scene, &look, |node| world_from_node[node].get());
 }
 

@@ -42,6 +42,8 @@ pub(super) struct GhostLook {
     pub tint: Option<Vec3>,
     /// The opacity, 0 to 1.
     pub opacity: f32,
+    /// The moment of a strobe, by its number.
+    pub moment: Option<u32>,
     /// Indices of the nodes.
     pub nodes: Vec<Range<usize>>,
 }
@@ -82,7 +84,7 @@ pub(super) fn push_ghosts(
             }
         };
         if is_elsewhere {
-            frame.ghosts.push(Ghost { item: ghost, opacity: look.opacity });
+            frame.ghosts.push(Ghost { item: ghost, opacity: look.opacity, moment: look.moment });
         }
     }
 }
@@ -104,8 +106,8 @@ pub fn add_ghosts(frame: &mut Frame, scene: &SceneGraph, seconds: f64, neighbour
         for (index, tint) in [before.checked_sub(steps), after.checked_add(steps)].into_iter().zip(*TINTS) {
             let Some(keyframe) = index.and_then(|index| keyframes.get(KeyframeIndex::new(index))) else { continue };
             let world_from_node = scene.world_from_nodes(&keyframe.pose, seconds);
-            let look =
-                GhostLook { tint: Some(tint), opacity: OPACITY / f32::from(away), nodes: nodes_below(scene, only) };
+            let opacity = OPACITY / f32::from(away);
+            let look = GhostLook { tint: Some(tint), opacity, moment: None, nodes: nodes_below(scene, only) };
             push_ghosts(frame, scene, &look, |node| world_from_node[node].get());
         }
     }
@@ -118,15 +120,16 @@ const STROBE_OPACITIES: [f32; 2] = [0.2, 0.75];
 /// frame's.
 pub fn add_strobe(frame: &mut Frame, scene: &SceneGraph, earlier: &[Vec<AlignedAffine>]) {
     let [first, last] = STROBE_OPACITIES;
-    for (index, world_from_node) in earlier.iter().enumerate() {
-        let opacity = first + (last - first) * index as f32 / (earlier.len() - 1).max(1) as f32;
-        let look = GhostLook { tint: None, opacity, nodes: nodes_below(scene, &[]) };
+    for (moment, world_from_node) in (0..).zip(earlier) {
+        let opacity = first + (last - first) * moment as f32 / (earlier.len() - 1).max(1) as f32;
+        let look = GhostLook { tint: None, opacity, moment: Some(moment), nodes: nodes_below(scene, &[]) };
         push_ghosts(frame, scene, &look, |node| world_from_node[node].get());
     }
 }
 
 /// Adds a ghost of the nodes where something that is compared puts them, in its colour. `scene` must be the frame's.
 pub fn add_compared_nodes(frame: &mut Frame, scene: &SceneGraph, world_from_node: &[AlignedAffine], colour: Colour) {
-    let look = GhostLook { tint: Some(colour.to_linear()), opacity: OPACITY, nodes: nodes_below(scene, &[]) };
+    let look =
+        GhostLook { tint: Some(colour.to_linear()), opacity: OPACITY, moment: None, nodes: nodes_below(scene, &[]) };
     push_ghosts(frame, scene, &look, |node| world_from_node[node].get());
 }
