@@ -25,6 +25,10 @@ struct Globals {
     horizon: vec4f,
     // The same. w: the height of the ground.
     zenith: vec4f,
+    // The light of the sun on surfaces that face it, of the whole sky, and from below, exposure included. The last one's w: the exposure.
+    sun: vec4f,
+    sky: vec4f,
+    ground: vec4f,
     accent: vec4f,
     // In a sub-frame: the light behind everything, and its opacity.
     backdrop: vec4f,

@@ -68,7 +68,7 @@ fn pixel_of(edge: EdgeLine, index: u32) -> Pixel {
     out.along_view = along_view;
     out.map_position = map_position(in_world, normal);
     out.colour = vec4f(edge.colour, 1.0);
-    out.shaded = edge.colour * BOUNCE;
+    out.shaded = edge.colour * globals.ground.xyz;
     return out;
 }
 

@@ -1,8 +1,4 @@
-// Lighting: a warm sun, a cool sky, and light reflected by the ground.
-
-const SUN: vec3f = vec3f(0.96, 0.84, 0.68);
-const SKY_FILL: vec3f = vec3f(0.33, 0.39, 0.47);
-const BOUNCE: vec3f = vec3f(0.20, 0.185, 0.17);
+// The shadow map, and places in it.
 
 @group(1) @binding(0) var sun_map: texture_depth_2d;
 @group(1) @binding(1) var sun_map_sampler: sampler_comparison;

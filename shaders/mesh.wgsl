@@ -55,7 +55,7 @@ fn shaded(pixel: MeshPixel, is_front: bool, base: vec4f) -> vec4f {
     let metallic = material.factors.x;
     let roughness = material.factors.y;
     let ambient = ambient_arriving(pixel.in_world.y, normal.y);
-    let diffuse = base.rgb * (1.0 - metallic) * (fill_arriving(ambient, normal.y, arriving.y) + SUN * sun);
+    let diffuse = base.rgb * (1.0 - metallic) * (fill_arriving(ambient, normal.y, arriving.y) + globals.sun.xyz * sun);
     // The highlight of other shapes, the twelfth power of the squared cosine between normal and half vector, is that of roughness 0.7.
     let half_squared = pow2(max(facing_sun + dot(normal, to_eye), 0.0)) / max(2.0 + 2.0 * dot(to_sun, to_eye), 0.001);
     let sharpness = 12.0 * pow2(pow2(0.7 / max(roughness, 0.12)));
@@ -63,10 +63,10 @@ fn shaded(pixel: MeshPixel, is_front: bool, base: vec4f) -> vec4f {
     // A metal shows its surroundings in its colour: the ground below, the sky above, the more blurred the rougher it is.
     let mirrored = reflect(-to_eye, normal).y;
     let sharp = mix(8.0, 1.5, roughness);
-    let surroundings = mix(BOUNCE * 1.4, mix(globals.horizon.xyz, globals.zenith.xyz, saturate(mirrored)) / EXPOSURE, saturate(0.5 + 0.5 * sharp * mirrored));
+    let surroundings = mix(globals.ground.xyz * 1.4, mix(globals.horizon.xyz, globals.zenith.xyz, saturate(mirrored)), saturate(0.5 + 0.5 * sharp * mirrored));
     let tint = mix(vec3f(1.0), base.rgb, metallic);
-    let metal = base.rgb * metallic * (ambient * surroundings + SUN * (0.25 * sun));
+    let metal = base.rgb * metallic * (ambient * surroundings + globals.sun.xyz * (0.25 * sun));
     let rim = pow2(pow2(1.0 - facing_eye)) * (1.0 - 0.7 * metallic);
-    let lit = diffuse + metal + tint * SUN * (highlight * (1.0 + 2.0 * metallic)) + SKY_FILL * (rim * (0.22 + 0.2 * normal.y));
-    return finished_light((lit + material.emissive.rgb) * EXPOSURE, 1.0, pixel.in_clip);
+    let lit = diffuse + metal + tint * globals.sun.xyz * (highlight * (1.0 + 2.0 * metallic)) + globals.sky.xyz * (rim * (0.22 + 0.2 * normal.y));
+    return finished_light(lit + material.emissive.rgb * globals.ground.w, 1.0, pixel.in_clip);
 }

@@ -1,7 +1,7 @@
 // Planes, with their grid.
 
-// The lit ground has its own colour at any exposure.
-const GROUND_SUN: vec3f = vec3f(0.84, 0.77, 0.67);
+// The part of the sun's light that the ground shows: it is less yellow there than on shapes.
+const GROUND_OF_SUN: vec3f = vec3f(0.875, 0.9167, 0.9853);
 
 @vertex
 fn plane_vertex(corner: Corner) -> Pixel {
@@ -13,7 +13,9 @@ fn plane_vertex(corner: Corner) -> Pixel {
     let from_eye = in_world - globals.eye_in_world.xyz;
     let half_extents = corner.half_extents_and_rounding.xz * scale;
     let sun = max(dot(normal, globals.towards_sun_in_world.xyz), 0.0);
-    let fill = mix(BOUNCE, SKY_FILL, 0.5 + 0.5 * normal.y);
+    let fill = mix(globals.ground.xyz, globals.sky.xyz, 0.5 + 0.5 * normal.y);
+    // The lit ground has its own colour at any exposure.
+    let ground = corner.colour / globals.ground.w;
     let height = dot(normal, from_eye);
     let haze_distance = 30.0 + 6.0 * abs(height);
     // How much the sub-frame's shadow map counts where its light arrives.
@@ -24,8 +26,8 @@ fn plane_vertex(corner: Corner) -> Pixel {
     out.surface = vec4f(corner.core.xz * half_extents, corner.core.xz);
     out.along_view = vec3f(dot(x_axis, from_eye) / scale.x, height, dot(z_axis, from_eye) / scale.y);
     out.map_position = map_position(in_world, normal);
-    out.colour = vec4f(untoned(corner.colour * (fill + GROUND_SUN * sun)), select(1.0 / haze_distance, counts, IS_SUB_FRAME));
-    out.shaded = untoned(corner.colour * fill);
+    out.colour = vec4f(untoned(ground * (fill + globals.sun.xyz * GROUND_OF_SUN * sun)), select(1.0 / haze_distance, counts, IS_SUB_FRAME));
+    out.shaded = untoned(ground * fill);
     return out;
 }
 

@@ -14,7 +14,7 @@ fn shape_vertex_of(corner: Corner) -> Pixel {
     out.along_view = globals.eye_in_world.xyz - in_world;
     out.map_position = map_position(in_world, normal);
     out.colour = vec4f(corner.colour, corner.opacity);
-    out.shaded = corner.colour * BOUNCE;
+    out.shaded = corner.colour * globals.ground.xyz;
     return out;
 }
 
@@ -32,7 +32,7 @@ fn shape_light(pixel: Pixel, in_map: f32) -> vec3f {
     let facing_eye = dot(normal, to_eye);
     let arriving = light_arriving(normal, facing_sun, in_map);
     let sun = arriving.x;
-    var ambient = pixel.surface.w * (pixel.shaded + pixel.colour.rgb * ((SKY_FILL - BOUNCE) * arriving.y));
+    var ambient = pixel.surface.w * (pixel.shaded + pixel.colour.rgb * ((globals.sky.xyz - globals.ground.xyz) * arriving.y));
     if IS_SUB_FRAME {
         ambient = pixel.colour.rgb * fill_arriving(pixel.surface.w, normal.y, arriving.y);
     }
@@ -42,8 +42,7 @@ fn shape_light(pixel: Pixel, in_map: f32) -> vec3f {
     let h8 = pow2(pow2(h2));
     let highlight = pow2(h8) * h8 * sun;
     let rim = pow2(pow2(1.0 - max(facing_eye, 0.0)));
-    let lit = ambient + pixel.colour.rgb * (SUN * sun) + SUN * (0.16 * highlight) + SKY_FILL * (rim * (0.22 + 0.2 * normal.y));
-    return lit * EXPOSURE;
+    return ambient + pixel.colour.rgb * (globals.sun.xyz * sun) + globals.sun.xyz * (0.16 * highlight) + globals.sky.xyz * (rim * (0.22 + 0.2 * normal.y));
 }
 
 // Slightly farther (depth is reversed), so that a ghost exactly on its shape stays hidden.

@@ -1,6 +1,4 @@
-// What shapes and meshes share: their exposure, and the light near the ground.
-
-const EXPOSURE: f32 = 1.22;
+// What shapes and meshes share: the light near the ground.
 
 // Near the ground less light comes from the side, and least from below. In a sub-frame the sky has shadows, and only the light from below
 // is lessened.
@@ -15,9 +13,9 @@ fn ambient_arriving(height_in_world: f32, upwards: f32) -> f32 {
 // Light from around that reaches a surface: from the ground and from the sky.
 fn fill_arriving(ambient: f32, upwards: f32, sky: f32) -> vec3f {
     if IS_SUB_FRAME {
-        return BOUNCE * (ambient * (0.5 - 0.5 * upwards)) + SKY_FILL * sky;
+        return globals.ground.xyz * (ambient * (0.5 - 0.5 * upwards)) + globals.sky.xyz * sky;
     }
-    return ambient * (BOUNCE + (SKY_FILL - BOUNCE) * sky);
+    return ambient * (globals.ground.xyz + (globals.sky.xyz - globals.ground.xyz) * sky);
 }
 
 fn pow2(x: f32) -> f32 {

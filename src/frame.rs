@@ -8,6 +8,7 @@ use std::sync::Arc;
 use glam::{Affine3A, Mat4, Vec3, Vec4};
 
 use crate::camera::Camera;
+use crate::lighting::Lighting;
 use crate::model::TriangleMesh;
 use crate::scene::MeshKind;
 
@@ -170,6 +171,8 @@ pub struct Frame {
     pub view: View,
     /// The lens of refined pictures; `None` is a point, to which everything is sharp.
     pub lens: Option<Lens>,
+    /// The sun and the sky.
+    pub lighting: Lighting,
     /// Opaque shapes.
     pub items: Vec<DrawItem>,
     /// Translucent shapes.
@@ -189,11 +192,12 @@ pub struct Frame {
 impl PartialEq for Frame {
     /// Meshes are equal only if they are the same: frames are compared for each picture.
     fn eq(&self, other: &Self) -> bool {
-        let Self { view, lens, items, ghosts, lines, dots, arcball, meshes, world_from_bind } = self;
-        (view, lens, items, ghosts, lines, dots, arcball, world_from_bind)
+        let Self { view, lens, lighting, items, ghosts, lines, dots, arcball, meshes, world_from_bind } = self;
+        (view, lens, lighting, items, ghosts, lines, dots, arcball, world_from_bind)
             == (
                 &other.view,
                 &other.lens,
+                &other.lighting,
                 &other.items,
                 &other.ghosts,
                 &other.lines,
@@ -212,12 +216,13 @@ pub fn are_same_meshes(one: &[Arc<TriangleMesh>], other: &[Arc<TriangleMesh>]) -
 }
 
 impl Frame {
-    /// A picture of nothing.
+    /// A picture of nothing in the light of the day.
     #[must_use]
-    pub const fn empty(view: View) -> Self {
+    pub fn empty(view: View) -> Self {
         Self {
             view,
             lens: None,
+            lighting: Lighting::default(),
             items: Vec::new(),
             ghosts: Vec::new(),
             lines: Vec::new(),
@@ -234,6 +239,7 @@ impl Frame {
         let are_alike = |(one, other): (&DrawItem, &DrawItem)| DrawItem { outlined: other.outlined, ..*one } == *other;
         self.view == other.view
             && self.lens == other.lens
+            && self.lighting == other.lighting
             && self.items.len() == other.items.len()
             && self.items.iter().zip(&other.items).all(are_alike)
             && self.world_from_bind == other.world_from_bind

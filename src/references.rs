@@ -197,6 +197,7 @@ impl<'a> References<'a> {
             if storage::exists(&beside) { beside } else { PathBuf::from(name) }
         });
         let scene = scene::load(named.as_deref().or(self.scene))?;
+        let scene = shot.lighting.map(|lighting| scene.with_lighting(lighting.into())).unwrap_or(scene);
         let file = shot.file.as_ref().map(|file| self.folder.join(file));
         let animation = file.as_deref().map(|file| Animation::load(file, &scene, shot.interpolation)).transpose()?;
         let source = Source { scene: &scene, animation: animation.as_ref(), file: file.as_deref() };

@@ -11,6 +11,7 @@ mod file;
 mod graph;
 mod joint;
 mod keys;
+mod lighting;
 mod limbs;
 mod meshes;
 mod mirror;
@@ -30,6 +31,7 @@ pub use file::{SceneError, scene_from_bytes, scene_from_json, scene_with_meshes}
 pub use graph::{Node, NodeId, NodeKind, SceneGraph};
 pub use joint::{Hinge, Joint};
 pub use keys::{LATEST_SECONDS, moved_seconds};
+pub use lighting::SceneLighting;
 pub use limbs::{LimbError, LimbNodes, PosedLimb};
 pub use meshes::{LARGEST_MESHES_BYTES, MeshesError, MeshesFile, SceneFiles, with_meshes_within};
 pub use pick::{Part, Pick, Picker, Ray};

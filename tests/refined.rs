@@ -5,6 +5,7 @@ mod support;
 use glam::{Affine3A, Quat, Vec3};
 use inbetween::export::{Painter, Size};
 use inbetween::frame::{Dot, Frame, Ghost, Lens};
+use inbetween::lighting::Lighting;
 use inbetween::render::{Background, Gpu, Image, Offscreen, Refinement, Refiner, Renderer, SubFrame};
 use inbetween::scene::Shape;
 use inbetween::scene::shapes::{Plane, RoundedBox};
@@ -170,8 +171,8 @@ fn the_shadow_of_a_wide_sun_is_as_soft_as_geometry_says() {
     let eye = edge + Vec3::Y * 0.9;
     let world_from_eye = Affine3A::from_mat3_translation(glam::Mat3::from_cols(-across, level, Vec3::Y), eye);
     let frame = Frame { items: vec![floor, board], ..Frame::empty(view(world_from_eye, WIDTH as f32 / HEIGHT as f32)) };
-    let [(wide, expected), (real, least)] = [5.0, Refinement::SUN_DEGREES].map(|degrees| {
-        let refinement = Refinement { sun_degrees: degrees, ..without_sky_light(256) };
+    let [(wide, expected), (real, least)] = [5.0, Lighting::SUN_DEGREES].map(|degrees| {
+        let refinement = Refinement { sun_degrees: Some(degrees), ..without_sky_light(256) };
         (softness_px(&studio.refined(refinement, &frame)), thrown_softness_px(high, sun, degrees))
     });
     assert!((wide / expected - 1.0).abs() <= 0.05, "{wide} pixels, expected {expected}");

@@ -4,6 +4,7 @@ use glam::{Quat, Vec3};
 use inbetween::colour::Colour;
 use inbetween::interpolation::Interpolation;
 use inbetween::keyframe::{keyframes_from_json, keyframes_to_json};
+use inbetween::lighting::BuiltInLighting;
 use inbetween::scene::{
     Channel, KeyValue, SceneError, SceneGraph, built_in_scene, built_in_scene_names, scene_from_json, scene_to_json,
 };
@@ -202,6 +203,67 @@ fn joints_are_for_rbt_nodes_of_version_3() {
     ] {
         let refused = scene(version, node).unwrap_err().to_string();
         assert!(refused.contains(words), "{node}: {refused}");
+    }
+}
+
+/// A scene with this lighting.
+fn lit(version: u32, lighting: &str) -> Result<SceneGraph, SceneError> {
+    scene_from_json(&format!(
+        r#"{{"format": "inbetween.scene", "version": {version}, "name": "n", "eyes": ["sky"], "lighting": {lighting},
+            "nodes": [{{"name": "sky"}}]}}"#
+    ))
+}
+
+#[test]
+fn a_lighting_comes_back_and_changes_what_it_says() {
+    let evening = BuiltInLighting::Evening.lighting();
+    let scene = lit(3, r#""evening""#).unwrap();
+    assert_eq!(scene.lighting().lighting(), evening);
+    assert!(check_round_trip(&scene).contains("\"version\": 3,\n  \"name\": \"n\",\n  \"eyes\": [\"sky\"],\n  \"vertical_fov_degrees\": 60,\n  \"lighting\": \"evening\",\n"));
+    let day = lit(3, r#"{"sun": {}, "sky": {}}"#).unwrap();
+    assert!(check_round_trip(&day).contains("\"version\": 1,"), "the day needs no words");
+    assert_eq!(lit(3, r#""day""#).unwrap(), day);
+    let own = lit(
+        3,
+        r##"{"of": "evening", "sun": {"direction": [-3, 4, 0], "brightness": 0.5, "degrees": 2.5}, "sky": {"ground": "#404040"}}"##,
+    )
+    .unwrap();
+    check_round_trip(&own);
+    let light = own.lighting().lighting();
+    assert!((light.towards_sun_in_world - Vec3::new(-0.6, 0.8, 0.0)).length() < 1e-6);
+    assert!((light.sun - evening.sun * 0.5).length() < 1e-6);
+    assert_eq!((light.sun_degrees, light.horizon, light.sky), (2.5, evening.horizon, evening.sky));
+    assert_eq!(light.ground, Colour::from_hex("#404040").unwrap().to_linear());
+    for short in ["[0, 1e-30, 0]", "[1e6, 1e6, -1e6]"] {
+        let scene = lit(3, &format!(r#"{{"sun": {{"direction": {short}}}}}"#)).unwrap();
+        assert!(scene.lighting().lighting().towards_sun_in_world.is_normalized(), "{short}");
+    }
+    let full =
+        r##"{"sun": {"colour": "#ffffff", "brightness": 0}, "sky": {"horizon": "#102030", "zenith": "#000000"}}"##;
+    let full = lit(3, full).unwrap();
+    check_round_trip(&full);
+    assert_eq!(full.lighting().lighting().sun, Vec3::ZERO);
+    let (above, _) = full.with_control_above(full.find("sky").unwrap()).unwrap();
+    assert_eq!(above.lighting(), full.lighting(), "it stays when nodes change");
+}
+
+#[test]
+fn a_lighting_that_cannot_be_is_refused_with_its_place() {
+    for (version, lighting, words) in [
+        (2, r#""evening""#, "lighting needs version 3, and the file says an older one"),
+        (3, r#""noon""#, "lighting is \"noon\", expected day, evening or studio"),
+        (3, r#"{"of": "noon"}"#, "lighting.of is \"noon\", expected day, evening or studio"),
+        (3, r#"{"sun": {"direction": [0, 0, 0]}}"#, "lighting.sun.direction is [0, 0, 0], expected a direction"),
+        (3, r#"{"sun": {"direction": [1, -0.1, 0]}}"#, "lighting.sun.direction is [1, -0.1, 0], expected a direction"),
+        (3, r#"{"sun": {"direction": [0, 2e6, 0]}}"#, "lighting.sun.direction is [0, 2000000, 0]"),
+        (3, r#"{"sun": {"brightness": -1}}"#, "lighting.sun.brightness is -1, expected 0 to 10"),
+        (3, r#"{"sun": {"degrees": 91}}"#, "lighting.sun.degrees is 91, expected 0 to 90"),
+        (3, r#"{"sky": {"zenith": "blue"}}"#, "expected a colour"),
+        (3, r#"{"moon": {}}"#, "unknown field \"moon\""),
+        (3, "3", "expected a lighting: \"day\""),
+    ] {
+        let refused = lit(version, lighting).unwrap_err().to_string();
+        assert!(refused.contains(words), "{lighting}: {refused}");
     }
 }
 

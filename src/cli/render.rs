@@ -66,6 +66,7 @@ fn draw(
     painter: &mut Painter,
 ) -> Result<(), CliError> {
     let scene = scene::load(common.scene)?;
+    let scene = arguments.lighting.map(|lighting| scene.with_lighting(lighting.into())).unwrap_or(scene);
     let read = |file| -> Result<_, CliError> {
         Ok(Animation::of(reading::keyframes(file, &scene, common)?.file, arguments.interpolation))
     };

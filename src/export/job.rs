@@ -52,16 +52,18 @@ impl Job {
 
     /// Counts the frames written into a folder in `in_folder`, and returns the total.
     fn write(&self, watch: &mut Watch<'_>, in_folder: &mut usize) -> Result<usize, ExportError> {
-        let ExportOptions { path, format, size, fps, range, ghosts, camera, samples, quality, background } =
+        let ExportOptions { path, format, size, fps, range, ghosts, camera, samples, quality, lighting, background } =
             &self.options;
         let size = Size { width: size[0], height: size[1] };
         let is_opaque = *background != ExportBackground::Transparent;
         check_format(format, size, Some(*fps), is_opaque, path)?;
+        let lit = lighting.map(|lighting| self.scene.with_lighting(lighting.into()));
+        let scene = lit.as_ref().unwrap_or(&self.scene);
         let animation = self.animation.as_ref();
         let file = animation.is_some().then_some(self.file.as_path());
         let [from, to] = range.map_or([None; 2], |range| range.map(Some));
         let request = RenderRequest {
-            source: Source { scene: &self.scene, animation, file },
+            source: Source { scene, animation, file },
             subject: Subject::Film { fps: *fps },
             span: Span { from, to, seconds: 0.0 },
             frames: None,

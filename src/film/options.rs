@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::{Format, GIF, Quality};
+use crate::lighting::BuiltInLighting;
 use crate::words::Message;
 
 /// The background.
@@ -38,6 +39,8 @@ pub struct ExportOptions {
     pub samples: Option<u32>,
     /// The quality of its pictures.
     pub quality: Quality,
+    /// The light; `None`: the scene's.
+    pub lighting: Option<BuiltInLighting>,
     /// The background.
     pub background: ExportBackground,
 }
@@ -60,6 +63,7 @@ impl ExportOptions {
             camera: None,
             samples: None,
             quality: Quality::DRAFT,
+            lighting: None,
             background: ExportBackground::Sky,
         }
     }

@@ -11,6 +11,7 @@ use crate::files::{self, FileError};
 use crate::film::{FrameNumbers, MOST_FRAMES_PER_SECOND, Quality};
 use crate::flip::DEFAULT_TOLERANCE;
 use crate::interpolation::Interpolation;
+use crate::lighting::BuiltInLighting;
 use crate::words::{Message, texts};
 
 /// The list's name in its folder.
@@ -47,6 +48,7 @@ struct Defaults {
     interpolation: Option<String>,
     samples: Option<u32>,
     quality: Option<NamedQuality>,
+    lighting: Option<String>,
     camera: Option<String>,
     tolerance: Option<f32>,
 }
@@ -68,6 +70,7 @@ struct Entry {
     interpolation: Option<String>,
     samples: Option<u32>,
     quality: Option<NamedQuality>,
+    lighting: Option<String>,
     camera: Option<String>,
     tolerance: Option<f32>,
     reference: Option<String>,
@@ -182,6 +185,10 @@ impl Entry {
         if samples > 1 && quality.is_refined() {
             return Err(texts::REFERENCES_SAMPLES_OF_REFINED.into());
         }
+        let lighting = self.lighting.or_else(|| defaults.lighting.clone());
+        let lighting = lighting.map(|name| {
+            BuiltInLighting::from_name(&name).ok_or_else(|| texts::references_lighting(format!("{name:?}")))
+        });
         let tolerance = self.tolerance.or(defaults.tolerance).unwrap_or(DEFAULT_TOLERANCE);
         if !(0.0..=1.0).contains(&tolerance) {
             return Err(texts::references_tolerance(tolerance.to_string()));
@@ -196,6 +203,7 @@ impl Entry {
             interpolation: interpolation.transpose()?,
             samples,
             quality,
+            lighting: lighting.transpose()?,
             camera: self.camera.or_else(|| defaults.camera.clone()),
             tolerance,
             reference: String::new(),

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use crate::film::Quality;
 use crate::interpolation::Interpolation;
+use crate::lighting::BuiltInLighting;
 
 /// What a picture shows of its animation.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,6 +43,8 @@ pub struct Shot {
     pub samples: u32,
     /// The quality of the picture.
     pub quality: Quality,
+    /// The light to use instead of the scene's.
+    pub lighting: Option<BuiltInLighting>,
     /// The eye, or turntable.
     pub camera: Option<String>,
     /// The largest score that counts as the same.

@@ -40,7 +40,7 @@ pub fn node_picture(gpu: &Gpu, frame: &Frame, width: u32, height: u32) -> Result
     packed.pack(
         frame,
         &arranged,
-        &Globals::new(frame, &Light::default(), None, Viewport::whole(width, height)),
+        &Globals::new(frame, &Light::plain(&frame.lighting), None, Viewport::whole(width, height)),
         detail,
         None,
         &skins,

@@ -6,8 +6,8 @@
 use glam::{Mat4, Vec3, Vec4};
 
 use crate::frame::Frame;
+use crate::lighting::Lighting;
 use crate::render::bounds::{Bounds, ViewSides};
-use crate::render::look;
 
 /// Texels along the map's longest side for each row of the picture. Texels are then about as large as pixels.
 const TEXELS_PER_ROW: f32 = 1.2;
@@ -60,10 +60,11 @@ pub struct Light {
     pub backdrop: Vec4,
 }
 
-impl Default for Light {
-    fn default() -> Self {
+impl Light {
+    /// The light of a plain picture: the middle of the sun.
+    pub const fn plain(lighting: &Lighting) -> Self {
         Self {
-            towards_in_world: towards_sun_in_world(),
+            towards_in_world: lighting.towards_sun_in_world,
             turn: None,
             of_sun: 0.0,
             of_sky: 0.0,
@@ -71,25 +72,19 @@ impl Default for Light {
             backdrop: Vec4::ZERO,
         }
     }
-}
 
-impl Light {
     /// The axes of its map in world space: across, up and towards the light.
     fn axes(&self) -> [Vec3; 3] {
         let z = self.towards_in_world;
         let Some(turn) = self.turn else {
-            let x = Vec3::Y.cross(z).normalize();
+            // Under a sun overhead any direction is across.
+            let x = Vec3::Y.cross(z).normalize_or(Vec3::X);
             return [x, z.cross(x), z];
         };
         let (x, y) = z.any_orthonormal_pair();
         let (sin, cos) = turn.sin_cos();
         [x * cos + y * sin, y * cos - x * sin, z]
     }
-}
-
-/// Unit direction from any point towards the sun, in world space.
-pub fn towards_sun_in_world() -> Vec3 {
-    look::TOWARDS_SUN_IN_WORLD.normalize()
 }
 
 /// The largest number of texels along the map's longest side, for a picture's height in pixels. Maps of sub-frames are coarser, since no

@@ -1,4 +1,4 @@
-//! Constants of the look of pictures: the sun, strokes, and named colours in linear light.
+//! Constants of the look of pictures: exposure, strokes, and named colours in linear light.
 
 use std::sync::LazyLock;
 
@@ -9,10 +9,6 @@ use crate::colour::Colour;
 /// Named colours in linear light, each computed once.
 #[derive(Debug)]
 pub struct Palette {
-    /// The sky where it meets the ground.
-    pub horizon: Vec3,
-    /// The sky overhead.
-    pub zenith: Vec3,
     /// The chosen node's outline.
     pub accent: Vec3,
     /// The arcball.
@@ -23,8 +19,6 @@ pub struct Palette {
 
 /// The colours that pictures are drawn with.
 pub static PALETTE: LazyLock<Palette> = LazyLock::new(|| Palette {
-    horizon: Colour::HORIZON.to_linear(),
-    zenith: Colour::ZENITH.to_linear(),
     accent: Colour::ACCENT.to_linear(),
     arcball: Colour::ARCBALL.to_linear(),
     surround: Colour::BACKDROP.to_linear(),
@@ -35,8 +29,8 @@ pub fn untoned(channel: f32) -> f32 {
     (1.0 - (1.0 - 0.94 * channel).max(0.0).sqrt()) / 0.47
 }
 
-/// Direction from any point towards the sun, in world space, not of unit length: warm, from the upper left.
-pub const TOWARDS_SUN_IN_WORLD: Vec3 = Vec3::new(-0.5, 0.78, 0.5);
+/// The factor of all light that falls on shapes and meshes.
+pub const EXPOSURE: f32 = 1.22;
 
 /// Width of the chosen node's outline in pixels.
 pub const OUTLINE_PX: f32 = 2.0;

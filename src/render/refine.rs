@@ -143,7 +143,7 @@ impl Refiner {
         let steady = frame.view;
         frame.view = sub_frame.view(&steady, frame.lens, size_px);
         let [before, after] = [self.count, self.count + 1].map(|count| &sums.of(count).0);
-        self.scene.begin_sub_frame(gpu, sub_frame.light, before);
+        self.scene.begin_sub_frame(gpu, sub_frame.light(&frame.lighting), before);
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         if self.count == 0 {
             drop(begin(&mut encoder, before, wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT)));

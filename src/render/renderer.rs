@@ -111,7 +111,8 @@ pub struct Renderer {
     format: wgpu::TextureFormat,
     samples: u32,
     part: Part,
-    light: Light,
+    /// The light of the shadow map, for a sub-frame.
+    light: Option<Light>,
     background: Background,
     pipelines: Pipelines,
     vertices: wgpu::Buffer,
@@ -170,7 +171,7 @@ impl Renderer {
             format: target_format,
             samples,
             part,
-            light: Light::default(),
+            light: None,
             background: Background::Sky,
             pipelines,
             vertices,
@@ -207,7 +208,7 @@ impl Renderer {
 
     /// Sets the light of the shadow map of the next sub-frame, and the sum that it adds to.
     pub(super) fn begin_sub_frame(&mut self, gpu: &Gpu, light: Light, sum_before: &wgpu::TextureView) {
-        self.light = Light { backdrop: self.backdrop(), ..light };
+        self.light = Some(Light { backdrop: self.backdrop(), ..light });
         self.globals = globals(&gpu.device, &self.pipelines, &self.frame_buffer, Some(sum_before));
         self.sum_before = Some(sum_before.clone());
     }
@@ -266,14 +267,15 @@ impl Renderer {
             _ => Detail::of_picture(&frame.view, viewport.height, self.samples_across()),
         };
         let items_moved = self.arranged.take(frame, detail, self.arrangement);
-        let most_texels = most_texels(viewport.height, &self.light, gpu.is_software);
+        let light = self.light.unwrap_or_else(|| Light::plain(&frame.lighting));
+        let most_texels = most_texels(viewport.height, &light, gpu.is_software);
         let sun = match self.part {
             Part::Overlay => None,
-            Part::Whole | Part::SubFrame => SunBox::fit(frame, &self.light, &self.arranged.bounds, most_texels),
+            Part::Whole | Part::SubFrame => SunBox::fit(frame, &light, &self.arranged.bounds, most_texels),
         };
         let size_texels = sun.as_ref().map(|sun| sun.size_texels);
         self.sun_maps.take(&gpu.device, &self.pipelines, most_texels, size_texels);
-        let globals = Globals::new(frame, &self.light, sun.as_ref(), viewport);
+        let globals = Globals::new(frame, &light, sun.as_ref(), viewport);
         let is_map_due = sun.is_some() && (items_moved || sun != self.sun_map_box);
         let of_sun_map = sun.as_ref().filter(|_| is_map_due).map(Detail::of_sun_map);
         self.take_meshes(gpu, frame, is_map_due);

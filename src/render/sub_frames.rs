@@ -12,7 +12,8 @@ use glam::{Affine3A, Vec2, Vec3};
 
 use crate::film::Quality;
 use crate::frame::{GOLDEN, Lens, View};
-use crate::render::light::{Light, towards_sun_in_world};
+use crate::lighting::Lighting;
+use crate::render::light::Light;
 
 /// Width and height of the pixel filter, a Blackman-Harris window, in pixels.
 const FILTER_PX: f64 = 1.5;
@@ -24,20 +25,18 @@ const SUN_EVERY: u32 = 2;
 pub struct Refinement {
     /// The number of sub-frames, at least 2.
     pub sub_frames: u32,
-    /// The diameter of the sun as one sees it, in degrees. 0 is a point, whose shadows are sharp.
-    pub sun_degrees: f32,
+    /// The diameter of the sun as one sees it, in degrees, 0 to 90. 0 is a point, whose shadows are sharp. `None`: the frame's lighting
+    /// says it.
+    pub sun_degrees: Option<f32>,
     /// Whether shapes hide the sky from each other and from the ground.
     pub sky_light: bool,
 }
 
 impl Refinement {
-    /// The sun's diameter seen from the earth, in degrees.
-    pub const SUN_DEGREES: f32 = 0.53;
-
-    /// A refinement with this number of sub-frames, the real sun and light of the sky.
+    /// A refinement with this number of sub-frames, the sun of the frame and light of the sky.
     #[must_use]
     pub const fn of(sub_frames: u32) -> Self {
-        Self { sub_frames, sun_degrees: Self::SUN_DEGREES, sky_light: true }
+        Self { sub_frames, sun_degrees: None, sky_light: true }
     }
 
     /// The refinement of a quality; `None` for the plain picture.
@@ -62,25 +61,15 @@ impl Refinement {
         let index = if is_of_sun { of_kind } else { of_sun + of_kind };
         let [x, y, u, v, time] = [0, 1, 2, 3, 4].map(|dimension| sobol(index, dimension));
         let count = if is_of_sun { of_sun } else { self.sub_frames - of_sun };
-        let [along, around] = lattice(of_kind, count);
-        let ratio = self.sub_frames as f32 / count as f32;
-        let (towards_in_world, weights) = if is_of_sun {
-            (point_of_sun(self.sun_degrees.to_radians() * 0.5, along, around), [ratio, 0.0])
-        } else {
-            (point_of_sky(along, around), [0.0, 2.0 * ratio])
-        };
         SubFrame {
             from_pixel_px: Vec2::new(filtered(x), filtered(y)),
             on_lens: on_disc(u as f32, v as f32),
             shutter: time,
-            light: Light {
-                towards_in_world,
-                turn: Some((f64::from(number) * GOLDEN).fract() as f32 * TAU),
-                of_sun: weights[0],
-                of_sky: weights[1],
-                of_mean: 1.0 / (number + 1) as f32,
-                ..Light::default()
-            },
+            number,
+            of_light: lattice(of_kind, count),
+            ratio: self.sub_frames as f32 / count as f32,
+            is_of_sun,
+            sun_degrees: self.sun_degrees,
         }
     }
 }
@@ -94,11 +83,36 @@ pub struct SubFrame {
     on_lens: Vec2,
     /// The part of the shutter's time that has passed, 0 to 1.
     pub shutter: f64,
-    /// The light of its shadow map.
-    pub(super) light: Light,
+    number: u32,
+    /// The place on the sun's disc or in the sky: both coordinates 0 to 1.
+    of_light: [f64; 2],
+    /// Sub-frames for each with a light of its kind.
+    ratio: f32,
+    /// Whether its shadow map is of the sun; else it is of the sky.
+    is_of_sun: bool,
+    sun_degrees: Option<f32>,
 }
 
 impl SubFrame {
+    /// The light of its shadow map.
+    pub(super) fn light(&self, lighting: &Lighting) -> Light {
+        let [along, around] = self.of_light;
+        let (towards_in_world, [of_sun, of_sky]) = if self.is_of_sun {
+            let half_angle = self.sun_degrees.unwrap_or(lighting.sun_degrees).to_radians() * 0.5;
+            (point_of_sun(lighting.towards_sun_in_world, half_angle, along, around), [self.ratio, 0.0])
+        } else {
+            (point_of_sky(along, around), [0.0, 2.0 * self.ratio])
+        };
+        Light {
+            towards_in_world,
+            turn: Some((f64::from(self.number) * GOLDEN).fract() as f32 * TAU),
+            of_sun,
+            of_sky,
+            of_mean: 1.0 / (self.number + 1) as f32,
+            ..Light::plain(lighting)
+        }
+    }
+
     /// A view moved to this sub-frame's place in the pixel, and on the lens if there is one. `size_px`: the picture's.
     #[must_use]
     pub fn view(&self, view: &View, lens: Option<Lens>, size_px: [u32; 2]) -> View {
@@ -120,8 +134,7 @@ impl SubFrame {
 }
 
 /// A direction to a point of the sun's disc, whose middle is the sun: `along` is the part of the disc's area that is nearer the middle.
-fn point_of_sun(half_angle: f32, along: f64, around: f64) -> Vec3 {
-    let middle = towards_sun_in_world();
+fn point_of_sun(middle: Vec3, half_angle: f32, along: f64, around: f64) -> Vec3 {
     let (x, y) = middle.any_orthonormal_pair();
     let (sin, cos) = (around as f32 * TAU).sin_cos();
     let out = half_angle.tan() * (along as f32).sqrt();
@@ -270,14 +283,15 @@ mod tests {
 
     #[test]
     fn light_comes_from_the_sun_and_the_upper_half_alone() {
-        let refinement = Refinement { sun_degrees: 5.0, ..Refinement::of(64) };
+        let lighting = Lighting { sun_degrees: 5.0, ..Lighting::default() };
+        let refinement = Refinement::of(64);
         let (mut of_sun, mut of_sky) = (0.0, 0.0);
         let mut cosines = 0.0;
         for number in 0..64 {
-            let light = refinement.sub_frame(number).light;
+            let light = refinement.sub_frame(number).light(&lighting);
             assert!((light.towards_in_world.length() - 1.0).abs() < 1e-6);
             if light.of_sun > 0.0 {
-                let away = light.towards_in_world.angle_between(towards_sun_in_world()).to_degrees();
+                let away = light.towards_in_world.angle_between(lighting.towards_sun_in_world).to_degrees();
                 assert!(away <= 2.5 + 1e-3, "{away}");
             } else {
                 assert!(light.towards_in_world.y > 0.0);
@@ -296,7 +310,7 @@ mod tests {
             for sky_light in [true, false] {
                 let refinement = Refinement { sky_light, ..Refinement::of(sub_frames) };
                 let all: Vec<SubFrame> = (0..sub_frames).map(|number| refinement.sub_frame(number)).collect();
-                let sum: f32 = all.iter().map(|one| one.light.of_sun).sum();
+                let sum: f32 = all.iter().map(|one| one.light(&Lighting::default()).of_sun).sum();
                 assert!((sum - sub_frames as f32).abs() < 1e-3);
                 for (place, one) in all.iter().enumerate() {
                     assert!(all[..place].iter().all(|other| other.from_pixel_px != one.from_pixel_px));

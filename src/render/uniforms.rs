@@ -5,7 +5,7 @@ use glam::{Mat4, Vec3, Vec4};
 
 use crate::frame::Frame;
 use crate::render::contact::ground;
-use crate::render::light::{Light, SunBox, towards_sun_in_world};
+use crate::render::light::{Light, SunBox};
 use crate::render::look;
 use crate::render::renderer::Viewport;
 
@@ -37,6 +37,12 @@ pub struct Globals {
     horizon: Vec4,
     /// Light before the tone curve; w is the ground's height in scene units.
     zenith: Vec4,
+    /// The light of the sun on surfaces that face it, exposure included.
+    sun: Vec4,
+    /// The light of the whole sky, exposure included.
+    sky: Vec4,
+    /// The light from below, exposure included; w is the exposure.
+    ground: Vec4,
     /// Linear light.
     accent: Vec4,
     /// The light behind everything in a sub-frame, and its opacity.
@@ -46,7 +52,7 @@ pub struct Globals {
 impl Globals {
     /// The globals of a picture that fills a viewport.
     pub fn new(frame: &Frame, light: &Light, sun: Option<&SunBox>, viewport: Viewport) -> Self {
-        let view = &frame.view;
+        let (view, lighting) = (&frame.view, &frame.lighting);
         let [width, height] = [viewport.width, viewport.height].map(|side| side as f32);
         let up = (view.vertical_fov * 0.5).tan();
         let right = up * view.aspect;
@@ -65,14 +71,17 @@ impl Globals {
             first_ray_in_world: ray(first, 0.0),
             ray_right_in_world: ray(Vec3::X * right_step, width),
             ray_down_in_world: ray(Vec3::Y * down_step, height),
-            towards_sun_in_world: towards_sun_in_world().extend(0.0),
+            towards_sun_in_world: lighting.towards_sun_in_world.extend(0.0),
             towards_light_in_world: light.towards_in_world.extend(sun.map_or(0.0, |sun| sun.texel)),
             weights: Vec4::new(light.of_sun, light.of_sky, light.of_mean, 0.0),
-            horizon: look::PALETTE.horizon.map(look::untoned).extend(look::OUTLINE_PX),
-            zenith: look::PALETTE
+            horizon: lighting.horizon.map(look::untoned).extend(look::OUTLINE_PX),
+            zenith: lighting
                 .zenith
                 .map(look::untoned)
                 .extend(ground(frame).map_or(NO_GROUND, |item| item.world_from_shape.translation.y)),
+            sun: (lighting.sun * look::EXPOSURE).extend(0.0),
+            sky: (lighting.sky * look::EXPOSURE).extend(0.0),
+            ground: (lighting.ground * look::EXPOSURE).extend(look::EXPOSURE),
             accent: look::PALETTE.accent.extend(0.0),
             backdrop: light.backdrop,
         }

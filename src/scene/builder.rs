@@ -6,6 +6,7 @@ use std::sync::Arc;
 use super::file::SceneError;
 use super::graph::{Common, Node, NodeId, NodeKind, SceneGraph};
 use super::joint::Joint;
+use super::lighting::SceneLighting;
 use super::shape::{PlacedShape, Shape};
 use super::shapes::MeshShape;
 use super::tracks::Tracks;
@@ -25,6 +26,7 @@ pub struct SceneBuilder {
     rest: Vec<Rbt>,
     by_path: HashMap<String, NodeId>,
     open: Vec<NodeId>,
+    lighting: SceneLighting,
     meshes: Option<Arc<MeshLibrary>>,
     /// Shapes of meshes by name, so that shapes of one mesh share what is computed of it.
     mesh_shapes: HashMap<String, MeshShape>,
@@ -77,6 +79,11 @@ impl SceneBuilder {
     /// When the name is empty, contains `/`, or is used twice under one parent, or the node is deeper than [`MOST_LEVELS`].
     pub fn shape(&mut self, name: &str, placed: PlacedShape) -> Result<NodeId, SceneError> {
         self.push(name, NodeKind::Shape(placed))
+    }
+
+    /// The lighting of the scene; without it, that of the day.
+    pub const fn lighting(&mut self, lighting: SceneLighting) {
+        self.lighting = lighting;
     }
 
     /// The meshes of the scene. Shapes of meshes must be of these.
@@ -227,6 +234,7 @@ impl SceneBuilder {
             walk: Walk::through(&self.nodes),
             eyes,
             vertical_fov_degrees,
+            lighting: self.lighting,
             meshes: self.meshes,
         };
         SceneGraph::of_parts(self.nodes.into_iter().map(Arc::new).collect(), Arc::new(common))

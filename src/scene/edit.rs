@@ -63,6 +63,7 @@ impl SceneGraph {
     /// Rebuilds all nodes with one changed. The eyes stay the same nodes.
     fn changed(&self, changed: NodeId, change: &Change<'_>) -> Result<Self, SceneError> {
         let mut builder = SceneBuilder::new();
+        builder.lighting(*self.lighting());
         if let Some(meshes) = self.meshes() {
             builder.meshes(Arc::clone(meshes));
         }

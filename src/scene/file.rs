@@ -15,6 +15,7 @@ use super::checks::NodeChecks;
 use super::graph::SceneGraph;
 use super::joint::{JointText, LimitsText};
 use super::keys::keys_error;
+use super::lighting::LightingText;
 use super::meshes::{MeshesError, meshes_of};
 use super::shape::{PlacedShape, Placement, ShapeText};
 use super::tracks::Tracks;
@@ -27,7 +28,8 @@ use crate::timed::KeyError;
 use crate::words::{Argument, Message, Phrase, display_by_message, quoted, texts};
 
 pub(super) const FORMAT: &str = "inbetween.scene";
-/// The versions that are read. Version 2 has control nodes whose names are not part of paths, version 3 has limbs that reach, and meshes.
+/// The versions that are read. Version 2 has control nodes whose names are not part of paths, version 3 has limbs that reach, meshes and a
+/// lighting.
 const VERSIONS: std::ops::RangeInclusive<u32> = 1..=VERSION_OF_MESHES;
 /// The first version of scene files with meshes.
 pub(super) const VERSION_OF_MESHES: u32 = 3;
@@ -149,6 +151,17 @@ pub enum SceneError {
         /// The path of the mesh's node.
         skin: String,
     },
+    /// The file says an older version, which has no lighting.
+    LightingVersion,
+    /// A value of the lighting is out of its range.
+    Lighting {
+        /// The field in the file.
+        field: &'static str,
+        /// The value in the file.
+        found: Argument,
+        /// The allowed values, as a phrase.
+        expected: Phrase,
+    },
     /// The field of view is out of range.
     FieldOfView {
         /// The value in the file, in degrees.
@@ -186,6 +199,8 @@ impl SceneError {
             Self::SkinJoint { path, joint } => texts::scene_skin_joint(quoted(path), quoted(joint)),
             Self::SkinJoints { path, found, expected } => texts::scene_skin_joints(quoted(path), *found, *expected),
             Self::MovesSkin { path, skin } => texts::scene_moves_skin(quoted(path), quoted(skin)),
+            Self::LightingVersion => texts::SCENE_LIGHTING_NEEDS_VERSION_3.into(),
+            Self::Lighting { field, found, expected } => texts::scene_lighting(*field, found.clone(), *expected),
             Self::FieldOfView { degrees } => texts::scene_field_of_view(*degrees),
         }
     }
@@ -206,6 +221,7 @@ struct SceneText {
     eyes: Vec<String>,
     #[serde(default = "default_fov_degrees")]
     vertical_fov_degrees: f32,
+    lighting: Option<LightingText>,
     meshes: Option<String>,
     nodes: Vec<NodeText>,
 }
@@ -264,7 +280,7 @@ enum ScaleText {
 }
 
 #[derive(Clone, Copy)]
-struct ColourText(Colour);
+pub(super) struct ColourText(pub Colour);
 
 impl<'de> Deserialize<'de> for ColourText {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
@@ -331,6 +347,9 @@ fn built(
         return Err(SceneError::Version { found: text.version });
     }
     let mut builder = SceneBuilder::new();
+    if let Some(lighting) = &text.lighting {
+        builder.lighting(lighting.lighting(text.version)?);
+    }
     if let Some(meshes) = &text.meshes {
         if text.version < VERSION_OF_MESHES {
             return Err(SceneError::Meshes(MeshesError::Version));

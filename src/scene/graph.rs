@@ -7,6 +7,7 @@ use std::sync::Arc;
 use glam::{Affine3A, Vec3};
 
 use super::joint::Joint;
+use super::lighting::SceneLighting;
 use super::shape::{PlacedShape, Shape};
 use super::shapes::MeshShape;
 use super::tracks::Tracks;
@@ -110,6 +111,7 @@ pub(super) struct Common {
     pub(super) walk: Walk,
     pub(super) eyes: Vec<RbtIndex>,
     pub(super) vertical_fov_degrees: f32,
+    pub(super) lighting: SceneLighting,
     pub(super) meshes: Option<Arc<MeshLibrary>>,
 }
 
@@ -134,6 +136,19 @@ impl SceneGraph {
     #[must_use]
     pub fn meshes(&self) -> Option<&Arc<MeshLibrary>> {
         self.common.meshes.as_ref()
+    }
+
+    /// Its lighting.
+    #[must_use]
+    pub fn lighting(&self) -> &SceneLighting {
+        &self.common.lighting
+    }
+
+    /// The same scene in another light.
+    #[must_use]
+    pub fn with_lighting(&self, lighting: SceneLighting) -> Self {
+        let common = Common { lighting, ..(*self.common).clone() };
+        Self { common: Arc::new(common), ..self.clone() }
     }
 
     /// The same scene with another name.

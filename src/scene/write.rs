@@ -6,6 +6,7 @@ use super::channel::{Channel, Holder, scale_json};
 use super::file::{FORMAT, VERSION_OF_MESHES};
 use super::graph::{Node, NodeId, NodeKind, SceneGraph};
 use super::joint::{Joint, VERSION_OF_JOINTS, push_joint};
+use super::lighting::{SceneLighting, VERSION_OF_LIGHTING};
 use super::meshes::MEDIA_TYPE;
 use super::shape::{PlacedShape, Shape};
 use super::tracks::Tracks;
@@ -29,7 +30,10 @@ pub fn scene_to_json_beside(scene: &SceneGraph, meshes: &str) -> String {
 
 fn written(scene: &SceneGraph, meshes: Option<String>) -> String {
     let of_meshes = if meshes.is_some() { VERSION_OF_MESHES } else { 1 };
-    let version = scene.nodes().iter().map(|node| version_of(node)).max().unwrap_or(1).max(of_meshes);
+    let is_lit = *scene.lighting() != SceneLighting::default();
+    let of_lighting = if is_lit { VERSION_OF_LIGHTING } else { 1 };
+    let of_nodes = scene.nodes().iter().map(|node| version_of(node)).max().unwrap_or(1);
+    let version = of_nodes.max(of_meshes).max(of_lighting);
     let eyes: Vec<String> = scene.eyes().iter().map(|&eye| quoted(scene.rbt_path(eye))).collect();
     let mut text = format!(
         "{{\n  \"format\": \"{FORMAT}\",\n  \"version\": {version},\n  \"name\": {},\n  \"eyes\": [{}],\n",
@@ -38,6 +42,10 @@ fn written(scene: &SceneGraph, meshes: Option<String>) -> String {
     );
     text.push_str("  \"vertical_fov_degrees\": ");
     push_f32(&mut text, scene.vertical_fov_degrees());
+    if is_lit {
+        text.push_str(",\n  \"lighting\": ");
+        text.push_str(&scene.lighting().json());
+    }
     if let Some(meshes) = meshes {
         text.push_str(",\n  \"meshes\": ");
         push_quoted(&mut text, &meshes);

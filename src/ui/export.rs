@@ -18,6 +18,7 @@ use crate::editor::{Command, Editor, FileCommand, WindowCommand};
 use crate::film::{Encoder, ExportBackground, ExportOptions, FORMATS, Format, Quality};
 use crate::frame::MOST_GHOSTS;
 use crate::keyframe::{PlayRange, to_f64};
+use crate::lighting::BuiltInLighting;
 use crate::words::texts;
 
 /// Width of the dialog, in points.
@@ -122,6 +123,7 @@ impl ExportDialog {
                                 .on_hover_text(hint);
                         });
                         row(ui, words.say(texts::BACKGROUND), |ui| background(ui, options, words));
+                        row(ui, words.say(texts::LIGHTING), |ui| lighting(ui, options, words));
                         row(ui, words.say(texts::QUALITY), |ui| quality(ui, options, words));
                         // A sub-frame has one.
                         if !options.quality.is_refined() {
@@ -295,6 +297,22 @@ fn background(ui: &mut Ui, options: &mut ExportOptions, words: Words) {
 fn samples(ui: &mut Ui, options: &mut ExportOptions, words: Words) {
     let all = [(None, words.say(texts::AS_SUITS_THE_GRAPHICS_ADAPTER)), (Some(1), "1"), (Some(4), "4")];
     choose(ui, words.say(texts::SAMPLES_A_PIXEL), &mut options.samples, &all);
+}
+
+fn lighting(ui: &mut Ui, options: &mut ExportOptions, words: Words) {
+    let of_scene = (None, words.say(texts::LIGHTING_OF_SCENE));
+    let all: Vec<_> =
+        std::iter::once(of_scene).chain(BuiltInLighting::ALL.map(|of| (Some(of), lighting_name(of, words)))).collect();
+    choose(ui, words.say(texts::LIGHTING), &mut options.lighting, &all);
+}
+
+/// The name of a lighting in the language of the window.
+fn lighting_name(lighting: BuiltInLighting, words: Words) -> &'static str {
+    words.say(match lighting {
+        BuiltInLighting::Day => texts::LIGHTING_DAY,
+        BuiltInLighting::Evening => texts::LIGHTING_EVENING,
+        BuiltInLighting::Studio => texts::LIGHTING_STUDIO,
+    })
 }
 
 fn quality(ui: &mut Ui, options: &mut ExportOptions, words: Words) {

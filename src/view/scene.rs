@@ -29,7 +29,7 @@ pub fn frame_of_nodes(
     camera: &Camera,
     from: Option<RbtIndex>,
 ) -> Frame {
-    let mut frame = Frame::empty(View::new(camera));
+    let mut frame = Frame { lighting: scene.lighting().lighting(), ..Frame::empty(View::new(camera)) };
     // The place of each mesh in the frame, by its address.
     let mut places: HashMap<*const TriangleMesh, u32> = HashMap::new();
     for (id, node) in scene.nodes_with_ids() {

@@ -23,7 +23,8 @@ pub struct RefiningArguments {
     /// The focal length over the diameter of the lens, 0.1 to 1000: the smaller, the more is blurred [default: 2.8].
     #[arg(long, value_name = "X", requires = "focus", value_parser = f_stop)]
     pub f_stop: Option<f32>,
-    /// The diameter of the sun in degrees, 0 to 90: the wider, the softer shadows are [default: 0.53].
+    /// The diameter of the sun in degrees, 0 to 90: the wider, the softer shadows are [default: that of the
+    /// lighting, 0.53 by day].
     #[arg(long, value_name = "DEGREES", value_parser = sun_size)]
     pub sun_size: Option<f32>,
     /// Whether shapes hide the sky from each other and from the ground [default: on].
@@ -38,11 +39,7 @@ impl RefiningArguments {
     /// How pictures are refined; `None`: they are plain.
     pub fn refinement(&self) -> Option<Refinement> {
         let usual = Refinement::of_quality(self.quality)?;
-        Some(Refinement {
-            sun_degrees: self.sun_size.unwrap_or(usual.sun_degrees),
-            sky_light: self.sky_light.unwrap_or(usual.sky_light),
-            ..usual
-        })
+        Some(Refinement { sun_degrees: self.sun_size, sky_light: self.sky_light.unwrap_or(usual.sky_light), ..usual })
     }
 
     /// How pictures of a film, or single ones, are taken.

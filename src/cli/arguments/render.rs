@@ -5,13 +5,14 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use super::help;
-use super::values::{format, interpolation, key_time, samples, seconds, size, still_format};
+use super::values::{format, interpolation, key_time, lighting, samples, seconds, size, still_format};
 use super::{ComparingArguments, ProgressKind, RefiningArguments};
 use crate::colour::Colour;
 use crate::export::{Size, Span};
 use crate::film::{Format, FrameNumbers, Grid, MOST_FRAMES_PER_SECOND};
 use crate::frame::MOST_GHOSTS;
 use crate::interpolation::Interpolation;
+use crate::lighting::BuiltInLighting;
 use crate::render::Background;
 
 /// Arguments of `render`.
@@ -70,6 +71,9 @@ pub struct RenderArguments {
     /// What is behind everything.
     #[arg(long, value_name = "sky|#rrggbb|transparent", default_value = "sky", value_parser = background, help = help::background())]
     pub background: Background,
+    /// The light: day, evening or studio [default: the scene's].
+    #[arg(long, value_name = "NAME", value_parser = lighting())]
+    pub lighting: Option<BuiltInLighting>,
     /// The time of the timed keys, in seconds. In a film, their time at its first frame.
     #[arg(long, value_name = "S", default_value_t = 0.0, allow_negative_numbers = true, value_parser = seconds)]
     pub seconds: f64,
@@ -86,7 +90,7 @@ pub struct RenderArguments {
     #[arg(long, value_name = "NAME", value_parser = interpolation())]
     pub interpolation: Option<Interpolation>,
     /// Write node indices instead of colours, as a 16-bit grey PNG: 0 for background, else the node's pre-order index plus 1.
-    #[arg(long, conflicts_with_all = ["fps", "sheet", "ghosts", "samples", "quality", "strobe"])]
+    #[arg(long, conflicts_with_all = ["fps", "sheet", "ghosts", "lighting", "samples", "quality", "strobe"])]
     pub id: bool,
     /// How progress is told.
     #[arg(long, value_enum, default_value_t)]

@@ -5,6 +5,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use crate::export::Size;
 use crate::film::{Format, films, format_of_ending, stills};
 use crate::interpolation::Interpolation;
+use crate::lighting::BuiltInLighting;
 use crate::scene::LATEST_SECONDS;
 
 /// A key time.
@@ -43,6 +44,12 @@ pub fn size(text: &str) -> Result<Size, String> {
 pub fn interpolation() -> impl TypedValueParser<Value = Interpolation> {
     PossibleValuesParser::new(Interpolation::ALL.map(Interpolation::name))
         .try_map(|name| Interpolation::from_name(&name).ok_or("unknown interpolation"))
+}
+
+/// The name of a lighting.
+pub fn lighting() -> impl TypedValueParser<Value = BuiltInLighting> {
+    PossibleValuesParser::new(BuiltInLighting::ALL.map(BuiltInLighting::name))
+        .try_map(|name| BuiltInLighting::from_name(&name).ok_or("unknown lighting"))
 }
 
 /// The ending of a format of single pictures.
