@@ -9,7 +9,8 @@ struct Corner {
     @location(5) half_extents_and_rounding: vec4f,
     @location(6) colour: vec3f,
     @location(7) node: u32,
-    @location(8) opacity: f32,
+    // What `given_back` takes. w is the opacity of ghosts.
+    @location(8) finish: vec4f,
 }
 
 fn shape_position(corner: Corner) -> vec3f {

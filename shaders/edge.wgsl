@@ -6,7 +6,8 @@ struct EdgeLine {
     @location(2) from_normal: vec3f,
     @location(3) to_normal: vec3f,
     @location(4) colour: vec3f,
-    @location(5) opacity: f32,
+    // As of a corner.
+    @location(5) finish: vec4f,
 }
 
 struct EdgePixel {
@@ -21,14 +22,14 @@ struct EdgePixel {
 @vertex
 fn edge_vertex(@builtin(vertex_index) index: u32, edge: EdgeLine) -> EdgePixel {
     let pixel = pixel_of(edge, index);
-    return EdgePixel(pixel.in_clip, shape_light(pixel, 0.0), shape_light(pixel, 1.0), pixel.map_position, opacity_of(edge, index));
+    return EdgePixel(pixel.in_clip, shape_light(pixel, 0.0), shape_light(pixel, 1.0), pixel.map_position, opacity_of(index));
 }
 
 @vertex
 fn ghost_edge_vertex(@builtin(vertex_index) index: u32, edge: EdgeLine) -> EdgePixel {
     let pixel = pixel_of(edge, index);
     let ghost = ghost_colour(pixel);
-    return EdgePixel(pixel.in_clip, ghost.rgb, ghost.rgb, pixel.map_position, ghost.a * opacity_of(edge, index));
+    return EdgePixel(pixel.in_clip, ghost.rgb, ghost.rgb, pixel.map_position, ghost.a * opacity_of(index));
 }
 
 // Two corners lie on the edge, the others a pixel outside.
@@ -36,8 +37,8 @@ fn is_outer(index: u32) -> bool {
     return index > 1u;
 }
 
-fn opacity_of(edge: EdgeLine, index: u32) -> f32 {
-    return select(edge.opacity, 0.0, is_outer(index));
+fn opacity_of(index: u32) -> f32 {
+    return select(1.0, 0.0, is_outer(index));
 }
 
 // A corner of the line as if it were a pixel of the shape.
@@ -67,8 +68,8 @@ fn pixel_of(edge: EdgeLine, index: u32) -> Pixel {
     out.surface = vec4f(normal, ambient_arriving(in_world.y, normal.y));
     out.along_view = along_view;
     out.map_position = map_position(in_world, normal);
-    out.colour = vec4f(edge.colour, 1.0);
-    out.shaded = edge.colour * globals.ground.xyz;
+    out.colour = vec4f(edge.colour, edge.finish.w);
+    out.shaded = edge.finish.xyz;
     return out;
 }
 

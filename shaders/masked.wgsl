@@ -21,7 +21,7 @@ fn masked(corner: Corner, surface: Surface, in_world: vec3f, in_clip: vec4f) -> 
 }
 
 fn pass_over_holes(pixel: MaskedPixel) {
-    if base_colour(pixel.place.xy, pixel.place.z).a * pixel.place.w < material.factors.z {
+    if base_colour(pixel.place.xy, pixel.place.z).a * pixel.place.w < material.cutoff {
         discard;
     }
 }

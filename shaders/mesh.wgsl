@@ -7,6 +7,7 @@ struct MeshPixel {
     // Texture coordinates, then texels for each unit of the world.
     @location(2) place: vec3f,
     @location(3) colour: vec4f,
+    @location(4) @interpolate(flat) finish: vec4f,
 }
 
 @vertex
@@ -17,6 +18,7 @@ fn mesh_vertex(corner: Corner, surface: Surface) -> MeshPixel {
     out.normal = world_normal(corner);
     out.in_world = in_world;
     out.place = vec3f(surface.coordinates, surface.texels * corner.first_joint_and_scale.y);
+    out.finish = corner.finish;
     out.colour = vec4f(corner.colour * surface.colour.rgb, surface.colour.a);
     return out;
 }
@@ -29,7 +31,7 @@ fn mesh_fragment(pixel: MeshPixel, @builtin(front_facing) is_front: bool) -> @lo
 @fragment
 fn masked_mesh_fragment(pixel: MeshPixel, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let base = base_of(pixel);
-    if base.a < material.factors.z {
+    if base.a < material.cutoff {
         discard;
     }
     return shaded(pixel, is_front, base);
@@ -47,26 +49,8 @@ fn shaded(pixel: MeshPixel, is_front: bool, base: vec4f) -> vec4f {
     let turned = pixel.normal * select(-1.0, 1.0, is_front);
     let normal = turned * inverseSqrt(max(dot(turned, turned), 1e-30));
     let to_eye = normalize(globals.eye_in_world.xyz - pixel.in_world);
-    let to_sun = globals.towards_sun_in_world.xyz;
-    let facing_sun = dot(normal, to_sun);
-    let facing_eye = max(dot(normal, to_eye), 0.0);
-    let arriving = light_arriving(normal, facing_sun, sun_arriving(map_position(pixel.in_world, normal)));
-    let sun = arriving.x;
-    let metallic = material.factors.x;
-    let roughness = material.factors.y;
+    let arriving = light_arriving(normal, dot(normal, towards_sun()), sun_arriving(map_position(pixel.in_world, normal)));
     let ambient = ambient_arriving(pixel.in_world.y, normal.y);
-    let diffuse = base.rgb * (1.0 - metallic) * (fill_arriving(ambient, normal.y, arriving.y) + globals.sun.xyz * sun);
-    // The highlight of other shapes, the twelfth power of the squared cosine between normal and half vector, is that of roughness 0.7.
-    let half_squared = pow2(max(facing_sun + dot(normal, to_eye), 0.0)) / max(2.0 + 2.0 * dot(to_sun, to_eye), 0.001);
-    let sharpness = 12.0 * pow2(pow2(0.7 / max(roughness, 0.12)));
-    let highlight = pow(max(half_squared, 1e-9), sharpness) * sun * min(0.16 * (0.75 + sharpness / 48.0), 6.0);
-    // A metal shows its surroundings in its colour: the ground below, the sky above, the more blurred the rougher it is.
-    let mirrored = reflect(-to_eye, normal).y;
-    let sharp = mix(8.0, 1.5, roughness);
-    let surroundings = mix(globals.ground.xyz * 1.4, mix(globals.horizon.xyz, globals.zenith.xyz, saturate(mirrored)), saturate(0.5 + 0.5 * sharp * mirrored));
-    let tint = mix(vec3f(1.0), base.rgb, metallic);
-    let metal = base.rgb * metallic * (ambient * surroundings + globals.sun.xyz * (0.25 * sun));
-    let rim = pow2(pow2(1.0 - facing_eye)) * (1.0 - 0.7 * metallic);
-    let lit = diffuse + metal + tint * globals.sun.xyz * (highlight * (1.0 + 2.0 * metallic)) + globals.sky.xyz * (rim * (0.22 + 0.2 * normal.y));
+    let lit = given_back(base.rgb, pixel.finish, normal, to_eye, arriving, ambient);
     return finished_light(lit + material.emissive.rgb * globals.ground.w, 1.0, pixel.in_clip);
 }

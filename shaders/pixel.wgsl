@@ -9,9 +9,9 @@ struct Pixel {
     @location(1) along_view: vec3f,
     // The position in the shadow map. Sky: coefficients of the gradient from horizon to zenith, and the noise's factor.
     @location(2) map_position: vec3f,
-    // Shapes: colour and opacity. Planes: colour in the sun; density of the haze, as one over a distance squared. Sky: colour at the
+    // Shapes: colour and metalness; of ghosts opacity. Planes: colour in the sun; density of the haze, as one over a distance squared. Sky: colour at the
     // zenith, and the noise's height.
     @location(3) @interpolate(flat) colour: vec4f,
-    // Shapes: colour in light reflected by the ground. Planes: colour in the shade. Sky: colour at the horizon.
+    // Shapes: the rest of the finish. Planes: colour in the shade. Sky: colour at the horizon.
     @location(4) @interpolate(flat) shaded: vec3f,
 }

@@ -13,36 +13,23 @@ fn shape_vertex_of(corner: Corner) -> Pixel {
     out.surface = vec4f(normal, ambient_arriving(in_world.y, normal.y));
     out.along_view = globals.eye_in_world.xyz - in_world;
     out.map_position = map_position(in_world, normal);
-    out.colour = vec4f(corner.colour, corner.opacity);
-    out.shaded = corner.colour * globals.ground.xyz;
+    out.colour = vec4f(corner.colour, corner.finish.w);
+    out.shaded = corner.finish.xyz;
     return out;
 }
 
 @fragment
 fn shape_fragment(pixel: Pixel) -> @location(0) vec4f {
-    return finished_light(shape_light(pixel, sun_arriving(pixel.map_position)), pixel.colour.w, pixel.in_clip);
+    return finished_light(shape_light(pixel, sun_arriving(pixel.map_position)), 1.0, pixel.in_clip);
 }
 
 // The light that comes from a shape to the eye. `in_map`: of the light of the shadow map, the part that arrives.
 fn shape_light(pixel: Pixel, in_map: f32) -> vec3f {
     let normal = normalize(pixel.surface.xyz);
     let to_eye = normalize(pixel.along_view);
-    let to_sun = globals.towards_sun_in_world.xyz;
-    let facing_sun = dot(normal, to_sun);
-    let facing_eye = dot(normal, to_eye);
-    let arriving = light_arriving(normal, facing_sun, in_map);
-    let sun = arriving.x;
-    var ambient = pixel.surface.w * (pixel.shaded + pixel.colour.rgb * ((globals.sky.xyz - globals.ground.xyz) * arriving.y));
-    if IS_SUB_FRAME {
-        ambient = pixel.colour.rgb * fill_arriving(pixel.surface.w, normal.y, arriving.y);
-    }
-    // A gentle highlight, and the sky at grazing angles. The squared cosine of the normal and the half vector between the unit vectors to
-    // sun and eye.
-    let h2 = pow2(max(facing_sun + facing_eye, 0.0)) / max(2.0 + 2.0 * dot(to_sun, to_eye), 0.001);
-    let h8 = pow2(pow2(h2));
-    let highlight = pow2(h8) * h8 * sun;
-    let rim = pow2(pow2(1.0 - max(facing_eye, 0.0)));
-    return ambient + pixel.colour.rgb * (globals.sun.xyz * sun) + globals.sun.xyz * (0.16 * highlight) + globals.sky.xyz * (rim * (0.22 + 0.2 * normal.y));
+    let arriving = light_arriving(normal, dot(normal, towards_sun()), in_map);
+    let finish = vec4f(pixel.shaded, pixel.colour.w);
+    return given_back(pixel.colour.rgb, finish, normal, to_eye, arriving, pixel.surface.w);
 }
 
 // Slightly farther (depth is reversed), so that a ghost exactly on its shape stays hidden.

@@ -10,8 +10,9 @@ struct Surface {
 struct Material {
     // w: 1 shows the base colour in any light.
     emissive: vec4f,
-    // Metallic, roughness, cutoff of opacity, opacity.
-    factors: vec4f,
+    // Of opacity.
+    cutoff: f32,
+    opacity: f32,
 }
 
 @group(2) @binding(0) var picture: texture_2d<f32>;
@@ -21,7 +22,7 @@ struct Material {
 // The base colour at a place, in a mip level.
 fn base_colour(coordinates: vec2f, level: f32) -> vec4f {
     let of_picture = textureSampleLevel(picture, picture_sampler, coordinates, level);
-    return vec4f(of_picture.rgb, of_picture.a * material.factors.w);
+    return vec4f(of_picture.rgb, of_picture.a * material.opacity);
 }
 
 // The mip level whose texels are as large as pixels. Steep surfaces take the middle between their two sides.

@@ -88,6 +88,10 @@ pub struct DrawItem {
     pub rounding: f32,
     /// Linear-light colour, 0 to 1.
     pub colour: Vec3,
+    /// How rough the surface is, 0 (a mirror) to 1.
+    pub roughness: f32,
+    /// How much of a metal it is, 0 to 1: metals mirror in their own colour.
+    pub metalness: f32,
     /// The index of the scene's node, for identity pictures.
     pub node: u32,
     /// Whether it belongs to the chosen node, which gets an outline in the accent colour.

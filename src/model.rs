@@ -59,13 +59,16 @@ pub struct Material {
     pub is_unlit: bool,
 }
 
+/// The roughness of shapes that say none.
+pub const DEFAULT_ROUGHNESS: f32 = 0.6;
+
 impl Default for Material {
     /// An opaque material that is as matt as the other shapes.
     fn default() -> Self {
         Self {
             texture: None,
             metallic: 0.0,
-            roughness: 0.7,
+            roughness: DEFAULT_ROUGHNESS,
             emissive: Vec3::ZERO,
             opacity: 1.0,
             alpha_cutoff: None,

@@ -5,8 +5,10 @@ use inbetween::colour::Colour;
 use inbetween::interpolation::Interpolation;
 use inbetween::keyframe::{keyframes_from_json, keyframes_to_json};
 use inbetween::lighting::BuiltInLighting;
+use inbetween::model::DEFAULT_ROUGHNESS;
 use inbetween::scene::{
-    Channel, KeyValue, SceneError, SceneGraph, built_in_scene, built_in_scene_names, scene_from_json, scene_to_json,
+    Channel, KeyValue, NodeKind, SceneError, SceneGraph, built_in_scene, built_in_scene_names, scene_from_json,
+    scene_to_json,
 };
 use proptest::prelude::*;
 
@@ -47,14 +49,18 @@ fn everything_that_a_file_can_say_comes_back() {
             {"name": "free", "control": {"scale": [[-2.5, 1], [0.1, [1, 2, 3]]], "rotation": [[0.3, [0.6, 0, 0, 0.8]]]},
              "in_paths": false, "children": [{"name": "y", "limits": {"hinge": {"axis": [1, 0, 0], "degrees": [0, 0]}}, "children": [
                 {"name": "a", "shape": {"box": {"size": [1, 2, 3], "bevel": 0.25}}, "scale": 2},
-                {"name": "b", "shape": {"plane": {"size": [4, 5]}}, "scale": [1, 1, 2], "colour": "#010203"},
+                {"name": "b", "shape": {"plane": {"size": [4, 5]}}, "scale": [1, 1, 2], "colour": "#010203", "roughness": 0.25},
                 {"name": "c", "shape": {"capsule": {"radius": 1, "height": 2}}, "rotation": {"euler_degrees": [0, 45, 0]},
-                 "colour_keys": [[0.1, "#fedcba"], [1e5, "#000000"]]},
-                {"name": "d", "shape": {"cone": {"radius": 1, "height": 2}}, "translation": [0, 1, 0]}]}]},
+                 "colour_keys": [[0.1, "#fedcba"], [1e5, "#000000"]], "roughness": 0, "metalness": -0.0},
+                {"name": "d", "shape": {"cone": {"radius": 1, "height": 2}}, "translation": [0, 1, 0], "metalness": 1}]}]},
             {"name": "e", "shape": {"sphere": {"radius": 0.5}}}]}]}"##;
     let scene = scene_from_json(text).unwrap();
     let written = check_round_trip(&scene);
     assert!(written.contains("\"version\": 3,") && written.contains("\"in_paths\": false"));
+    for (shape, roughness, metalness) in [("b", 0.25, 0.0), ("c", 0.0, 0.0), ("d", DEFAULT_ROUGHNESS, 1.0)] {
+        let NodeKind::Shape(placed) = &scene.node(scene.find(&format!("x/y/{shape}")).unwrap()).kind else { panic!() };
+        assert_eq!((placed.roughness(), placed.metalness()), (roughness, metalness), "{shape}");
+    }
     assert_eq!(scene.rbt_paths().collect::<Vec<_>>(), ["sky", "x", "x/y"], "a path does not name what is not in paths");
     assert!(scene.find("x/free").is_some() && scene.find("x/free/y").is_none());
 }
@@ -165,7 +171,7 @@ fn in_paths_is_for_control_nodes_of_version_2() {
 }
 
 #[test]
-fn joints_are_for_rbt_nodes_of_version_3() {
+fn joints_and_finishes_are_for_their_nodes_of_version_3() {
     let scene = |version: u32, node: &str| {
         scene_from_json(&format!(
             r#"{{"format": "inbetween.scene", "version": {version}, "name": "n", "eyes": ["sky"],
@@ -200,6 +206,10 @@ fn joints_are_for_rbt_nodes_of_version_3() {
         (3, r#""limits": {}"#, "hinge is missing"),
         (3, r#""limits": {"cone": 1}"#, "unknown field \"cone\""),
         (3, r#""reach": [0, 1]"#, "line 2"),
+        (3, r#""roughness": 0.5"#, "node \"x\": roughness belongs to a shape"),
+        (3, r#""shape": {"sphere": {"radius": 1}}, "roughness": 1.5"#, "roughness is 1.5, expected 0 to 1"),
+        (3, r#""shape": {"sphere": {"radius": 1}}, "metalness": -0.1"#, "metalness is -0.1, expected 0 to 1"),
+        (2, r#""shape": {"sphere": {"radius": 1}}, "metalness": 1"#, "node \"x\": metalness needs version 3"),
     ] {
         let refused = scene(version, node).unwrap_err().to_string();
         assert!(refused.contains(words), "{node}: {refused}");

@@ -153,19 +153,21 @@ impl Import<'_> {
         eyes.extend(parts.eyes(&names));
         let mut name = self.options.name.clone();
         let mut fov_degrees = fov_degrees;
+        let mut lighting = None;
         if let Some(own) = own {
             // Cameras say which nodes are eyes; this says in which order.
             let place = |eye: &String| own.eyes.iter().position(|own| own == eye).unwrap_or(usize::MAX);
             eyes.sort_by_key(place);
             name = own.name.unwrap_or(name);
             fov_degrees = own.fov_degrees.unwrap_or(fov_degrees);
+            lighting = own.lighting;
         }
         let library = if meshes.is_empty() { Vec::new() } else { MeshLibrary::to_glb(&meshes) };
         if library.len() as u64 > LARGEST_MESHES_BYTES {
             return Err(texts::gltf_in_too_large(library.len().div_ceil(1 << 20), LARGEST_MESHES_BYTES >> 20));
         }
         let library = if meshes.is_empty() { String::new() } else { data_uri("model/gltf-binary", &library) };
-        let text = scene_text(&name, &eyes, fov_degrees, &library, parts.nodes(&names)).to_string();
+        let text = scene_text(&name, &eyes, fov_degrees, lighting, &library, parts.nodes(&names)).to_string();
         let scene = scene_from_json(&text).map_err(|error| error.message())?;
         let mut report = vec![summary(&tree, &meshes)];
         if sight.factor != 1.0 {

@@ -5,7 +5,7 @@
 //!
 //! What glTF has no place for is in `extras.inbetween`, in the form of scene and keyframe files, so that a scene comes back as it was: of a
 //! node `path`, `kind` (`rbt`, `control` or `shape`) and the fields of [`node_properties_to_json`](crate::scene::node_properties_to_json);
-//! of the scene `name`, `eyes` and `vertical_fov_degrees`; of the animation `interpolation`, `ms_between_keyframes`, and lists with an item
+//! of the scene `name`, `eyes`, `vertical_fov_degrees` and `lighting`; of the animation `interpolation`, `ms_between_keyframes`, and lists with an item
 //! for each played keyframe but the last: `durations` and `easings`, and with the last one `names`. No transform and no key is there.
 
 mod animation;

@@ -132,6 +132,8 @@ mod tests {
             colour: Vec3::ONE,
             outlined: false,
             is_hidden: false,
+            roughness: 0.6,
+            metalness: 0.0,
             node: 0,
         }
     }

@@ -188,6 +188,8 @@ mod tests {
                 colour: Vec3::ONE,
                 outlined: false,
                 is_hidden: false,
+                roughness: 0.6,
+                metalness: 0.0,
                 node: 0,
             };
             let [x, y, z] = Bounds::of(&item).half_edges_in_world;

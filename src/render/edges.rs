@@ -8,7 +8,7 @@ use glam::{Affine3A, Vec3, Vec3A};
 
 use crate::frame::View;
 use crate::render::bounds::Bounds;
-use crate::render::instances::Instance;
+use crate::render::instances::{Finish, Instance};
 use crate::unit_mesh::{Edge, edges, geometry};
 
 /// The shapes that have smooth edges: the largest in the picture. More would be so small that one sees none of it.
@@ -25,7 +25,7 @@ pub struct EdgeLine {
     from_normal: Vec3,
     to_normal: Vec3,
     colour: Vec3,
-    opacity: f32,
+    finish: Finish,
 }
 
 /// Finds edges. It keeps its memory from shape to shape.
@@ -102,7 +102,7 @@ impl Edges {
                 from_normal: normal(from),
                 to_normal: normal(to),
                 colour: instance.colour,
-                opacity: instance.opacity,
+                finish: instance.finish,
             };
             bytes.extend_from_slice(bytes_of(&line));
         }
@@ -120,6 +120,7 @@ fn cofactors(affine: &Affine3A) -> glam::Mat3A {
 mod tests {
     use super::*;
     use crate::frame::DrawItem;
+    use crate::lighting::Lighting;
     use crate::scene::MeshKind;
     use crate::unit_mesh::{LEVELS, LEVELS_OF_KIND};
 
@@ -133,10 +134,17 @@ mod tests {
             node: 0,
             outlined: false,
             is_hidden: false,
+            roughness: 0.7,
+            metalness: 0.0,
         };
         let level = LEVELS_OF_KIND[kind as usize].0;
         let mut bytes = Vec::new();
-        let count = Edges::default().append(&Instance::of_unit(&item, LEVELS[level], 1.0), level, eye, &mut bytes);
+        let count = Edges::default().append(
+            &Instance::of_unit(&item, LEVELS[level], &Lighting::default(), None),
+            level,
+            eye,
+            &mut bytes,
+        );
         let lines: Vec<EdgeLine> =
             bytes.chunks_exact(size_of::<EdgeLine>()).map(bytemuck::pod_read_unaligned).collect();
         assert_eq!(lines.len(), count as usize);

@@ -8,6 +8,7 @@ use bytemuck::{Pod, Zeroable, bytes_of};
 use glam::{Affine3A, Mat3A, Vec3, Vec4};
 
 use crate::frame::{ArcballMark, DrawItem, Frame, ItemMesh, View};
+use crate::lighting::Lighting;
 use crate::render::arrange::Arranged;
 use crate::render::contact::contacts;
 use crate::render::detail::Detail;
@@ -31,13 +32,45 @@ pub struct Instance {
     /// Linear light.
     pub colour: Vec3,
     node: u32,
-    /// From 0 to 1.
-    pub opacity: f32,
+    pub finish: Finish,
 }
+
+/// What fragments need of a surface besides its colour, the same for all of a shape.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+pub struct Finish {
+    /// The width of the highlight: alpha of GGX, widened by the size of the sun.
+    alpha: f32,
+    /// How sharp the horizon is mirrored.
+    sharpness: f32,
+    /// How much of what comes at grazing angles is mirrored.
+    grazing: f32,
+    /// 0 to 1; of ghosts the opacity.
+    metalness_or_opacity: f32,
+}
+
+impl Finish {
+    fn of(item: &DrawItem, lighting: &Lighting, opacity: Option<f32>) -> Self {
+        let DrawItem { roughness, metalness, .. } = *item;
+        let alpha = roughness * roughness;
+        // Half the sun's radius, as mirrors turn half as far as what they show.
+        let of_sun = 0.5 * (0.25 * lighting.sun_degrees.to_radians()).tan();
+        let grazing = 1.0 - 0.7 * roughness;
+        Self {
+            alpha: alpha.hypot(of_sun).max(LEAST_ALPHA),
+            sharpness: 0.7 / (alpha + 0.04),
+            grazing: metalness + (1.0 - metalness) * grazing * grazing,
+            metalness_or_opacity: opacity.unwrap_or(metalness),
+        }
+    }
+}
+
+/// A smaller alpha is lost in rounding.
+const LEAST_ALPHA: f32 = 0.003;
 
 impl Instance {
     /// The instance of an item drawn with the unit mesh of a level.
-    pub fn of_unit(item: &DrawItem, level: Level, opacity: f32) -> Self {
+    pub fn of_unit(item: &DrawItem, level: Level, lighting: &Lighting, opacity: Option<f32>) -> Self {
         let mut world_from_shape = item.world_from_shape;
         // Every mesh is its own mirror image, so a mirrored shape is the same shape unmirrored; culling then needs one winding.
         if world_from_shape.matrix3.determinant() < 0.0 {
@@ -49,7 +82,7 @@ impl Instance {
             world_from_shape *= Affine3A::from_scale(half_extents);
             (half_extents, rounding) = (Vec3::ONE, 0.0);
         }
-        Self::new(item, &world_from_shape, half_extents, rounding, opacity)
+        Self::new(item, &world_from_shape, half_extents, rounding, Finish::of(item, lighting, opacity))
     }
 
     /// The instance of an item drawn as a mesh of triangles: `first_joint` where joints place it. `world_per_mesh`: how long a unit of the
@@ -59,10 +92,11 @@ impl Instance {
         world_from_shape: &Affine3A,
         first_joint: u32,
         world_per_mesh: f32,
-        opacity: f32,
+        lighting: &Lighting,
+        opacity: Option<f32>,
     ) -> Self {
         let parameters = Vec3::new(first_joint as f32, 1.0 / world_per_mesh.max(1e-9), 0.0);
-        Self::new(item, world_from_shape, parameters, 0.0, opacity)
+        Self::new(item, world_from_shape, parameters, 0.0, Finish::of(item, lighting, opacity))
     }
 
     /// Shape space to world space.
@@ -73,9 +107,9 @@ impl Instance {
         Affine3A { matrix3: rows.transpose(), translation: moved.into() }
     }
 
-    fn new(item: &DrawItem, world_from_shape: &Affine3A, half_extents: Vec3, rounding: f32, opacity: f32) -> Self {
+    fn new(item: &DrawItem, world_from_shape: &Affine3A, half_extents: Vec3, rounding: f32, finish: Finish) -> Self {
         let [x, y, z] = rows(world_from_shape);
-        Self { world_from_shape: [x, y, z], half_extents, rounding, colour: item.colour, node: item.node, opacity }
+        Self { world_from_shape: [x, y, z], half_extents, rounding, colour: item.colour, node: item.node, finish }
     }
 }
 
@@ -157,7 +191,7 @@ impl Packed {
         self.bytes.clear();
         self.bytes.extend_from_slice(bytes_of(globals));
         self.bytes.resize(INSTANCES_START, 0);
-        let mut instances = Instances { bytes: &mut self.bytes, count: 0 };
+        let mut instances = Instances { bytes: &mut self.bytes, lighting: &frame.lighting, count: 0 };
         for (mesh, [plain, outlined]) in arranged.seen.iter().enumerate() {
             let plain = instances.push(mesh, opaque(frame, plain));
             self.outlined[mesh] = instances.push(mesh, opaque(frame, outlined));
@@ -182,7 +216,7 @@ impl Packed {
         }
         for (mesh, indices) in self.by_mesh.iter().enumerate() {
             let ghosts = indices.iter().map(|&index| &frame.ghosts[index as usize]);
-            self.ghosts[mesh] = instances.push(mesh, ghosts.map(|ghost| (&ghost.item, ghost.opacity)));
+            self.ghosts[mesh] = instances.push(mesh, ghosts.map(|ghost| (&ghost.item, Some(ghost.opacity))));
         }
         let mut triangles = mem::take(&mut self.triangles);
         triangles.pack(frame, arranged, of_sun_map.is_some(), skins, |instance| instances.push_one(instance));
@@ -230,7 +264,7 @@ impl Packed {
             let seen = arranged.seen[..PLANE].iter().enumerate();
             let seen = seen.flat_map(|(level, seen)| seen.iter().flatten().map(move |&index| (level, index)));
             for (level, index) in edges::order(&frame.view, &arranged.bounds, seen) {
-                let instance = Instance::of_unit(&frame.items[index as usize], LEVELS[level], 1.0);
+                let instance = Instance::of_unit(&frame.items[index as usize], LEVELS[level], &frame.lighting, None);
                 count += self.finder.append(&instance, level, eye, &mut self.bytes);
             }
         }
@@ -238,7 +272,7 @@ impl Packed {
         for ghost in frame.ghosts.iter().take(edges::MOST_SHAPES) {
             if let ItemMesh::Unit(kind) = ghost.item.mesh {
                 let level = of_picture.mesh(&ghost.item, kind);
-                let instance = Instance::of_unit(&ghost.item, LEVELS[level], ghost.opacity);
+                let instance = Instance::of_unit(&ghost.item, LEVELS[level], &frame.lighting, Some(ghost.opacity));
                 count += self.finder.append(&instance, level, eye, &mut self.bytes);
             }
         }
@@ -246,23 +280,24 @@ impl Packed {
     }
 }
 
-/// A frame's items with these indices, with opacity 1.
-fn opaque<'a>(frame: &'a Frame, indices: &'a [u32]) -> impl Iterator<Item = (&'a DrawItem, f32)> {
-    indices.iter().map(|&index| (&frame.items[index as usize], 1.0))
+/// A frame's items with these indices, which are opaque.
+fn opaque<'a>(frame: &'a Frame, indices: &'a [u32]) -> impl Iterator<Item = (&'a DrawItem, Option<f32>)> {
+    indices.iter().map(|&index| (&frame.items[index as usize], None))
 }
 
 /// Appends instances to a byte buffer.
 struct Instances<'a> {
     bytes: &'a mut Vec<u8>,
+    lighting: &'a Lighting,
     count: u32,
 }
 
 impl Instances<'_> {
     /// Appends items with their opacities, all drawn as one mesh. Returns the range of instances.
-    fn push<'a>(&mut self, mesh: usize, items: impl Iterator<Item = (&'a DrawItem, f32)>) -> Range<u32> {
+    fn push<'a>(&mut self, mesh: usize, items: impl Iterator<Item = (&'a DrawItem, Option<f32>)>) -> Range<u32> {
         let start = self.count;
         for (item, opacity) in items {
-            self.push_one(&Instance::of_unit(item, LEVELS[mesh], opacity));
+            self.push_one(&Instance::of_unit(item, LEVELS[mesh], self.lighting, opacity));
         }
         start..self.count
     }

@@ -8,6 +8,7 @@ use glam::{Mat4, Vec3, Vec4};
 use crate::frame::Frame;
 use crate::lighting::Lighting;
 use crate::render::bounds::{Bounds, ViewSides};
+use crate::render::look;
 
 /// Texels along the map's longest side for each row of the picture. Texels are then about as large as pixels.
 const TEXELS_PER_ROW: f32 = 1.2;
@@ -85,6 +86,25 @@ impl Light {
         let (sin, cos) = turn.sin_cos();
         [x * cos + y * sin, y * cos - x * sin, z]
     }
+}
+
+/// The number of constants of a lighting.
+pub const CONSTANTS: usize = 18;
+
+/// A lighting as constants of `shaders/material.wgsl`: light before the tone curve, exposure included.
+pub fn constants(lighting: &Lighting) -> [(&'static str, f64); CONSTANTS] {
+    const NAMES: [[&str; 3]; 6] = [
+        ["TOWARDS_SUN_X", "TOWARDS_SUN_Y", "TOWARDS_SUN_Z"],
+        ["SUN_RED", "SUN_GREEN", "SUN_BLUE"],
+        ["SKY_RED", "SKY_GREEN", "SKY_BLUE"],
+        ["GROUND_RED", "GROUND_GREEN", "GROUND_BLUE"],
+        ["HORIZON_RED", "HORIZON_GREEN", "HORIZON_BLUE"],
+        ["ZENITH_RED", "ZENITH_GREEN", "ZENITH_BLUE"],
+    ];
+    let [sun, sky, ground] = [lighting.sun, lighting.sky, lighting.ground].map(|light| light * look::EXPOSURE);
+    let [horizon, zenith] = [lighting.horizon, lighting.zenith].map(|colour| colour.map(look::untoned));
+    let values = [lighting.towards_sun_in_world, sun, sky, ground, horizon, zenith];
+    std::array::from_fn(|at| (NAMES[at / 3][at % 3], f64::from(values[at / 3][at % 3])))
 }
 
 /// The largest number of texels along the map's longest side, for a picture's height in pixels. Maps of sub-frames are coarser, since no

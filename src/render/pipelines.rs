@@ -5,9 +5,11 @@ use std::sync::OnceLock;
 
 use wgpu::{CompareFunction, ShaderStages, VertexFormat};
 
+use crate::lighting::Lighting;
 use crate::render::contact::Contact;
 use crate::render::edges::EdgeLine;
 use crate::render::instances::{Instance, Stroke};
+use crate::render::light::{CONSTANTS, constants};
 use crate::render::mesh::Vertex;
 use crate::render::shaders::{self, CORNERS, Corner, SOURCES, Source, Variant};
 use crate::render::triangles::{MeshForm, joints_layout, material_layout, surface_buffer, weights_buffer};
@@ -277,6 +279,8 @@ pub struct Pipelines {
     target_format: wgpu::TextureFormat,
     samples: u32,
     variant: Variant,
+    /// The light of shapes and meshes.
+    constants: [(&'static str, f64); CONSTANTS],
     modules: [[OnceLock<wgpu::ShaderModule>; CORNERS]; SOURCES],
     made: [[OnceLock<wgpu::RenderPipeline>; FORMS]; COUNT],
 }
@@ -331,8 +335,20 @@ impl Pipelines {
             target_format,
             samples,
             variant,
+            constants: constants(&Lighting::default()),
             modules: [const { [const { OnceLock::new() }; CORNERS] }; SOURCES],
             made: [const { [const { OnceLock::new() }; FORMS] }; COUNT],
+        }
+    }
+
+    /// Sets the light of shapes and meshes. Another one makes their pipelines anew, when they are next needed.
+    pub fn light(&mut self, lighting: &Lighting) {
+        let constants = constants(lighting);
+        if constants != self.constants {
+            self.constants = constants;
+            for kind in [Kind::Shape, Kind::Edge] {
+                self.made[kind as usize] = [const { OnceLock::new() }; FORMS];
+            }
         }
     }
 
@@ -376,6 +392,13 @@ impl Pipelines {
         })
     }
 
+    /// How the shaders of a kind are compiled.
+    fn options(&self, kind: Kind) -> wgpu::PipelineCompilationOptions<'_> {
+        let is_lit = matches!(kind, Kind::Shape | Kind::Edge);
+        let constants: &[_] = if is_lit { &self.constants } else { &[] };
+        wgpu::PipelineCompilationOptions { constants, ..Default::default() }
+    }
+
     fn make(
         &self,
         device: &wgpu::Device,
@@ -405,7 +428,8 @@ impl Pipelines {
         let fragment = if is_plain_depth { Some("nothing_fragment") } else { recipe.fragment };
         let corner_attributes = wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3];
         let instance_attributes = wgpu::vertex_attr_array![
-            2 => Float32x4, 3 => Float32x4, 4 => Float32x4, 5 => Float32x4, 6 => Float32x3, 7 => Uint32, 8 => Float32
+            2 => Float32x4, 3 => Float32x4, 4 => Float32x4, 5 => Float32x4, 6 => Float32x3, 7 => Uint32,
+            8 => Float32x4
         ];
         let stroke_attributes: [_; 4] =
             wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32x4, 3 => Float32];
@@ -421,7 +445,7 @@ impl Pipelines {
             step_mode: wgpu::VertexStepMode::Vertex,
             attributes: &corner_attributes,
         });
-        debug_assert_eq!(VertexFormat::Float32x4.size() * 4 + 20, size_of::<Instance>() as u64);
+        debug_assert_eq!(VertexFormat::Float32x4.size() * 5 + 16, size_of::<Instance>() as u64);
         let instance_buffers = [
             corners,
             per_instance(size_of::<Instance>(), &instance_attributes),
@@ -430,7 +454,7 @@ impl Pipelines {
         ];
         let stroke_buffers = [per_instance(size_of::<Stroke>(), &stroke_attributes)];
         let edge_attributes: [_; 6] = wgpu::vertex_attr_array![
-            0 => Float32x3, 1 => Float32x3, 2 => Float32x3, 3 => Float32x3, 4 => Float32x3, 5 => Float32
+            0 => Float32x3, 1 => Float32x3, 2 => Float32x3, 3 => Float32x3, 4 => Float32x3, 5 => Float32x4
         ];
         let edge_buffers = [per_instance(size_of::<EdgeLine>(), &edge_attributes)];
         let contact_attributes: [_; 4] =
@@ -451,7 +475,12 @@ impl Pipelines {
             vertex: wgpu::VertexState {
                 module,
                 entry_point: Some(recipe.vertex),
-                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                // Edges have their light at their corners.
+                compilation_options: if kind == Kind::Edge {
+                    self.options(kind)
+                } else {
+                    wgpu::PipelineCompilationOptions::default()
+                },
                 buffers,
             },
             primitive: wgpu::PrimitiveState {
@@ -486,7 +515,7 @@ impl Pipelines {
             fragment: fragment.map(|entry_point| wgpu::FragmentState {
                 module,
                 entry_point: Some(entry_point),
-                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                compilation_options: self.options(kind),
                 targets: if kind.is_shadow() { &[] } else { &targets },
             }),
             multiview_mask: None,

@@ -140,8 +140,9 @@ impl Refiner {
             self.count = 0;
         }
         let (Some(sub_frame), Some(sums)) = (self.next(), &self.sums) else { return };
-        let steady = frame.view;
+        let (steady, steadily_lit) = (frame.view, frame.lighting);
         frame.view = sub_frame.view(&steady, frame.lens, size_px);
+        frame.lighting.sun_degrees = self.refinement.sun_degrees.unwrap_or(frame.lighting.sun_degrees);
         let [before, after] = [self.count, self.count + 1].map(|count| &sums.of(count).0);
         self.scene.begin_sub_frame(gpu, sub_frame.light(&frame.lighting), before);
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
@@ -150,7 +151,7 @@ impl Refiner {
         }
         let viewport = Viewport::whole(size_px[0], size_px[1]);
         self.scene.encode(gpu, &mut encoder, frame, Target { view: after, viewport });
-        frame.view = steady;
+        (frame.view, frame.lighting) = (steady, steadily_lit);
         self.under_way.push_back(gpu.queue.submit([encoder.finish()]));
         if self.under_way.len() > MOST_UNDER_WAY {
             let submission_index = self.under_way.pop_front();

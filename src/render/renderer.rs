@@ -267,6 +267,7 @@ impl Renderer {
             _ => Detail::of_picture(&frame.view, viewport.height, self.samples_across()),
         };
         let items_moved = self.arranged.take(frame, detail, self.arrangement);
+        self.pipelines.light(&frame.lighting);
         let light = self.light.unwrap_or_else(|| Light::plain(&frame.lighting));
         let most_texels = most_texels(viewport.height, &light, gpu.is_software);
         let sun = match self.part {

@@ -69,7 +69,6 @@ impl Refinement {
             of_light: lattice(of_kind, count),
             ratio: self.sub_frames as f32 / count as f32,
             is_of_sun,
-            sun_degrees: self.sun_degrees,
         }
     }
 }
@@ -90,7 +89,6 @@ pub struct SubFrame {
     ratio: f32,
     /// Whether its shadow map is of the sun; else it is of the sky.
     is_of_sun: bool,
-    sun_degrees: Option<f32>,
 }
 
 impl SubFrame {
@@ -98,7 +96,7 @@ impl SubFrame {
     pub(super) fn light(&self, lighting: &Lighting) -> Light {
         let [along, around] = self.of_light;
         let (towards_in_world, [of_sun, of_sky]) = if self.is_of_sun {
-            let half_angle = self.sun_degrees.unwrap_or(lighting.sun_degrees).to_radians() * 0.5;
+            let half_angle = lighting.sun_degrees.to_radians() * 0.5;
             (point_of_sun(lighting.towards_sun_in_world, half_angle, along, around), [self.ratio, 0.0])
         } else {
             (point_of_sky(along, around), [0.0, 2.0 * self.ratio])

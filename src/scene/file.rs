@@ -17,7 +17,7 @@ use super::joint::{JointText, LimitsText};
 use super::keys::keys_error;
 use super::lighting::LightingText;
 use super::meshes::{MeshesError, meshes_of};
-use super::shape::{PlacedShape, Placement, ShapeText};
+use super::shape::{Finish, PlacedShape, Placement, ShapeText};
 use super::tracks::Tracks;
 use crate::colour::Colour;
 use crate::decode::{self, DecodeError};
@@ -28,11 +28,13 @@ use crate::timed::KeyError;
 use crate::words::{Argument, Message, Phrase, display_by_message, quoted, texts};
 
 pub(super) const FORMAT: &str = "inbetween.scene";
-/// The versions that are read. Version 2 has control nodes whose names are not part of paths, version 3 has limbs that reach, meshes and a
-/// lighting.
+/// The versions that are read. Version 2 has control nodes whose names are not part of paths, version 3 has limbs that reach, meshes,
+/// finishes and a lighting.
 const VERSIONS: std::ops::RangeInclusive<u32> = 1..=VERSION_OF_MESHES;
 /// The first version of scene files with meshes.
 pub(super) const VERSION_OF_MESHES: u32 = 3;
+/// The first version of scene files with roughness and metalness.
+pub(super) const VERSION_OF_FINISHES: u32 = 3;
 
 /// Why a text is not a valid scene.
 #[derive(Clone, Debug, Error, PartialEq)]
@@ -241,6 +243,8 @@ struct NodeText {
     shape: Option<ShapeText>,
     colour: Option<ColourText>,
     colour_keys: Option<Vec<(f64, ColourText)>>,
+    roughness: Option<f32>,
+    metalness: Option<f32>,
     control: Option<ControlText>,
     in_paths: Option<bool>,
     reach: Option<[f32; 3]>,
@@ -375,6 +379,7 @@ fn add(builder: &mut SceneBuilder, node: &NodeText, parent_path: &str, version: 
     if node.in_paths == Some(false) && node.control.is_none() {
         return misplaced("in_paths", texts::SCENE_IN_PATHS_OF_CONTROL);
     }
+    let finish = finish(checks, node, version)?;
     let joint = JointText { reach: node.reach, stands: node.stands, limits: node.limits };
     let joint = joint.joint(checks, node.shape.is_none() && node.control.is_none(), version)?;
     if let Some(shape) = &node.shape {
@@ -395,11 +400,16 @@ fn add(builder: &mut SceneBuilder, node: &NodeText, parent_path: &str, version: 
             ShapeText::Mesh(mesh) => (builder.mesh_shape(&path, &mesh.name)?, Some(&mesh.joints)),
         };
         shape.solid().check(checks)?;
-        let id = builder.shape(&node.name, PlacedShape::new(shape, colour, tracks, placement))?;
+        let id = builder.shape(&node.name, PlacedShape::new(shape, colour, tracks, placement).with_finish(finish))?;
         if let Some(joints) = joints {
             builder.joints(id, joints.clone());
         }
         return Ok(());
+    }
+    for (field, is_there) in [("roughness", finish.roughness.is_some()), ("metalness", finish.metalness.is_some())] {
+        if is_there {
+            return misplaced(field, texts::SCENE_COLOUR_OF_RBT);
+        }
     }
     if node.scale.is_some() {
         return misplaced("scale", texts::SCENE_SCALE_OF_RBT);
@@ -422,6 +432,20 @@ fn add(builder: &mut SceneBuilder, node: &NodeText, parent_path: &str, version: 
     }
     builder.close();
     Ok(())
+}
+
+/// What a node says of its surface, checked.
+fn finish(checks: NodeChecks<'_>, node: &NodeText, version: u32) -> Result<Finish, SceneError> {
+    let within = |field, value: Option<f32>| match value {
+        Some(_) if version < VERSION_OF_FINISHES => {
+            let reason = texts::SCENE_FIELD_NEEDS_VERSION_3;
+            Err(SceneError::Misplaced { path: checks.path.to_owned(), field, reason })
+        }
+        Some(found) if !(0.0..=1.0).contains(&found) => Err(checks.error(field, found, texts::SCENE_EXPECTED_PART)),
+        // Zero has no sign.
+        value => Ok(value.map(|value| value + 0.0)),
+    };
+    Ok(Finish { roughness: within("roughness", node.roughness)?, metalness: within("metalness", node.metalness)? })
 }
 
 /// Sets the keys of a channel from a list, if the file has one. Errors name the key's time.

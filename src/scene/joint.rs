@@ -85,7 +85,7 @@ impl JointText {
         let misplaced = |field, reason| Err(SceneError::Misplaced { path: checks.path.to_owned(), field, reason });
         let Some(field) = self.field() else { return Ok(Joint::default()) };
         if version < VERSION_OF_JOINTS {
-            return misplaced(field, texts::SCENE_JOINT_NEEDS_VERSION_3);
+            return misplaced(field, texts::SCENE_FIELD_NEEDS_VERSION_3);
         }
         if !is_rbt {
             return misplaced(field, texts::SCENE_JOINT_OF_RBT);

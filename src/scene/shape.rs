@@ -10,6 +10,7 @@ use super::channel::Channel;
 use super::shapes::{Capsule, Cone, Cylinder, MeshShape, Plane, RoundedBox, Solid, Sphere};
 use super::tracks::Tracks;
 use crate::colour::Colour;
+use crate::model::{DEFAULT_ROUGHNESS, Material};
 
 /// A solid in its own shape space: centred at the origin, its axis along Y. Lengths in scene units, all positive.
 #[derive(Clone, Debug, PartialEq)]
@@ -134,6 +135,12 @@ impl Shape {
         self.solid().mesh()
     }
 
+    /// The material of a mesh of triangles.
+    #[must_use]
+    pub fn material(&self) -> Option<&Material> {
+        if let Self::Mesh(mesh) = self { Some(&mesh.mesh().material) } else { None }
+    }
+
     /// Whether it is ground, which is any plane.
     #[must_use]
     pub const fn is_ground(&self) -> bool {
@@ -167,6 +174,15 @@ impl Shape {
     }
 }
 
+/// What a shape says of its surface besides the colour. What it does not say, the material of its mesh says, or the default.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Finish {
+    /// 0 (a mirror) to 1.
+    pub roughness: Option<f32>,
+    /// 0 to 1 (a metal).
+    pub metalness: Option<f32>,
+}
+
 /// The placement of a shape under its parent node: scaled, then rotated, then translated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Placement {
@@ -185,6 +201,8 @@ pub struct PlacedShape {
     pub shape: Shape,
     /// Its colour without timed keys.
     pub colour: Colour,
+    /// What it says of its surface besides the colour.
+    pub finish: Finish,
     tracks: Tracks,
     placement: Placement,
     parent_from_shape: Affine3A,
@@ -196,7 +214,25 @@ impl PlacedShape {
     pub fn new(shape: Shape, colour: Colour, tracks: Tracks, placement: Placement) -> Self {
         let Placement { translation, rotation, scale } = placement;
         let parent_from_shape = Affine3A::from_scale_rotation_translation(scale, rotation, translation);
-        Self { shape, colour, tracks, placement, parent_from_shape }
+        Self { shape, colour, finish: Finish::default(), tracks, placement, parent_from_shape }
+    }
+
+    /// The same shape with another finish.
+    #[must_use]
+    pub fn with_finish(self, finish: Finish) -> Self {
+        Self { finish, ..self }
+    }
+
+    /// How rough its surface is, 0 to 1: as it says, else as the material of its mesh says.
+    #[must_use]
+    pub fn roughness(&self) -> f32 {
+        self.finish.roughness.unwrap_or_else(|| self.shape.material().map_or(DEFAULT_ROUGHNESS, |of| of.roughness))
+    }
+
+    /// How much of a metal it is, 0 to 1: as it says, else as the material of its mesh says.
+    #[must_use]
+    pub fn metalness(&self) -> f32 {
+        self.finish.metalness.unwrap_or_else(|| self.shape.material().map_or(0.0, |of| of.metallic))
     }
 
     /// The same shape with other timed keys.

@@ -3,12 +3,12 @@
 use glam::{Quat, Vec3, Vec4};
 
 use super::channel::{Channel, Holder, scale_json};
-use super::file::{FORMAT, VERSION_OF_MESHES};
+use super::file::{FORMAT, VERSION_OF_FINISHES, VERSION_OF_MESHES};
 use super::graph::{Node, NodeId, NodeKind, SceneGraph};
 use super::joint::{Joint, VERSION_OF_JOINTS, push_joint};
 use super::lighting::{SceneLighting, VERSION_OF_LIGHTING};
 use super::meshes::MEDIA_TYPE;
-use super::shape::{PlacedShape, Shape};
+use super::shape::{Finish, PlacedShape, Shape};
 use super::tracks::Tracks;
 use crate::colour::Colour;
 use crate::gltf::data_uri;
@@ -30,8 +30,8 @@ pub fn scene_to_json_beside(scene: &SceneGraph, meshes: &str) -> String {
 
 fn written(scene: &SceneGraph, meshes: Option<String>) -> String {
     let of_meshes = if meshes.is_some() { VERSION_OF_MESHES } else { 1 };
-    let is_lit = *scene.lighting() != SceneLighting::default();
-    let of_lighting = if is_lit { VERSION_OF_LIGHTING } else { 1 };
+    let lighting = lighting_to_json(scene);
+    let of_lighting = if lighting.is_some() { VERSION_OF_LIGHTING } else { 1 };
     let of_nodes = scene.nodes().iter().map(|node| version_of(node)).max().unwrap_or(1);
     let version = of_nodes.max(of_meshes).max(of_lighting);
     let eyes: Vec<String> = scene.eyes().iter().map(|&eye| quoted(scene.rbt_path(eye))).collect();
@@ -42,9 +42,9 @@ fn written(scene: &SceneGraph, meshes: Option<String>) -> String {
     );
     text.push_str("  \"vertical_fov_degrees\": ");
     push_f32(&mut text, scene.vertical_fov_degrees());
-    if is_lit {
+    if let Some(lighting) = lighting {
         text.push_str(",\n  \"lighting\": ");
-        text.push_str(&scene.lighting().json());
+        text.push_str(&lighting);
     }
     if let Some(meshes) = meshes {
         text.push_str(",\n  \"meshes\": ");
@@ -58,8 +58,9 @@ fn written(scene: &SceneGraph, meshes: Option<String>) -> String {
 
 /// The least version that can express a node.
 fn version_of(node: &Node) -> u32 {
-    match node {
+    match &node.kind {
         _ if node.joint != Joint::default() => VERSION_OF_JOINTS,
+        NodeKind::Shape(placed) if placed.finish != Finish::default() => VERSION_OF_FINISHES,
         _ if !node.is_in_paths => 2,
         _ => 1,
     }
@@ -138,9 +139,12 @@ fn push_in_paths(fields: &mut Vec<String>, node: &Node) {
     }
 }
 
-fn push_colour(fields: &mut Vec<String>, placed: &PlacedShape) {
+fn push_surface(fields: &mut Vec<String>, placed: &PlacedShape) {
     if placed.colour != Colour::DEFAULT {
         fields.push(format!("\"colour\": \"{}\"", placed.colour.to_hex()));
+    }
+    for (name, value) in [("roughness", placed.finish.roughness), ("metalness", placed.finish.metalness)] {
+        fields.extend(value.map(|value| format!("\"{name}\": {}", number(value))));
     }
 }
 
@@ -194,7 +198,7 @@ fn push_shape(fields: &mut Vec<String>, scene: &SceneGraph, placed: &PlacedShape
     if placement.scale != Vec3::ONE {
         fields.push(format!("\"scale\": {}", scale_json(placement.scale)));
     }
-    push_colour(fields, placed);
+    push_surface(fields, placed);
     for &channel in Channel::of(Holder::Shape) {
         if let Some(track) = placed.tracks().get(channel) {
             fields.push(format!("\"{}\": {}", channel.field(), key_list(track, channel, depth)));
@@ -263,15 +267,21 @@ fn key_list(track: &Track<Vec4>, channel: Channel, depth: usize) -> String {
     text
 }
 
+/// What a scene file says of its lighting, as JSON; `None` of the day, of which it says nothing.
+#[must_use]
+pub fn lighting_to_json(scene: &SceneGraph) -> Option<String> {
+    (*scene.lighting() != SceneLighting::default()).then(|| scene.lighting().json())
+}
+
 /// What a scene file says of a node besides its name, its transform and its keys, as a JSON object: the end and the limits of a joint; the
-/// kind, the dimensions and the colour of a shape; whether a control node is part of paths.
+/// kind, the dimensions and the surface of a shape; whether a control node is part of paths.
 #[must_use]
 pub fn node_properties_to_json(scene: &SceneGraph, node: &Node) -> String {
     let mut fields = Vec::new();
     push_joint(&mut fields, &node.joint);
     if let NodeKind::Shape(placed) = &node.kind {
         fields.push(format!("\"shape\": {}", shape(scene, &placed.shape)));
-        push_colour(&mut fields, placed);
+        push_surface(&mut fields, placed);
     }
     push_in_paths(&mut fields, node);
     format!("{{ {} }}", fields.join(", "))

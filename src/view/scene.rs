@@ -106,6 +106,8 @@ pub(super) fn draw_item(placed: &PlacedShape, world_from_shape: Affine3A, second
         half_extents: placed.shape.half_extents(),
         rounding: placed.shape.rounding(),
         colour: placed.colour_at(seconds),
+        roughness: placed.roughness(),
+        metalness: placed.metalness(),
         node: u32::try_from(node).expect("a scene has fewer than 2^32 nodes"),
         outlined: false,
         is_hidden: false,

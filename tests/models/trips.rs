@@ -2,9 +2,10 @@
 
 use inbetween::interchange::gltf_out::Export;
 use inbetween::keyframe::{Animation, PlayRange, keyframes_from_json};
+use inbetween::model::DEFAULT_ROUGHNESS;
 use inbetween::pose::RbtIndex;
 use inbetween::scene::{
-    BUILT_IN_ANIMATIONS, NodeKind, SceneGraph, built_in_scene, built_in_scene_names, scene_to_json,
+    BUILT_IN_ANIMATIONS, NodeKind, SceneGraph, built_in_scene, built_in_scene_names, scene_from_json, scene_to_json,
 };
 use serde_json::Value;
 
@@ -78,6 +79,29 @@ fn a_scene_comes_back_as_it_was() {
         let twice = back(&exported(&once, None)).scene;
         assert_eq!(scene_to_json(&twice), scene_to_json(&once), "{name}: a second trip changes nothing");
     }
+}
+
+#[test]
+fn lights_and_surfaces_come_back_and_other_programs_see_the_surfaces() {
+    let text = r##"{"format": "inbetween.scene", "version": 3, "name": "lit", "eyes": ["sky"],
+        "lighting": {"of": "evening", "sun": {"direction": [-3, 4, 0], "degrees": 2.5}, "sky": {"ground": "#404040"}},
+        "nodes": [{"name": "sky"}, {"name": "x", "children": [
+            {"name": "plain", "shape": {"sphere": {"radius": 1}}},
+            {"name": "gold", "shape": {"sphere": {"radius": 1}}, "roughness": 0.25, "metalness": 1}]}]}"##;
+    let scene = scene_from_json(text).unwrap();
+    let exported = exported(&scene, None);
+    assert_eq!(scene_to_json(&back(&exported).scene), scene_to_json(&scene));
+    let file: Value = serde_json::from_str(&exported).unwrap();
+    let surfaces: Vec<_> = file["materials"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|material| {
+            let surface = &material["pbrMetallicRoughness"];
+            ["roughnessFactor", "metallicFactor"].map(|factor| surface[factor].as_f64().unwrap() as f32)
+        })
+        .collect();
+    assert_eq!(surfaces, [[DEFAULT_ROUGHNESS, 0.0], [0.25, 1.0]]);
 }
 
 #[test]

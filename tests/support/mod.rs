@@ -5,6 +5,7 @@ use glam::camera::rh::proj::directx::perspective_infinite_reverse;
 use glam::{Affine3A, Quat, Vec3};
 use inbetween::colour::Colour;
 use inbetween::frame::{DrawItem, Frame, View};
+use inbetween::model::DEFAULT_ROUGHNESS;
 use inbetween::scene::Shape;
 use inbetween::scene::shapes::{Capsule, Cone, Cylinder, Plane, RoundedBox, Sphere};
 use serde_json::Value;
@@ -39,6 +40,8 @@ pub fn item(shape: Shape, colour: &str, world_from_shape: Affine3A) -> DrawItem 
         half_extents: shape.half_extents(),
         rounding: shape.rounding(),
         colour: Colour::from_hex(colour).expect("a colour").to_linear(),
+        roughness: DEFAULT_ROUGHNESS,
+        metalness: 0.0,
         node: 0,
         outlined: false,
         is_hidden: false,

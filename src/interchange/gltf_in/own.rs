@@ -50,7 +50,7 @@ impl OwnNode {
         let names: &[&str] = match kind {
             Kind::Rbt => &["reach", "stands", "limits"],
             Kind::Control { .. } | Kind::Root => &[],
-            Kind::Shape => &["shape", "colour"],
+            Kind::Shape => &["shape", "colour", "roughness", "metalness"],
         };
         let fields = names.iter().filter_map(|name| Some(((*name).to_owned(), own.get(*name)?.clone()))).collect();
         let path = own.get("path").and_then(Value::as_str).map(str::to_owned);
@@ -96,6 +96,8 @@ pub(super) struct OwnScene {
     pub name: Option<String>,
     pub eyes: Vec<String>,
     pub fov_degrees: Option<f32>,
+    /// The field of a scene file.
+    pub lighting: Option<Value>,
 }
 
 impl OwnScene {
@@ -104,6 +106,7 @@ impl OwnScene {
         let own = own(&root.scenes.get(scene?)?.extras)?;
         let eyes = own.get("eyes").and_then(Value::as_array).map(Vec::as_slice).unwrap_or_default();
         Some(Self {
+            lighting: own.get("lighting").cloned(),
             name: own.get("name").and_then(Value::as_str).map(str::to_owned),
             eyes: eyes.iter().filter_map(|eye| Some(eye.as_str()?.to_owned())).collect(),
             fov_degrees: own.get("vertical_fov_degrees").and_then(Value::as_f64).map(|degrees| degrees as f32),

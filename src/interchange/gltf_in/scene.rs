@@ -152,7 +152,9 @@ impl Parts<'_> {
         if rest.scale != DVec3::ONE {
             node["scale"] = vector(rest.scale);
         }
-        own.fields.get("colour").into_iter().for_each(|colour| node["colour"] = colour.clone());
+        for field in ["colour", "roughness", "metalness"] {
+            own.fields.get(field).into_iter().for_each(|value| node[field] = value.clone());
+        }
         node
     }
 
@@ -199,6 +201,7 @@ pub(super) fn scene_text(
     name: &str,
     eyes: &[String],
     fov_degrees: f32,
+    lighting: Option<Value>,
     meshes: &str,
     nodes: Vec<Value>,
 ) -> impl Display {
@@ -210,6 +213,9 @@ pub(super) fn scene_text(
         "vertical_fov_degrees": fov_degrees,
         "nodes": nodes,
     });
+    if let Some(lighting) = lighting {
+        scene["lighting"] = lighting;
+    }
     if !meshes.is_empty() {
         scene["meshes"] = json!(meshes);
     }

@@ -9,7 +9,9 @@ use super::{Export, Report};
 use crate::camera;
 use crate::gltf::{Writer, json as gltf};
 use crate::model::Material;
-use crate::scene::{Channel, Node, NodeKind, PlacedShape, SceneGraph, Shape, node_properties_to_json};
+use crate::scene::{
+    Channel, Node, NodeKind, PlacedShape, SceneGraph, Shape, lighting_to_json, node_properties_to_json,
+};
 use crate::unit_mesh::triangle_mesh;
 
 /// The key of our own properties among those of other programs.
@@ -78,7 +80,10 @@ pub fn write(writer: &mut Writer, export: Export<'_>, report: &mut Report) -> Ve
     }
     skins(writer, scene, &indices, &mut roots);
     let paths: Vec<&str> = scene.eyes().iter().map(|&eye| scene.rbt_path(eye)).collect();
-    let own = json!({ "name": scene.name(), "eyes": paths, "vertical_fov_degrees": scene.vertical_fov_degrees() });
+    let mut own = json!({ "name": scene.name(), "eyes": paths, "vertical_fov_degrees": scene.vertical_fov_degrees() });
+    if let Some(lighting) = lighting_to_json(scene) {
+        own["lighting"] = serde_json::from_str(&lighting).expect("scene files are JSON");
+    }
     writer.root.scenes.push(gltf::Scene {
         name: Some(scene.name().to_owned()),
         nodes: roots,
@@ -133,31 +138,32 @@ fn extras(scene: &SceneGraph, node: &Node, kind: &str) -> Value {
 /// The meshes so far.
 #[derive(Default)]
 struct Meshes {
-    /// By the shape and the colour as text.
+    /// By the shape and its surface as text.
     by_shape: HashMap<String, gltf::Index>,
     /// How many there are of each kind.
     kinds: HashMap<&'static str, usize>,
 }
 
 impl Meshes {
-    /// The mesh of a shape in its colour: a new one, or the one that an equal shape has.
+    /// The mesh of a shape with its surface: a new one, or the one that an equal shape has.
     fn index(&mut self, writer: &mut Writer, placed: &PlacedShape) -> gltf::Index {
         let colour = placed.colour_at(0.0);
         let key = match &placed.shape {
-            Shape::Mesh(mesh) => format!("mesh {:?} {colour:?}", mesh.mesh().name),
-            shape => format!("{shape:?} {colour:?}"),
+            Shape::Mesh(mesh) => format!("mesh {:?} {colour:?} {:?}", mesh.mesh().name, placed.finish),
+            shape => format!("{shape:?} {colour:?} {:?}", placed.finish),
         };
         if let Some(&mesh) = self.by_shape.get(&key) {
             return mesh;
         }
+        let (roughness, metallic) = (placed.roughness(), placed.metalness());
         let mesh = if let Shape::Mesh(mesh) = &placed.shape {
-            let material = writer.material(&mesh.mesh().material, colour);
+            let material = writer.material(&Material { metallic, roughness, ..mesh.mesh().material.clone() }, colour);
             writer.mesh(mesh.mesh(), material)
         } else {
             let kind = placed.shape.kind_name();
             let number = self.kinds.entry(kind).or_default();
             *number += 1;
-            let material = writer.material(&Material::default(), colour);
+            let material = writer.material(&Material { metallic, roughness, ..Material::default() }, colour);
             writer.mesh(&triangle_mesh(&placed.shape, format!("{kind} {number}")), material)
         };
         self.by_shape.insert(key, mesh);

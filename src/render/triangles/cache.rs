@@ -46,7 +46,7 @@ impl MeshForm {
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 struct MaterialUniform {
     emissive_and_unlit: [f32; 4],
-    /// Metallic, roughness, cutoff of opacity, opacity.
+    /// Cutoff of opacity, opacity; then nothing, to a size that uniforms have.
     factors: [f32; 4],
 }
 
@@ -286,7 +286,7 @@ fn bound(
     let [red, green, blue] = material.emissive.to_array();
     let uniform = MaterialUniform {
         emissive_and_unlit: [red, green, blue, if material.is_unlit { 1.0 } else { 0.0 }],
-        factors: [material.metallic, material.roughness, material.alpha_cutoff.unwrap_or_default(), material.opacity],
+        factors: [material.alpha_cutoff.unwrap_or_default(), material.opacity, 0.0, 0.0],
     };
     let contents = bytes_of(&uniform);
     let usage = wgpu::BufferUsages::UNIFORM;

@@ -47,9 +47,9 @@ impl TriangleDraws {
         if frame.meshes.is_empty() {
             return;
         }
-        let mut by_mesh: Vec<Vec<(&DrawItem, f32)>> = vec![Vec::new(); frame.meshes.len()];
+        let mut by_mesh: Vec<Vec<(&DrawItem, Option<f32>)>> = vec![Vec::new(); frame.meshes.len()];
         for (mesh, [plain, outlined]) in arranged.seen_triangles.iter().enumerate() {
-            let item = |index: &u32| (&frame.items[*index as usize], 1.0);
+            let item = |index: &u32| (&frame.items[*index as usize], None);
             add(&mut self.seen, frame, mesh, plain.iter().map(item), skins, &mut push);
             add(&mut self.outlined, frame, mesh, outlined.iter().map(item), skins, &mut push);
         }
@@ -57,7 +57,7 @@ impl TriangleDraws {
         if is_map_due {
             for item in &frame.items {
                 if let ItemMesh::Triangles { mesh } | ItemMesh::Skin { mesh, .. } = item.mesh {
-                    by_mesh[mesh as usize].push((item, 1.0));
+                    by_mesh[mesh as usize].push((item, None));
                 }
             }
             for (mesh, items) in by_mesh.iter_mut().enumerate() {
@@ -66,7 +66,7 @@ impl TriangleDraws {
         }
         for ghost in &frame.ghosts {
             if let ItemMesh::Triangles { mesh } | ItemMesh::Skin { mesh, .. } = ghost.item.mesh {
-                by_mesh[mesh as usize].push((&ghost.item, ghost.opacity));
+                by_mesh[mesh as usize].push((&ghost.item, Some(ghost.opacity)));
             }
         }
         for (mesh, items) in by_mesh.iter_mut().enumerate() {
@@ -80,7 +80,7 @@ fn add<'a>(
     draws: &mut Vec<TriangleDraw>,
     frame: &Frame,
     mesh: usize,
-    items: impl Iterator<Item = (&'a DrawItem, f32)>,
+    items: impl Iterator<Item = (&'a DrawItem, Option<f32>)>,
     skins: &Skins,
     push: &mut impl FnMut(&Instance) -> u32,
 ) {
@@ -97,7 +97,8 @@ fn add<'a>(
         // Vertices that the processor has moved are in world space.
         let world_from_shape = if first_joint.is_some() { Affine3A::IDENTITY } else { matrix };
         let joint = first_joint.unwrap_or_default();
-        let index = push(&Instance::of_triangles(item, &world_from_shape, joint, world_per_mesh, opacity));
+        let index =
+            push(&Instance::of_triangles(item, &world_from_shape, joint, world_per_mesh, &frame.lighting, opacity));
         match draws[first..].last_mut() {
             Some(last) if last.first_skinned.is_none() && first_skinned.is_none() => last.instances.end = index + 1,
             _ => draws.push(TriangleDraw { mesh, first_skinned, instances: index..index + 1 }),
@@ -151,6 +152,8 @@ mod tests {
                 half_extents: Vec3::ONE,
                 rounding: 0.0,
                 colour: Vec3::ONE,
+                roughness: 0.6,
+                metalness: 0.0,
                 node: u32::from(index),
                 outlined: false,
                 is_hidden: false,
