@@ -3,6 +3,7 @@
 use glam::Vec3;
 
 use crate::colour::Colour;
+use crate::words::{Phrase, texts};
 
 /// A lighting that is part of the program.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -30,6 +31,16 @@ impl BuiltInLighting {
         }
     }
 
+    /// Its name for people.
+    #[must_use]
+    pub const fn title(self) -> Phrase {
+        match self {
+            Self::Day => texts::LIGHTING_DAY,
+            Self::Evening => texts::LIGHTING_EVENING,
+            Self::Studio => texts::LIGHTING_STUDIO,
+        }
+    }
+
     /// The lighting of that name.
     #[must_use]
     pub fn from_name(name: &str) -> Option<Self> {
@@ -51,12 +62,12 @@ impl BuiltInLighting {
             },
             Self::Evening => Lighting {
                 towards_sun_in_world: Vec3::new(-0.86, 0.27, 0.36).normalize(),
-                sun: Vec3::new(1.55, 0.86, 0.40),
+                sun: Vec3::new(1.85, 1.16, 0.58),
                 sun_degrees: Lighting::SUN_DEGREES,
                 sky: Vec3::new(0.25, 0.27, 0.43),
                 ground: Vec3::new(0.26, 0.17, 0.14),
-                horizon: Colour::from_rgb(0xf2, 0xb4, 0x8e).to_linear(),
-                zenith: Colour::from_rgb(0x2e, 0x46, 0x7c).to_linear(),
+                horizon: Colour::from_rgb(0xf6, 0xb1, 0x84).to_linear(),
+                zenith: Colour::from_rgb(0x23, 0x48, 0x96).to_linear(),
             },
             Self::Studio => Lighting {
                 towards_sun_in_world: Vec3::new(-0.45, 0.95, 0.55).normalize(),

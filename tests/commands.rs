@@ -16,6 +16,7 @@ use inbetween::editor::{
 };
 use inbetween::interpolation::Interpolation;
 use inbetween::keyframe::{Blend, Easing, KeyframeIndex, Retiming, StretchEnd};
+use inbetween::lighting::BuiltInLighting;
 use inbetween::pose::RbtIndex;
 use inbetween::pose_file::{PoseFile, PosedNode, shipped_pose, shipped_poses};
 use inbetween::rbt::Rbt;
@@ -201,6 +202,7 @@ fn any_scene_edit() -> impl Strategy<Value = Command> {
         any_path().prop_map(SceneEdit::PutControlAbove),
         any_path().prop_map(SceneEdit::RemoveControl),
         (any_path(), any_text()).prop_map(|(path, name)| SceneEdit::RenameControl(path, name)),
+        prop::sample::select(BuiltInLighting::ALL.to_vec()).prop_map(SceneEdit::SetLighting),
     ]
     .prop_map(|edit| Command::Edit(Edit::Scene(edit)))
 }

@@ -13,6 +13,7 @@ use inbetween::editor::{
 };
 use inbetween::interpolation::Interpolation;
 use inbetween::keyframe::{Easing, KeyframeIndex, Retiming, StretchEnd, keyframes_to_json};
+use inbetween::lighting::BuiltInLighting;
 use inbetween::pose::RbtIndex;
 use inbetween::pose_file::shipped_poses;
 use inbetween::rbt::Rbt;
@@ -121,6 +122,7 @@ fn any_scene_edit() -> impl Strategy<Value = Command> {
             SceneEdit::MoveKeys { keys: vec![key(place)], by: f64::from(by) * 0.5 }
         }),
         1 => (0u8..8).prop_map(|place| SceneEdit::DeleteKeys(vec![key(place)])),
+        1 => Just(SceneEdit::SetLighting(BuiltInLighting::Evening)),
     ]
     .prop_map(|edit| Command::Edit(Edit::Scene(edit)))
 }

@@ -13,6 +13,7 @@ use inbetween::editor::{
     TimelineEdit, ViewCommand, Written,
 };
 use inbetween::keyframe::{KeyframeIndex, keyframes_to_json};
+use inbetween::lighting::BuiltInLighting;
 use inbetween::scene::{Channel, KeyValue, SceneFiles, built_in_scene, scene_from_json, scene_to_json};
 use inbetween::words::texts;
 
@@ -189,6 +190,22 @@ fn a_control_node_is_put_above_any_node_and_taken_away() {
     assert_eq!(editor.session().chosen.primary(), Some(head), "the choice stays");
     press(&mut editor, "ctrl+z ctrl+z ctrl+z");
     assert_eq!((bytes(&editor), editor.displayed_pose()), before);
+}
+
+#[test]
+fn a_lighting_is_part_of_the_scene_and_can_be_undone() {
+    let mut editor = cylinder();
+    let before = bytes(&editor);
+    let said = edit(&mut editor, SceneEdit::SetLighting(BuiltInLighting::Evening));
+    assert_eq!(said, "Lighting: Evening.");
+    assert!(bytes(&editor).contains("\"lighting\": \"evening\"") && editor.has_unsaved_scene());
+    assert!(editor.is_lit_by(BuiltInLighting::Evening) && !editor.is_lit_by(BuiltInLighting::Day));
+    let after = bytes(&editor);
+    edit(&mut editor, SceneEdit::SetLighting(BuiltInLighting::Evening));
+    press(&mut editor, "ctrl+z");
+    assert_eq!(bytes(&editor), before, "the same light again is no step");
+    press(&mut editor, "ctrl+y");
+    assert_eq!(bytes(&editor), after);
 }
 
 #[test]

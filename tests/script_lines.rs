@@ -353,7 +353,7 @@ fn refusals_are_sentences() {
 }
 
 /// What is tested elsewhere: times that are waited, pictures, and undo itself.
-const ELSEWHERE: [&str; 28] = [
+const ELSEWHERE: [&str; 29] = [
     // `comparison.rs`.
     "compare-with",
     // `journal.rs` and `cli/journal.rs`.
@@ -376,6 +376,7 @@ const ELSEWHERE: [&str; 28] = [
     "set-key",
     "move-key",
     "delete-key",
+    "lighting",
     "seconds",
     "save-scene",
     // `cli/script.rs`.

@@ -7,6 +7,7 @@ mod comparing;
 mod file;
 mod gizmo;
 mod keyframes;
+mod lighting;
 mod line;
 mod nodes;
 mod playing;
@@ -40,6 +41,7 @@ static ROWS: LazyLock<Vec<Row>> = LazyLock::new(|| {
         timed_keys::rows(),
         playing::rows(),
         view::rows(),
+        lighting::rows(),
         comparing::rows(),
         file::rows(),
         window::rows(),

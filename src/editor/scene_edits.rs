@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use super::apply::CommandResult;
 use super::{CommandError, Editor};
+use crate::lighting::BuiltInLighting;
 use crate::scene::{Channel, KeyValue, NodeId, SceneError, SceneGraph, moved_seconds};
 use crate::words::{Phrase, texts};
 
@@ -65,6 +66,8 @@ pub enum SceneEdit {
     RemoveControl(Arc<str>),
     /// Gives a control node another name.
     RenameControl(Arc<str>, String),
+    /// Gives the scene the light of a built-in lighting.
+    SetLighting(BuiltInLighting),
 }
 
 impl Editor {
@@ -98,7 +101,20 @@ impl Editor {
                 self.put_scene(texts::ACT_RENAMING_OF_A_CONTROL_NODE, scene)?;
                 Ok(Some(texts::control_renamed(name.trim())))
             }
+            SceneEdit::SetLighting(lighting) => {
+                if !self.is_lit_by(lighting) {
+                    let scene = self.document.scene.with_lighting(lighting.into());
+                    self.put_scene(texts::ACT_CHANGE_OF_LIGHTING, scene)?;
+                }
+                Ok(Some(texts::lighting_is(lighting.title())))
+            }
         }
+    }
+
+    /// Whether the scene has the light of a built-in lighting, without changes of its own.
+    #[must_use]
+    pub fn is_lit_by(&self, lighting: BuiltInLighting) -> bool {
+        *self.document.scene.lighting() == lighting.into()
     }
 
     fn known_node(&self, path: &str) -> Result<NodeId, CommandError> {

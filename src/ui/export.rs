@@ -302,17 +302,8 @@ fn samples(ui: &mut Ui, options: &mut ExportOptions, words: Words) {
 fn lighting(ui: &mut Ui, options: &mut ExportOptions, words: Words) {
     let of_scene = (None, words.say(texts::LIGHTING_OF_SCENE));
     let all: Vec<_> =
-        std::iter::once(of_scene).chain(BuiltInLighting::ALL.map(|of| (Some(of), lighting_name(of, words)))).collect();
+        std::iter::once(of_scene).chain(BuiltInLighting::ALL.map(|of| (Some(of), words.say(of.title())))).collect();
     choose(ui, words.say(texts::LIGHTING), &mut options.lighting, &all);
-}
-
-/// The name of a lighting in the language of the window.
-fn lighting_name(lighting: BuiltInLighting, words: Words) -> &'static str {
-    words.say(match lighting {
-        BuiltInLighting::Day => texts::LIGHTING_DAY,
-        BuiltInLighting::Evening => texts::LIGHTING_EVENING,
-        BuiltInLighting::Studio => texts::LIGHTING_STUDIO,
-    })
 }
 
 fn quality(ui: &mut Ui, options: &mut ExportOptions, words: Words) {

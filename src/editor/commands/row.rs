@@ -115,6 +115,8 @@ pub enum Submenu {
     Look,
     /// Whose axes handles go by.
     Axes,
+    /// The light of the scene.
+    Lighting,
 }
 
 impl Submenu {
@@ -124,6 +126,7 @@ impl Submenu {
         match self {
             Self::Look => texts::LOOK,
             Self::Axes => texts::AXES_OF_HANDLES,
+            Self::Lighting => texts::LIGHTING,
         }
     }
 }
