@@ -143,7 +143,7 @@ fn in_a_uniform_light_white_surfaces_give_back_what_they_get() {
     let mut studio = Studio::new(SIZE);
     let frame = balls("#ffffff", furnace(0.5));
     // In refined pictures balls hide the sky from each other.
-    for (image, least) in [(studio.plain(&frame), 0.9), (studio.refined(&frame), 0.0)] {
+    for (image, least) in [(studio.plain(&frame), 0.85), (studio.refined(&frame), 0.0)] {
         for (column, row) in (0..9).map(|number| (number % 3, number / 3)) {
             for pixel in pixels_of(&frame, column, row) {
                 let part = light(&image, pixel) / 0.5;
