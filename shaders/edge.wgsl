@@ -64,7 +64,7 @@ fn pixel_of(edge: EdgeLine, index: u32) -> Pixel {
     // The colour is that of the shape a little inside, where it faces the eye more.
     let to_eye = normalize(along_view);
     let edge_normal = select(edge.from_normal, edge.to_normal, is_to);
-    let normal = normalize(edge_normal + to_eye * max(0.35 - dot(edge_normal, to_eye), 0.0));
+    let normal = normalize(edge_normal + to_eye * max(0.5 - dot(edge_normal, to_eye), 0.0));
     out.surface = vec4f(normal, ambient_arriving(in_world.y, normal.y));
     out.along_view = along_view;
     out.map_position = map_position(in_world, normal);
