@@ -346,7 +346,7 @@ fn the_manuals_films_are_made_by_the_commands_that_it_shows() {
     let page = std::fs::read_to_string(root.join("assets/manual/films.md")).unwrap();
     let sandbox = Sandbox::new();
     let commands: Vec<&str> = page.lines().filter(|line| line.contains(" -o assets/manual/pictures/")).collect();
-    assert_eq!(commands.len(), 10);
+    assert_eq!(commands.len(), 13);
     for command in commands {
         let words = command.strip_prefix("$ inbetween ").unwrap().split(' ');
         let mut name = "";

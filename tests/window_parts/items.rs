@@ -59,7 +59,7 @@ fn every_item_of_a_menu_is_its_command() {
             harness.get_all_by_label(title).next().unwrap().click();
             harness.run();
             let label = label_of(binding);
-            for submenu in ["Look", "Axes of the handles"] {
+            for submenu in ["Look", "Lighting", "Axes of the handles"] {
                 let opens = |node: &AccessKitNode<'_>| node.label().is_some_and(|label| label.trim() == submenu);
                 if harness.query_by_label(&label).is_none() && harness.query_all_by(opens).count() == 1 {
                     harness.get_by(opens).click();
