@@ -407,7 +407,6 @@ impl Pipelines {
         recipe: &Recipe,
         module: &wgpu::ShaderModule,
     ) -> wgpu::RenderPipeline {
-        let has_surface = recipe.has_surface();
         let layout = self.layout(device, kind, form, recipe);
         let is_mask = matches!(kind, Kind::MaskAll | Kind::MaskVisible);
         let target = wgpu::ColorTargetState {
@@ -426,48 +425,6 @@ impl Pipelines {
         // A depth-only pipeline in the picture's pass must still name the pass's colour target.
         let is_plain_depth = kind == Kind::GhostDepth && recipe.fragment.is_none();
         let fragment = if is_plain_depth { Some("nothing_fragment") } else { recipe.fragment };
-        let corner_attributes = wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3];
-        let instance_attributes = wgpu::vertex_attr_array![
-            2 => Float32x4, 3 => Float32x4, 4 => Float32x4, 5 => Float32x4, 6 => Float32x3, 7 => Uint32,
-            8 => Float32x4
-        ];
-        let stroke_attributes: [_; 4] =
-            wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32x4, 3 => Float32];
-        let per_instance = |array_stride: usize, attributes| {
-            Some(wgpu::VertexBufferLayout {
-                array_stride: array_stride as u64,
-                step_mode: wgpu::VertexStepMode::Instance,
-                attributes,
-            })
-        };
-        let corners = Some(wgpu::VertexBufferLayout {
-            array_stride: size_of::<Vertex>() as u64,
-            step_mode: wgpu::VertexStepMode::Vertex,
-            attributes: &corner_attributes,
-        });
-        debug_assert_eq!(VertexFormat::Float32x4.size() * 5 + 16, size_of::<Instance>() as u64);
-        let instance_buffers = [
-            corners,
-            per_instance(size_of::<Instance>(), &instance_attributes),
-            has_surface.then_some(surface_buffer()),
-            (form.corner() == Corner::Skin).then_some(weights_buffer()),
-        ];
-        let stroke_buffers = [per_instance(size_of::<Stroke>(), &stroke_attributes)];
-        let edge_attributes: [_; 6] = wgpu::vertex_attr_array![
-            0 => Float32x3, 1 => Float32x3, 2 => Float32x3, 3 => Float32x3, 4 => Float32x3, 5 => Float32x4
-        ];
-        let edge_buffers = [per_instance(size_of::<EdgeLine>(), &edge_attributes)];
-        let contact_attributes: [_; 4] =
-            wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32x3, 3 => Float32x2];
-        let contact_buffers = [per_instance(size_of::<Contact>(), &contact_attributes)];
-        let buffers: &[_] = match recipe.input {
-            Input::Instances if form == Form::Unit => &instance_buffers[..2],
-            Input::Instances => &instance_buffers,
-            Input::Strokes => &stroke_buffers,
-            Input::Edges => &edge_buffers,
-            Input::Contacts => &contact_buffers,
-            Input::Nothing => &[],
-        };
         let is_single = kind.is_shadow() || kind == Kind::Outline;
         device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
             label: None,
@@ -481,7 +438,7 @@ impl Pipelines {
                 } else {
                     wgpu::PipelineCompilationOptions::default()
                 },
-                buffers,
+                buffers: &buffers(recipe.input, form, recipe.has_surface()),
             },
             primitive: wgpu::PrimitiveState {
                 topology: if matches!(recipe.input, Input::Strokes | Input::Edges | Input::Contacts) {
@@ -521,5 +478,40 @@ impl Pipelines {
             multiview_mask: None,
             cache: None,
         })
+    }
+}
+
+/// The vertex buffers of a pipeline.
+fn buffers(input: Input, form: Form, has_surface: bool) -> Vec<Option<wgpu::VertexBufferLayout<'static>>> {
+    const CORNER: [wgpu::VertexAttribute; 2] = wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3];
+    const INSTANCE: [wgpu::VertexAttribute; 7] = wgpu::vertex_attr_array![
+        2 => Float32x4, 3 => Float32x4, 4 => Float32x4, 5 => Float32x4, 6 => Float32x3, 7 => Uint32, 8 => Float32x4
+    ];
+    const STROKE: [wgpu::VertexAttribute; 4] =
+        wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32x4, 3 => Float32];
+    const EDGE: [wgpu::VertexAttribute; 6] = wgpu::vertex_attr_array![
+        0 => Float32x3, 1 => Float32x3, 2 => Float32x3, 3 => Float32x3, 4 => Float32x3, 5 => Float32x4
+    ];
+    const CONTACT: [wgpu::VertexAttribute; 4] =
+        wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32x3, 3 => Float32x2];
+    const { assert!(VertexFormat::Float32x4.size() * 5 + 16 == size_of::<Instance>() as u64) };
+    let of = |array_stride: usize, step_mode, attributes| {
+        Some(wgpu::VertexBufferLayout { array_stride: array_stride as u64, step_mode, attributes })
+    };
+    let per_instance = |array_stride, attributes| of(array_stride, wgpu::VertexStepMode::Instance, attributes);
+    match input {
+        Input::Instances => {
+            let corners = of(size_of::<Vertex>(), wgpu::VertexStepMode::Vertex, &CORNER[..]);
+            let instances = per_instance(size_of::<Instance>(), &INSTANCE[..]);
+            if form == Form::Unit {
+                return vec![corners, instances];
+            }
+            let weights = (form.corner() == Corner::Skin).then_some(weights_buffer());
+            vec![corners, instances, has_surface.then_some(surface_buffer()), weights]
+        }
+        Input::Strokes => vec![per_instance(size_of::<Stroke>(), &STROKE[..])],
+        Input::Edges => vec![per_instance(size_of::<EdgeLine>(), &EDGE[..])],
+        Input::Contacts => vec![per_instance(size_of::<Contact>(), &CONTACT[..])],
+        Input::Nothing => Vec::new(),
     }
 }
