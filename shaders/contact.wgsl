@@ -37,5 +37,10 @@ fn contact_vertex(@builtin(vertex_index) index: u32, contact: Contact) -> Contac
 fn contact_fragment(pixel: ContactPixel) -> @location(0) vec4f {
     let outside = max(abs(pixel.on_ground) - pixel.half_sides, vec2f(0.0));
     let left = saturate(1.0 - length(outside) / pixel.reach_and_opacity.x);
-    return vec4f(0.0, 0.0, 0.0, pixel.reach_and_opacity.y * left * left);
+    var opacity = pixel.reach_and_opacity.y * left * left;
+    // A target that does not encode blends numbers that are encoded already.
+    if ENCODE_SRGB {
+        opacity = 1.0 - pow(1.0 - opacity, 1.0 / 2.4);
+    }
+    return vec4f(0.0, 0.0, 0.0, opacity);
 }

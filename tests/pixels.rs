@@ -366,8 +366,13 @@ fn a_target_that_does_not_encode_gets_the_same_picture() {
     let frame = frame(sample_items().into_iter().map(|(_, item)| item).collect());
     let expected = draw(&frame);
     let found = draw_into(wgpu::TextureFormat::Bgra8Unorm, &frame, Viewport::whole(WIDTH, HEIGHT));
-    let farthest = expected.rgba.iter().zip(&found.rgba).map(|(a, b)| a.abs_diff(*b)).max();
-    assert!(farthest <= Some(1), "{farthest:?}");
+    let apart = |a: &[u8], b: &[u8]| a.iter().zip(b).map(|(a, b)| a.abs_diff(*b)).max();
+    let pixels = expected.rgba.chunks_exact(4).zip(found.rgba.chunks_exact(4));
+    let differing: Vec<_> = pixels.filter_map(|(a, b)| apart(a, b)).filter(|apart| *apart > 1).collect();
+    // Such a target blends encoded numbers, so that smooth edges, a pixel wide, and shades on the ground are a little darker or lighter.
+    let share = differing.len() as f32 / (WIDTH * HEIGHT) as f32;
+    assert!(share < 0.04, "{share}");
+    assert!(differing.iter().all(|apart| *apart < 48), "{:?}", differing.iter().max());
 }
 
 #[test]

@@ -107,7 +107,14 @@ impl Painter {
     /// Sets how the following pictures are refined; `None`: they are plain.
     pub fn refine(&mut self, refinement: Option<Refinement>) {
         if self.refiner.as_ref().map(Refiner::refinement) != refinement.as_ref() {
-            self.refiner = refinement.map(|refinement| Refiner::new(&self.gpu, Offscreen::FORMAT, refinement));
+            self.refiner = refinement.map(|refinement| {
+                let is_of_parts = refinement.sub_frames > 1;
+                let mut refiner = Refiner::new(&self.gpu, Offscreen::FORMAT, refinement);
+                if is_of_parts {
+                    refiner.leave_edges_of_ghosts();
+                }
+                refiner
+            });
         }
     }
 

@@ -55,9 +55,16 @@ pub fn order(view: &View, bounds: &[Bounds], seen: impl Iterator<Item = (usize, 
 }
 
 impl Edges {
-    /// Appends the edges of an instance of the unit mesh of a level that the eye sees: silhouettes, and sharp edges between two faces.
-    /// Returns their number.
-    pub fn append(&mut self, instance: &Instance, level: usize, eye_in_world: Vec3A, bytes: &mut Vec<u8>) -> u32 {
+    /// Appends the edges of an instance of the unit mesh of a level that the eye sees: its silhouette, and if `is_opaque` the sharp edges
+    /// between two faces, which would be twice as dark where one sees through. Returns their number.
+    pub fn append(
+        &mut self,
+        instance: &Instance,
+        level: usize,
+        is_opaque: bool,
+        eye_in_world: Vec3A,
+        bytes: &mut Vec<u8>,
+    ) -> u32 {
         let before = bytes.len();
         let range = &geometry().ranges[level];
         let edges = edges(level);
@@ -84,7 +91,7 @@ impl Edges {
                 [true, false] => 0,
                 [false, true] => 1,
                 // The face that one sees less of is drawn over.
-                [true, true] if *is_sharp => {
+                [true, true] if *is_sharp && is_opaque => {
                     let facing = ends.map(|[from, _]| {
                         let place = self.places[usize::from(from)];
                         Vec3A::from(vertices[usize::from(from)].normal).dot(eye - place)
@@ -137,11 +144,12 @@ mod tests {
             roughness: 0.7,
             metalness: 0.0,
         };
-        let level = LEVELS_OF_KIND[kind as usize].0;
+        let level = if rounding > 0.0 { LEVELS_OF_KIND[kind as usize].0 } else { LEVELS_OF_KIND[kind as usize].1 };
         let mut bytes = Vec::new();
         let count = Edges::default().append(
             &Instance::of_unit(&item, LEVELS[level], &Lighting::default(), None),
             level,
+            true,
             eye,
             &mut bytes,
         );
@@ -163,7 +171,7 @@ mod tests {
             assert!((seen - 0.25).abs() < 0.02, "{seen}");
             // The ball is on the left.
             let along = line.to_in_world - line.from_in_world;
-            assert!(along.cross(Vec3::from(eye) - line.from_in_world).dot(line.from_in_world) < 0.0);
+            assert!(along.cross(Vec3::from(eye) - line.from_in_world).dot(line.from_in_world) > 0.0);
         }
         assert!(lines.len() > 20, "{}", lines.len());
     }

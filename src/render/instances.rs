@@ -265,7 +265,7 @@ impl Packed {
             let seen = seen.flat_map(|(level, seen)| seen.iter().flatten().map(move |&index| (level, index)));
             for (level, index) in edges::order(&frame.view, &arranged.bounds, seen) {
                 let instance = Instance::of_unit(&frame.items[index as usize], LEVELS[level], &frame.lighting, None);
-                count += self.finder.append(&instance, level, eye, &mut self.bytes);
+                count += self.finder.append(&instance, level, true, eye, &mut self.bytes);
             }
         }
         self.edges = 0..count;
@@ -273,7 +273,7 @@ impl Packed {
             if let ItemMesh::Unit(kind) = ghost.item.mesh {
                 let level = of_picture.mesh(&ghost.item, kind);
                 let instance = Instance::of_unit(&ghost.item, LEVELS[level], &frame.lighting, Some(ghost.opacity));
-                count += self.finder.append(&instance, level, eye, &mut self.bytes);
+                count += self.finder.append(&instance, level, false, eye, &mut self.bytes);
             }
         }
         self.ghost_edges = self.edges.end..count;

@@ -114,6 +114,11 @@ impl Refiner {
         self.scene.set_background(background);
     }
 
+    /// Leaves the edges of ghosts as they are: for who draws them several times, each time moved, and takes the mean.
+    pub const fn leave_edges_of_ghosts(&mut self) {
+        self.overlay.leave_edges();
+    }
+
     /// Begins another picture.
     pub const fn restart(&mut self) {
         self.count = 0;

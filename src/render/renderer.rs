@@ -111,6 +111,8 @@ pub struct Renderer {
     format: wgpu::TextureFormat,
     samples: u32,
     part: Part,
+    /// Whether lines smooth the edges of shapes and ghosts.
+    smooths_edges: bool,
     /// The light of the shadow map, for a sub-frame.
     light: Option<Light>,
     background: Background,
@@ -171,6 +173,7 @@ impl Renderer {
             format: target_format,
             samples,
             part,
+            smooths_edges: samples == 1 && part != Part::SubFrame,
             light: None,
             background: Background::Sky,
             pipelines,
@@ -199,6 +202,11 @@ impl Renderer {
     #[must_use]
     pub fn target_format(&self) -> wgpu::TextureFormat {
         self.format
+    }
+
+    /// Leaves the edges of the next frames as they are.
+    pub(super) const fn leave_edges(&mut self) {
+        self.smooths_edges = false;
     }
 
     /// Sets the background of the next frames.
@@ -284,7 +292,7 @@ impl Renderer {
         if self.part == Part::Whole {
             self.packed.pack_contacts(frame, &self.arranged);
         }
-        if self.samples == 1 && self.part != Part::SubFrame {
+        if self.smooths_edges {
             self.packed.pack_edges(frame, &self.arranged, detail, self.part == Part::Whole);
         }
         self.upload(gpu);
