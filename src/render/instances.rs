@@ -10,6 +10,7 @@ use glam::{Affine3A, Mat3A, Vec3, Vec4};
 use crate::frame::{ArcballMark, DrawItem, Frame, ItemMesh, View};
 use crate::lighting::Lighting;
 use crate::render::arrange::Arranged;
+use crate::render::bounds::ViewSides;
 use crate::render::contact::contacts;
 use crate::render::detail::Detail;
 use crate::render::edges::{self, Edges};
@@ -263,6 +264,10 @@ impl Packed {
         if of_items {
             let seen = arranged.seen[..PLANE].iter().enumerate();
             let seen = seen.flat_map(|(level, seen)| seen.iter().flatten().map(move |&index| (level, index)));
+            // The same shapes have smooth edges whether or not others were left out before.
+            let sides = ViewSides::of(&frame.view, of_picture.widest_error());
+            let may_see = |&(_, index): &(usize, u32)| sides.may_see(&arranged.bounds[index as usize], Vec3::ZERO);
+            let seen = seen.filter(may_see);
             for (level, index) in edges::order(&frame.view, &arranged.bounds, seen) {
                 let instance = Instance::of_unit(&frame.items[index as usize], LEVELS[level], &frame.lighting, None);
                 count += self.finder.append(&instance, level, true, eye, &mut self.bytes);
