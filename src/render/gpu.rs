@@ -100,6 +100,9 @@ fn prepare_ahead() {
     let _ = thread::Builder::new().name("prepare".to_owned()).spawn(|| {
         shaders::parse_usual();
         let _ = mesh::geometry();
+        for level in 0..mesh::MESHES {
+            let _ = mesh::edges(level);
+        }
     });
 }
 

@@ -72,6 +72,7 @@ static PARSED: [[OnceLock<Module>; VARIANTS]; SOURCES] = [const { [const { OnceL
 
 /// Parses the modules that a plain picture on the CPU needs.
 pub fn parse_usual() {
+    use Source::{Contact, Edge, Plane, Shape, Silhouette, Sky};
     let variant = Variant {
         encodes_srgb: false,
         is_software: true,
@@ -79,7 +80,7 @@ pub fn parse_usual() {
         is_sub_frame: false,
         corner: Corner::Unit,
     };
-    for source in [Source::Silhouette, Source::Shape, Source::Plane, Source::Sky] {
+    for source in [Silhouette, Shape, Plane, Sky, Edge, Contact] {
         parsed(source, variant);
     }
 }
