@@ -1,4 +1,5 @@
-// Edges of shapes, a pixel wide, outside the shape: full at the edge and nothing a pixel away. Follows `shape.wgsl`.
+// Edges of shapes, a pixel wide, outside the shape: full at the edge and nothing a pixel away. Follows `shape.wgsl`. Shades on the ground
+// under what stands there are drawn by the same functions.
 
 struct EdgeLine {
     @location(0) from_in_world: vec3f,
@@ -6,30 +7,33 @@ struct EdgeLine {
     @location(2) from_normal: vec3f,
     @location(3) to_normal: vec3f,
     @location(4) colour: vec3f,
-    // As of a corner.
+    // As of a corner. Of shades x is negative, and w is the opacity at the footprint.
     @location(5) finish: vec4f,
 }
 
-struct EdgePixel {
-    @builtin(position) in_clip: vec4f,
-    // The colour in the shade and in the sun.
-    @location(0) dark: vec3f,
-    @location(1) lit: vec3f,
-    @location(2) map_position: vec3f,
-    @location(3) @interpolate(linear) opacity: f32,
-}
-
 @vertex
-fn edge_vertex(@builtin(vertex_index) index: u32, edge: EdgeLine) -> EdgePixel {
+fn edge_vertex(@builtin(vertex_index) index: u32, edge: EdgeLine) -> Pixel {
+    if edge.finish.x < 0.0 {
+        return shade_of(edge, index);
+    }
     let pixel = pixel_of(edge, index);
-    return EdgePixel(pixel.in_clip, shape_light(pixel, 0.0), shape_light(pixel, 1.0), pixel.map_position, opacity_of(index));
+    let normal = pixel.surface.xyz;
+    let arriving = light_arriving(normal, dot(normal, towards_sun()), 1.0);
+    let light = shape_given_back(pixel, normal, arriving.y);
+    return edge_pixel(pixel, light.ambient, light.ambient + light.sun * arriving.x, opacity_of(index));
 }
 
 @vertex
-fn ghost_edge_vertex(@builtin(vertex_index) index: u32, edge: EdgeLine) -> EdgePixel {
+fn ghost_edge_vertex(@builtin(vertex_index) index: u32, edge: EdgeLine) -> Pixel {
     let pixel = pixel_of(edge, index);
     let ghost = ghost_colour(pixel);
-    return EdgePixel(pixel.in_clip, ghost.rgb, ghost.rgb, pixel.map_position, ghost.a * opacity_of(index));
+    return edge_pixel(pixel, ghost.rgb, ghost.rgb, ghost.a * opacity_of(index));
+}
+
+// A corner of what is drawn. `surface`: the colour in the shade, and the opacity times w, which the fragment divides by w, since it changes
+// evenly from pixel to pixel. `along_view`: the colour in the sun.
+fn edge_pixel(corner: Pixel, dark: vec3f, lit: vec3f, opacity: f32) -> Pixel {
+    return Pixel(corner.in_clip, vec4f(dark, opacity * corner.in_clip.w), lit, corner.map_position, vec4f(0.0), vec3f(0.0));
 }
 
 // Two corners lie on the edge, the others a pixel outside.
@@ -73,12 +77,48 @@ fn pixel_of(edge: EdgeLine, index: u32) -> Pixel {
     return out;
 }
 
-@fragment
-fn edge_fragment(edge: EdgePixel) -> @location(0) vec4f {
-    return finished_light(mix(edge.dark, edge.lit, sun_arriving(edge.map_position)), edge.opacity, edge.in_clip);
+// A corner of a shade: of a rectangle on the ground around the centre `from_in_world`. `to_in_world` and `from_normal` are half sides of the
+// footprint along the ground; x of `to_normal` is how far the shade reaches beyond it, in scene units. Of the result, `surface` is from the
+// centre along both sides in scene units, and `colour` the half sides, the reach and the opacity.
+fn shade_of(edge: EdgeLine, index: u32) -> Pixel {
+    let signs = vec2f(f32(index & 1u), f32(index >> 1u)) * 2.0 - 1.0;
+    let half_sides = vec2f(length(edge.to_in_world), length(edge.from_normal));
+    let reach = edge.to_normal.x;
+    let grown = (half_sides + reach) / half_sides;
+    let in_world = edge.from_in_world + edge.to_in_world * (signs.x * grown.x) + edge.from_normal * (signs.y * grown.y);
+    var out: Pixel;
+    out.in_clip = globals.clip_from_world * vec4f(in_world, 1.0);
+    // Slightly nearer than the ground (depth is reversed).
+    out.in_clip.z *= 1.0001;
+    out.surface = vec4f(signs * (half_sides + reach), 0.0, 0.0);
+    out.along_view = vec3f(0.0);
+    out.map_position = vec3f(0.0);
+    out.colour = vec4f(half_sides, reach, edge.finish.w);
+    out.shaded = vec3f(0.0);
+    return out;
 }
 
 @fragment
-fn ghost_edge_fragment(edge: EdgePixel) -> @location(0) vec4f {
-    return vec4f(edge.lit, edge.opacity);
+fn edge_fragment(edge: Pixel) -> @location(0) vec4f {
+    if edge.colour.w > 0.0 {
+        return vec4f(0.0, 0.0, 0.0, shade_opacity(edge));
+    }
+    let light = mix(edge.surface.rgb, edge.along_view, sun_arriving(edge.map_position));
+    return finished_light(light, edge.surface.w * edge.in_clip.w, edge.in_clip);
+}
+
+fn shade_opacity(shade: Pixel) -> f32 {
+    let outside = max(abs(shade.surface.xy) - shade.colour.xy, vec2f(0.0));
+    let left = saturate(1.0 - length(outside) / shade.colour.z);
+    let opacity = shade.colour.w * left * left;
+    // A target that does not encode blends numbers that are encoded already.
+    if ENCODE_SRGB {
+        return 1.0 - pow(1.0 - opacity, 1.0 / 2.4);
+    }
+    return opacity;
+}
+
+@fragment
+fn ghost_edge_fragment(edge: Pixel) -> @location(0) vec4f {
+    return vec4f(edge.along_view, edge.surface.w * edge.in_clip.w);
 }

@@ -38,9 +38,14 @@ fn ambient_arriving(height_in_world: f32, upwards: f32) -> f32 {
     return 1.0 - (0.34 - 0.22 * upwards) * exp2(-4.0 * above);
 }
 
-// The light of a surface, exposure included. `finish`: what `Finish` in `src/render/instances.rs` says. `arriving`: of the sun and of the
-// sky, as `light_arriving` says. `ambient`: as `ambient_arriving` says.
-fn given_back(albedo: vec3f, finish: vec4f, normal: vec3f, to_eye: vec3f, arriving: vec2f, ambient: f32) -> vec3f {
+// The light of a surface, exposure included: what it gives back of the sky and the ground, and of the whole sun.
+struct GivenBack {
+    ambient: vec3f,
+    sun: vec3f,
+}
+
+// `finish`: what `Finish` in `src/render/instances.rs` says. `sky_arriving`: as `light_arriving` says. `ambient`: as `ambient_arriving` says.
+fn given_back(albedo: vec3f, finish: vec4f, normal: vec3f, to_eye: vec3f, sky_arriving: f32, ambient: f32) -> GivenBack {
     let to_sun = towards_sun();
     let of_sun = vec3f(SUN_RED, SUN_GREEN, SUN_BLUE);
     let of_sky = vec3f(SKY_RED, SKY_GREEN, SKY_BLUE);
@@ -67,12 +72,12 @@ fn given_back(albedo: vec3f, finish: vec4f, normal: vec3f, to_eye: vec3f, arrivi
     let up = 2.0 * facing_eye * normal.y - to_eye.y;
     let is_sky = saturate(0.5 + finish.y * up);
     var around = of_ground + (horizon - of_ground) * is_sky + (zenith - horizon) * saturate(up);
-    var fill = of_ground + (of_sky - of_ground) * arriving.y;
+    var fill = of_ground + (of_sky - of_ground) * sky_arriving;
     var dimmed = ambient;
     if IS_SUB_FRAME {
         let sky = 0.5 + 0.5 * normal.y;
-        around += of_ground * ((1.0 - is_sky) * (ambient - 1.0)) + horizon * (is_sky * (arriving.y - sky));
-        fill = of_ground * (ambient * (1.0 - sky)) + of_sky * arriving.y;
+        around += of_ground * ((1.0 - is_sky) * (ambient - 1.0)) + horizon * (is_sky * (sky_arriving - sky));
+        fill = of_ground * (ambient * (1.0 - sky)) + of_sky * sky_arriving;
         dimmed = 1.0;
     }
 
@@ -84,7 +89,7 @@ fn given_back(albedo: vec3f, finish: vec4f, normal: vec3f, to_eye: vec3f, arrivi
     let visible = max(mix(2.0 * facing_sun * facing_eye, facing_sun + facing_eye, alpha), 0.02);
     let lobe = 0.5 * squared * pow2(along) / max(pow2(narrow) * visible, 1e-6);
 
-    return dimmed * (of_surroundings * around + matt * fill) + of_sun * arriving.x * (of_lamps * lobe + matt);
+    return GivenBack(dimmed * (of_surroundings * around + matt * fill), of_sun * (of_lamps * lobe + matt));
 }
 
 fn pow2(x: f32) -> f32 {

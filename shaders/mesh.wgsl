@@ -51,6 +51,7 @@ fn shaded(pixel: MeshPixel, is_front: bool, base: vec4f) -> vec4f {
     let to_eye = normalize(globals.eye_in_world.xyz - pixel.in_world);
     let arriving = light_arriving(normal, dot(normal, towards_sun()), sun_arriving(map_position(pixel.in_world, normal)));
     let ambient = ambient_arriving(pixel.in_world.y, normal.y);
-    let lit = given_back(base.rgb, pixel.finish, normal, to_eye, arriving, ambient);
+    let light = given_back(base.rgb, pixel.finish, normal, to_eye, arriving.y, ambient);
+    let lit = light.ambient + light.sun * arriving.x;
     return finished_light(lit + material.emissive.rgb * globals.ground.w, 1.0, pixel.in_clip);
 }

@@ -26,10 +26,14 @@ fn shape_fragment(pixel: Pixel) -> @location(0) vec4f {
 // The light that comes from a shape to the eye. `in_map`: of the light of the shadow map, the part that arrives.
 fn shape_light(pixel: Pixel, in_map: f32) -> vec3f {
     let normal = normalize(pixel.surface.xyz);
-    let to_eye = normalize(pixel.along_view);
     let arriving = light_arriving(normal, dot(normal, towards_sun()), in_map);
+    let light = shape_given_back(pixel, normal, arriving.y);
+    return light.ambient + light.sun * arriving.x;
+}
+
+fn shape_given_back(pixel: Pixel, normal: vec3f, sky_arriving: f32) -> GivenBack {
     let finish = vec4f(pixel.shaded, pixel.colour.w);
-    return given_back(pixel.colour.rgb, finish, normal, to_eye, arriving, pixel.surface.w);
+    return given_back(pixel.colour.rgb, finish, normal, normalize(pixel.along_view), sky_arriving, pixel.surface.w);
 }
 
 // Slightly farther (depth is reversed), so that a ghost exactly on its shape stays hidden.

@@ -3,7 +3,6 @@
 //! A plain picture has no shadows of the sky, so that feet would seem to float. The footprint of a shape near the ground darkens it, and
 //! the more the nearer the shape is.
 
-use bytemuck::{Pod, Zeroable};
 use glam::{Vec2, Vec3};
 
 use crate::frame::{DrawItem, Frame};
@@ -18,18 +17,19 @@ const FOOTPRINT: f32 = 0.8;
 /// From this distance on there is no shade, in scene units: the ground fades into the haze.
 const FARTHEST: f32 = 40.0;
 
-/// A shade: the layout of its buffer.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+/// A shade.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact {
     /// On the ground, in world space.
-    centre_in_world: Vec3,
+    pub centre_in_world: Vec3,
     /// Half the footprint's side along the ground, and half of the side at a right angle to it.
-    across_in_world: Vec3,
-    deep_in_world: Vec3,
+    pub across_in_world: Vec3,
+    /// The other half side.
+    pub deep_in_world: Vec3,
     /// How far the shade reaches beyond the footprint, in scene units.
-    reach: f32,
-    opacity: f32,
+    pub reach: f32,
+    /// At the footprint, from 0 to 1.
+    pub opacity: f32,
 }
 
 /// The highest level plane: what shapes stand on.

@@ -8,13 +8,15 @@ use glam::{Affine3A, Vec3, Vec3A};
 
 use crate::frame::View;
 use crate::render::bounds::Bounds;
+use crate::render::contact::Contact;
 use crate::render::instances::{Finish, Instance};
 use crate::unit_mesh::{Edge, edges, geometry};
 
 /// The shapes that have smooth edges: the largest in the picture. More would be so small that one sees none of it.
 pub const MOST_SHAPES: usize = 1024;
 
-/// An edge: the layout of its buffer.
+/// An edge, or a shade on the ground: the layout of their buffer. One pipeline draws both, since a software driver needs milliseconds
+/// for each pipeline.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 pub struct EdgeLine {
@@ -26,6 +28,19 @@ pub struct EdgeLine {
     to_normal: Vec3,
     colour: Vec3,
     finish: Finish,
+}
+
+impl From<Contact> for EdgeLine {
+    fn from(contact: Contact) -> Self {
+        Self {
+            from_in_world: contact.centre_in_world,
+            to_in_world: contact.across_in_world,
+            from_normal: contact.deep_in_world,
+            to_normal: Vec3::X * contact.reach,
+            colour: Vec3::ZERO,
+            finish: Finish::of_shade(contact.opacity),
+        }
+    }
 }
 
 /// Finds edges. It keeps its memory from shape to shape.

@@ -13,7 +13,7 @@ use crate::render::arrange::Arranged;
 use crate::render::bounds::ViewSides;
 use crate::render::contact::contacts;
 use crate::render::detail::Detail;
-use crate::render::edges::{self, Edges};
+use crate::render::edges::{self, EdgeLine, Edges};
 use crate::render::look;
 use crate::render::mesh::{LEVELS, Level, MESHES, PLANE};
 use crate::render::triangles::{Skins, TriangleDraws};
@@ -63,6 +63,13 @@ impl Finish {
             grazing: metalness + (1.0 - metalness) * grazing * grazing,
             metalness_or_opacity: opacity.unwrap_or(metalness),
         }
+    }
+}
+
+impl Finish {
+    /// Of a shade on the ground: the alpha of surfaces is never negative.
+    pub const fn of_shade(opacity: f32) -> Self {
+        Self { alpha: -1.0, sharpness: 0.0, grazing: 0.0, metalness_or_opacity: opacity }
     }
 }
 
@@ -158,13 +165,9 @@ pub struct Packed {
     pub arcball: Range<u32>,
     /// Strokes that are dots.
     pub dots: Range<u32>,
-    /// Offset of the shades on the ground in the bytes.
-    pub contacts_start: usize,
-    /// Shades on the ground.
-    pub contacts: Range<u32>,
-    /// Offset of the edges in the bytes.
+    /// Offset in the bytes of shades on the ground and of edges.
     pub edges_start: usize,
-    /// Edges of items.
+    /// Shades on the ground, then edges of items.
     pub edges: Range<u32>,
     /// Edges of ghosts.
     pub ghost_edges: Range<u32>,
@@ -244,23 +247,22 @@ impl Packed {
             end = push(Stroke { from_in_world, to_in_world, colour: dot.colour.to_array(), width_px: dot.diameter_px });
         }
         self.dots = self.arcball.end..end;
-        (self.edges, self.ghost_edges, self.contacts) = (0..0, 0..0, 0..0);
+        self.edges_start = self.bytes.len();
+        (self.edges, self.ghost_edges) = (0..0, 0..0);
     }
 
     /// Adds the shades on the ground.
     pub fn pack_contacts(&mut self, frame: &Frame, arranged: &Arranged) {
-        self.contacts_start = self.bytes.len();
         for contact in contacts(frame, &arranged.bounds) {
-            self.bytes.extend_from_slice(bytes_of(&contact));
-            self.contacts.end += 1;
+            self.bytes.extend_from_slice(bytes_of(&EdgeLine::from(contact)));
+            self.edges.end += 1;
         }
     }
 
     /// Adds the edges of what was packed: of the items that may be visible, if `of_items`, and of ghosts.
     pub fn pack_edges(&mut self, frame: &Frame, arranged: &Arranged, of_picture: Detail, of_items: bool) {
-        self.edges_start = self.bytes.len();
         let eye = frame.view.world_from_eye.translation;
-        let mut count = 0;
+        let mut count = self.edges.end;
         if of_items {
             let seen = arranged.seen[..PLANE].iter().enumerate();
             let seen = seen.flat_map(|(level, seen)| seen.iter().flatten().map(move |&index| (level, index)));

@@ -6,7 +6,6 @@ use std::sync::OnceLock;
 use wgpu::{CompareFunction, ShaderStages, VertexFormat};
 
 use crate::lighting::Lighting;
-use crate::render::contact::Contact;
 use crate::render::edges::EdgeLine;
 use crate::render::instances::{Instance, Stroke};
 use crate::render::light::{CONSTANTS, constants};
@@ -60,15 +59,13 @@ pub enum Kind {
     MaskVisible,
     /// The outline around the mask.
     Outline,
-    /// Edges of opaque shapes, smoothed.
+    /// Shades on the ground under what stands there, and edges of opaque shapes, smoothed.
     Edge,
     /// Edges of ghosts, smoothed.
     GhostEdge,
-    /// The shade under what stands on the ground.
-    Contact,
 }
 
-const COUNT: usize = Kind::Contact as usize + 1;
+const COUNT: usize = Kind::GhostEdge as usize + 1;
 
 /// What a pipeline draws.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -104,7 +101,6 @@ enum Input {
     Instances,
     Strokes,
     Edges,
-    Contacts,
     Nothing,
 }
 
@@ -243,16 +239,8 @@ impl Kind {
                 shape(Source::Silhouette, "position_vertex", Some("mask_fragment"), (GreaterEqual, false), false)
             }
             Self::Outline => screen(Source::Outline, "outline_vertex", "outline_fragment", None, true),
-            Self::Contact => Recipe {
-                source: Source::Contact,
-                vertex: "contact_vertex",
-                fragment: Some("contact_fragment"),
-                input: Input::Contacts,
-                depth: Some((GreaterEqual, false)),
-                blend: true,
-            },
             Self::Edge | Self::GhostEdge => Recipe {
-                source: Source::Edge,
+                source: Source::Shape,
                 vertex: if is_ghost { "ghost_edge_vertex" } else { "edge_vertex" },
                 fragment: Some(if is_ghost { "ghost_edge_fragment" } else { "edge_fragment" }),
                 input: Input::Edges,
@@ -441,7 +429,7 @@ impl Pipelines {
                 buffers: &buffers(recipe.input, form, recipe.has_surface()),
             },
             primitive: wgpu::PrimitiveState {
-                topology: if matches!(recipe.input, Input::Strokes | Input::Edges | Input::Contacts) {
+                topology: if matches!(recipe.input, Input::Strokes | Input::Edges) {
                     wgpu::PrimitiveTopology::TriangleStrip
                 } else {
                     wgpu::PrimitiveTopology::TriangleList
@@ -492,8 +480,6 @@ fn buffers(input: Input, form: Form, has_surface: bool) -> Vec<Option<wgpu::Vert
     const EDGE: [wgpu::VertexAttribute; 6] = wgpu::vertex_attr_array![
         0 => Float32x3, 1 => Float32x3, 2 => Float32x3, 3 => Float32x3, 4 => Float32x3, 5 => Float32x4
     ];
-    const CONTACT: [wgpu::VertexAttribute; 4] =
-        wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32x3, 3 => Float32x2];
     const { assert!(VertexFormat::Float32x4.size() * 5 + 16 == size_of::<Instance>() as u64) };
     let of = |array_stride: usize, step_mode, attributes| {
         Some(wgpu::VertexBufferLayout { array_stride: array_stride as u64, step_mode, attributes })
@@ -511,7 +497,6 @@ fn buffers(input: Input, form: Form, has_surface: bool) -> Vec<Option<wgpu::Vert
         }
         Input::Strokes => vec![per_instance(size_of::<Stroke>(), &STROKE[..])],
         Input::Edges => vec![per_instance(size_of::<EdgeLine>(), &EDGE[..])],
-        Input::Contacts => vec![per_instance(size_of::<Contact>(), &CONTACT[..])],
         Input::Nothing => Vec::new(),
     }
 }

@@ -9,7 +9,7 @@ use wgpu::naga::front::wgsl;
 /// The source modules, by what they draw.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Source {
-    /// Shapes except planes, and ghosts.
+    /// Shapes except planes, ghosts, the edges of both, and shades under what stands on the ground.
     Shape,
     /// Planes.
     Plane,
@@ -29,10 +29,6 @@ pub enum Source {
     Masked,
     /// Sums of sub-frames.
     Refine,
-    /// Edges of shapes.
-    Edge,
-    /// The shade under what stands on the ground.
-    Contact,
 }
 
 /// What vertices are transformed by.
@@ -50,7 +46,7 @@ pub enum Corner {
 pub const CORNERS: usize = Corner::Skin as usize + 1;
 
 /// The number of sources.
-pub const SOURCES: usize = Source::Contact as usize + 1;
+pub const SOURCES: usize = Source::Refine as usize + 1;
 const VARIANTS: usize = 16 * CORNERS;
 
 /// The variants of a module.
@@ -72,7 +68,7 @@ static PARSED: [[OnceLock<Module>; VARIANTS]; SOURCES] = [const { [const { OnceL
 
 /// Parses the modules that a plain picture on the CPU needs.
 pub fn parse_usual() {
-    use Source::{Contact, Edge, Plane, Shape, Silhouette, Sky};
+    use Source::{Plane, Shape, Silhouette, Sky};
     let variant = Variant {
         encodes_srgb: false,
         is_software: true,
@@ -80,7 +76,7 @@ pub fn parse_usual() {
         is_sub_frame: false,
         corner: Corner::Unit,
     };
-    for source in [Silhouette, Shape, Plane, Sky, Edge, Contact] {
+    for source in [Silhouette, Shape, Plane, Sky] {
         parsed(source, variant);
     }
 }
@@ -125,6 +121,7 @@ fn text(source: Source, variant: Variant) -> String {
             file!("arriving.wgsl"),
             file!("material.wgsl"),
             file!("shape.wgsl"),
+            file!("edge.wgsl"),
         ],
         Source::Plane => &[file!("pixel.wgsl"), file!("lit.wgsl"), sun, file!("plane.wgsl")],
         Source::Sky => &[file!("pixel.wgsl"), file!("sky.wgsl")],
@@ -142,19 +139,9 @@ fn text(source: Source, variant: Variant) -> String {
         ],
         Source::Masked => &[file!("surface.wgsl"), file!("masked.wgsl")],
         Source::Refine => &[file!("refine.wgsl")],
-        Source::Contact => &[file!("contact.wgsl")],
-        Source::Edge => &[
-            file!("pixel.wgsl"),
-            file!("lit.wgsl"),
-            sun,
-            file!("arriving.wgsl"),
-            file!("material.wgsl"),
-            file!("shape.wgsl"),
-            file!("edge.wgsl"),
-        ],
     };
     let corner = match source {
-        Source::Sky | Source::Stroke | Source::Outline | Source::Refine | Source::Contact => &[],
+        Source::Sky | Source::Stroke | Source::Outline | Source::Refine => &[],
         _ => corner,
     };
     let mut text = format!(
@@ -181,8 +168,8 @@ mod tests {
     /// Also the variants that only a GPU uses.
     #[test]
     fn every_variant_of_every_source_is_valid() {
-        use Source::{Contact, Edge, Identity, Masked, Mesh, Outline, Plane, Refine, Shape, Silhouette, Sky, Stroke};
-        let sources = [Shape, Plane, Sky, Silhouette, Stroke, Outline, Identity, Mesh, Masked, Refine, Edge, Contact];
+        use Source::{Identity, Masked, Mesh, Outline, Plane, Refine, Shape, Silhouette, Sky, Stroke};
+        let sources = [Shape, Plane, Sky, Silhouette, Stroke, Outline, Identity, Mesh, Masked, Refine];
         assert_eq!(sources.len(), SOURCES);
         for source in sources {
             for bits in 0..VARIANTS {

@@ -38,6 +38,12 @@ impl Targets {
         }
     }
 
+    /// A colour and a depth target of one pixel.
+    pub fn one_pixel(device: &wgpu::Device, format: wgpu::TextureFormat) -> [wgpu::TextureView; 2] {
+        let target = |format| texture_view(device, "pixel", format, 1, [1, 1], wgpu::TextureUsages::RENDER_ATTACHMENT);
+        [target(format), target(DEPTH_FORMAT)]
+    }
+
     /// The outline's mask, created on first use.
     pub fn mask(&mut self, device: &wgpu::Device, pipelines: &Pipelines) -> &Mask {
         let (size_px, sample_count) = (self.size_px, self.sample_count);

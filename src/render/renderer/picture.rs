@@ -11,10 +11,11 @@ use crate::render::instances::Packed;
 use crate::render::look;
 use crate::render::mesh::{PLANE, geometry};
 use crate::render::pipelines::Kind;
-use crate::render::targets::SunMap;
+use crate::render::targets::{SunMap, Targets};
 
 impl Renderer {
     /// Submits the sun map at once, so that the driver compiles the code shared by all pipelines while those of the picture are created.
+    /// A software driver then compiles each pipeline while the next one is created.
     pub(super) fn draw_first_sun_map(&self, gpu: &Gpu, frame: &Frame) {
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         self.draw_sun_map(&gpu.device, &mut encoder, frame);
@@ -23,14 +24,47 @@ impl Renderer {
             // Create the pipelines on a new thread. The driver's thread wakes at submit and may take this core. If the thread cannot be
             // started, pipelines are created on first use.
             let make = || {
+                let compiles_early = gpu.is_software && self.samples == 1;
+                let pixel = compiles_early.then(|| Targets::one_pixel(&gpu.device, self.format));
                 let edges = (!self.uploaded.edges.is_empty()).then_some(Kind::Edge);
                 for kind in self.kinds_behind_lines().chain(edges) {
                     self.pipelines.get(&gpu.device, kind);
+                    if let Some(pixel) = &pixel {
+                        self.draw_first(gpu, kind, pixel);
+                    }
                 }
             };
             let _ = thread::Builder::new().name("pipelines".to_owned()).spawn_scoped(scope, make);
             gpu.queue.submit([commands]);
         });
+    }
+
+    /// Draws something by a pipeline into a pixel that nobody sees: a software driver compiles its shaders then.
+    fn draw_first(&self, gpu: &Gpu, kind: Kind, [colour, depth]: &[wgpu::TextureView; 2]) {
+        let Some(sun_map) = self.sun_maps.in_use() else { return };
+        let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("first"),
+            color_attachments: &[colour_attachment(colour, wgpu::LoadOp::Clear(wgpu::Color::BLACK))],
+            depth_stencil_attachment: Some(depth_attachment(
+                depth,
+                wgpu::LoadOp::Clear(0.0),
+                wgpu::StoreOp::Discard,
+            )),
+            ..Default::default()
+        });
+        self.bind_instances(&mut pass);
+        pass.set_bind_group(1, &sun_map.bind_group, &[]);
+        let first = |instances: &Range<u32>| instances.start..instances.end.min(instances.start + 1);
+        if kind == Kind::Edge {
+            let Packed { edges, edges_start, .. } = &self.uploaded;
+            self.draw_quads(&gpu.device, &mut pass, kind, &first(edges), *edges_start);
+        } else {
+            pass.set_pipeline(self.pipelines.get(&gpu.device, kind));
+            pass.draw_indexed(0..3, 0, 0..1);
+        }
+        drop(pass);
+        gpu.queue.submit([encoder.finish()]);
     }
 
     /// The pipelines that are needed before lines are drawn, in drawing order: occluders first.
@@ -117,8 +151,7 @@ impl Renderer {
                 _ => meshes[..PLANE].iter().zip(items).for_each(|(mesh, of_mesh)| draw_mesh(pass, mesh, of_mesh)),
             }
         }
-        let Packed { contacts, contacts_start, edges, edges_start, .. } = &self.uploaded;
-        self.draw_quads(device, pass, Kind::Contact, contacts, *contacts_start);
+        let Packed { edges, edges_start, .. } = &self.uploaded;
         self.draw_quads(device, pass, Kind::Edge, edges, *edges_start);
     }
 
