@@ -37,6 +37,7 @@ mod render;
 mod retarget;
 mod sample;
 mod script;
+mod share;
 mod targets;
 mod told;
 mod verify;
@@ -150,6 +151,7 @@ fn perform(arguments: Arguments) -> Result<Ended, CliError> {
         Subcommand::Import(arguments) => import::run(&arguments, common)?,
         Subcommand::Export(arguments) => export_model::run(&arguments, common)?,
         Subcommand::Retarget(arguments) => retarget::run(&arguments, common)?,
+        Subcommand::Share(arguments) => share::run(&arguments, common)?,
         Subcommand::Completions(arguments) => generate::completions(&arguments)?,
         Subcommand::Man(arguments) => generate::man(&arguments, common)?,
         Subcommand::Help(arguments) => help::run(&arguments)?,

@@ -22,6 +22,7 @@ mod render;
 mod retarget;
 mod sample;
 mod script;
+mod share;
 mod values;
 mod verify;
 
@@ -48,6 +49,7 @@ pub use render::RenderArguments;
 pub use retarget::RetargetArguments;
 pub use sample::{SampleArguments, SampleFormat, Space};
 pub use script::ScriptArguments;
+pub use share::ShareArguments;
 pub use verify::VerifyArguments;
 
 /// The keyframe file if none is given.
@@ -119,6 +121,9 @@ pub enum Subcommand {
     /// Give the motion of one skeleton, such as a captured person, to another one, such as a robot.
     #[command(long_about = retarget::HELP)]
     Retarget(RetargetArguments),
+    /// Write a web page that shows an animation, or one beside another, for everybody with a browser.
+    #[command(long_about = share::HELP)]
+    Share(ShareArguments),
     /// Render what DIR/pictures.json lists and compare it with the references beside it. Exit status: 1 on a difference or a missing reference.
     Verify(VerifyArguments),
     /// Compare two PNG images by the differences that an eye notices (FLIP). Exit status: 0 within the tolerance, 1 beyond, 2 trouble.

@@ -35,7 +35,7 @@ struct Row {
     text: Cell,
 }
 
-const ROWS: [Row; 20] = [
+const ROWS: [Row; 21] = [
     Row {
         command: "check",
         standard_input: Does("check -"),
@@ -135,6 +135,16 @@ const ROWS: [Row; 20] = [
         json: Does("retarget a.json --onto two-robots:robot2 -o out.json --json"),
         quiet: Does("retarget rows.txt --onto two-robots:robot2 -o out.json --quiet"),
         text: Does("retarget rows.txt --onto two-robots:robot2 -o out.json"),
+    },
+    Row {
+        command: "share",
+        standard_input: Does("share - --page page -o out"),
+        input: "a.json",
+        standard_output: Refuses("share a.json --page page -o -"),
+        several: Refuses("share a.json b.json --page page -o out"),
+        json: Does("share a.json --page page -o out --json"),
+        quiet: Does("share rows.txt --page page -o out --quiet"),
+        text: Does("share rows.txt --page page -o out"),
     },
     Row {
         command: "verify",
@@ -244,6 +254,9 @@ fn prepared() -> Sandbox {
     std::fs::copy(sandbox.path("a.png"), sandbox.path("same.png")).unwrap();
     std::fs::create_dir(sandbox.path("references")).unwrap();
     std::fs::copy(sandbox.path("rows.txt"), sandbox.path("references/rows.txt")).unwrap();
+    std::fs::create_dir(sandbox.path("page")).unwrap();
+    sandbox.write("page/index.html", "<!-- shown -->");
+    sandbox.write("page/inbetween_bg.wasm", "");
     let shots = json!([{"name": "start", "file": "rows.txt", "size": [16, 12]}]);
     let list = json!({"format": "inbetween.pictures", "version": 1, "pictures": shots});
     sandbox.write("references/pictures.json", list.to_string());

@@ -41,6 +41,7 @@ mod sample;
 mod sandbox;
 mod script;
 mod several;
+mod share;
 #[cfg(target_os = "linux")]
 mod signals;
 #[path = "../student/mod.rs"]

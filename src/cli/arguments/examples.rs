@@ -9,7 +9,7 @@ struct Below {
     examples: &'static [&'static str],
 }
 
-const ALL: [Below; 21] = [
+const ALL: [Below; 22] = [
     Below {
         command: "check",
         page: "command-line",
@@ -80,6 +80,14 @@ const ALL: [Below; 21] = [
             "inbetween retarget capture.bvh --onto two-robots:robot1 -o walk.json",
             "inbetween retarget capture.bvh --onto two-robots -o walk.json --write-map map.json",
             "inbetween retarget walk.json --onto two-robots:robot2 -o other.json",
+        ],
+    },
+    Below {
+        command: "share",
+        page: "browser",
+        examples: &[
+            "inbetween share walk.json -o walk-page",
+            "inbetween share mine.json --compare reference.json -o page",
         ],
     },
     Below {
