@@ -19,6 +19,7 @@ mod pictures;
 mod pipeline;
 mod request;
 mod stage;
+mod steps;
 mod times;
 mod write;
 
@@ -36,5 +37,6 @@ pub use pictures::{Pictures, Take};
 pub use pipeline::{Drawing, Scenery, Watch};
 pub use request::{PlannedRender, RenderRequest, Subject, check_format, check_sheet, write_picture};
 pub use stage::{Stage, Viewpoint};
+pub use steps::{Step, Steps};
 pub use times::{FrameTime, frame_times};
 pub use write::{write_film, write_folder};

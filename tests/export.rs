@@ -2,13 +2,15 @@
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::time::Duration;
 
 use egui::vec2;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use inbetween::editor::{Command, Edit, Editor, Effect, FileCommand, Severity, WindowCommand};
-use inbetween::export::Job;
+use inbetween::export::{Job, Step, Steps};
 use inbetween::film::{APNG, ExportBackground, ExportEnd, ExportOptions, PNG, Y4M};
+use inbetween::render::Gpu;
 use inbetween::scene::{DEFAULT_SCENE, built_in_scene};
 use inbetween::settings::Settings;
 use inbetween::ui::{Exporting, Panels, theme};
@@ -48,6 +50,10 @@ fn of_command_line(folder: &Path, name: &str, arguments: &[&str]) -> Vec<u8> {
 }
 
 fn export(editor: &mut Editor, options: ExportOptions, watch: &mut dyn FnMut(usize, usize) -> bool) -> ExportEnd {
+    job(editor, options).run(watch)
+}
+
+fn job(editor: &mut Editor, options: ExportOptions) -> Job {
     let effect = editor.apply(Command::File(FileCommand::Export(Box::new(options)))).unwrap();
     let Some(Effect::Export(options)) = &effect else { panic!("{effect:?}") };
     Job::new(
@@ -56,7 +62,22 @@ fn export(editor: &mut Editor, options: ExportOptions, watch: &mut dyn FnMut(usi
         editor.keyframe_file().to_owned(),
         options.as_ref().clone(),
     )
-    .run(watch)
+}
+
+/// An export a step at a time. Each frame is begun in a step, and taken in a later one.
+fn in_steps(editor: &mut Editor, options: ExportOptions) -> ExportEnd {
+    let mut steps = Steps::new(job(editor, options), Gpu::headless().unwrap()).unwrap_or_else(|end| panic!("{end:?}"));
+    let mut last = 0;
+    loop {
+        match steps.step() {
+            Step::Drawn(done, count) => {
+                assert!(done <= count && (done == last || done == last + 1), "{last} {done}");
+                last = done;
+                std::thread::sleep(Duration::from_millis(1));
+            }
+            Step::Ended(end) => return end,
+        }
+    }
 }
 
 fn names(folder: &Path) -> Vec<String> {
@@ -109,6 +130,15 @@ fn the_bytes_are_the_command_lines() {
     for (name, arguments, options) in cases {
         let expected = of_command_line(folder.path(), name, arguments);
         let own = options.path.clone();
+        if options.samples.is_none() {
+            // As a page makes it: a frame a step, nothing waited for.
+            let end = in_steps(&mut editor, options.clone());
+            assert!(
+                matches!(end, ExportEnd::Written(_)) && std::fs::read(&own).unwrap() == expected,
+                "{name}: {end:?}"
+            );
+            std::fs::remove_file(&own).unwrap();
+        }
         let (mut seen, mut count) = (Vec::new(), 0);
         let end = export(&mut editor, options, &mut |done, of| {
             seen.push(done);

@@ -83,6 +83,7 @@ impl Painter {
     ///
     /// # Errors
     /// [`GpuError`]: there is no adapter, or it cannot draw pictures of this size.
+    #[cfg(not(target_arch = "wasm32"))]
     pub fn headless(size: Size, samples: Option<u32>) -> Result<Self, GpuError> {
         Self::on(Gpu::headless()?, size, samples)
     }
@@ -187,6 +188,23 @@ impl Painter {
         Ok(encoder.into_bytes())
     }
 
+    /// Starts to draw a picture with nothing over the scene, or a plain one; [`Self::image_if_there`] takes it.
+    ///
+    /// # Errors
+    /// [`ExportError`]
+    pub fn begin(&mut self, picture: &Exposed<'_>) -> Result<(), ExportError> {
+        self.clear();
+        self.submit_exposed(picture)
+    }
+
+    /// The picture that was begun, if it is there; nothing is waited for. `None`: it is under way.
+    ///
+    /// # Errors
+    /// [`GpuError`]
+    pub fn image_if_there(&mut self) -> Result<Option<Image>, GpuError> {
+        Ok(self.offscreen.read_if_there(&self.gpu)?.map(|drawn| drawn.rows().to_image()))
+    }
+
     fn submit_exposed(&mut self, picture: &Exposed<'_>) -> Result<(), ExportError> {
         self.submit(&picture.frame, |shutter| picture.moved(shutter))
     }
@@ -215,7 +233,8 @@ impl Painter {
             refiner.add(gpu, shown, size_px);
             shown.items.truncate(own);
         }
-        if overlays == 0 {
+        if overlays == 0 || cfg!(target_arch = "wasm32") {
+            // A page may not wait for parts.
             offscreen.submit_refined(gpu, refiner, frame);
             return Ok(());
         }

@@ -10,7 +10,7 @@ use super::{
     Comparison, Drawing, ExportError, Exposed, Exposure, Moment, Moments, Painter, Scenery, Size, Source, Span, Stage,
     Viewpoint, Watch,
 };
-use crate::film::{Cell, Encoder, Format, FormatProblem, FrameNumbers, Grid, StartStill, contact_sheet};
+use crate::film::{Cell, Encoder, Format, FormatProblem, FrameNumbers, Grid, Plan, StartStill, contact_sheet};
 use crate::frame::Frame;
 use crate::storage;
 
@@ -71,7 +71,7 @@ pub struct PlannedRender<'a> {
     request: RenderRequest<'a>,
     viewpoint: Viewpoint,
     /// What is drawn.
-    moments: Moments,
+    pub(super) moments: Moments,
     /// What a strobe shows besides, the earliest first.
     earlier: Vec<Moment>,
     /// What pictures compare.
@@ -241,7 +241,16 @@ impl PlannedRender<'_> {
         }
     }
 
-    fn stage(&self, painter: &Painter) -> Result<Stage<'_>, ExportError> {
+    /// What the encoder of its film is told.
+    ///
+    /// # Errors
+    /// [`ExportError`]
+    pub(super) fn film_plan(&self, painter: &Painter) -> Result<Plan, ExportError> {
+        let fps = if let Subject::Film { fps } = self.request.subject { fps } else { STILLS_A_SECOND };
+        self.moments.plan(self.size(painter), fps, self.request.is_opaque)
+    }
+
+    pub(super) fn stage(&self, painter: &Painter) -> Result<Stage<'_>, ExportError> {
         let RenderRequest { source, ghosts, exposure, subject, .. } = &self.request;
         let mut stage = Stage::new(*source, self.viewpoint, *ghosts, painter.size_px());
         let fps = if let Subject::Film { fps } = subject { *fps } else { STILLS_A_SECOND };
