@@ -129,7 +129,7 @@ pub trait Host {
     fn write(&mut self, writing: Writing<'_>) -> Result<Option<FileOutcome<Written>>, Self::Stop>;
 
     /// Draws what is displayed, or without `has_overlays` the scene alone, and writes it to `path`; without one, to the first free name
-    /// beside the keyframe file. Returns the path.
+    /// beside the keyframe file. Returns the path. `None`: it is being drawn, and the host tells the editor later.
     ///
     /// # Errors
     /// Only where the host cannot go on.
@@ -137,7 +137,7 @@ pub trait Host {
         &mut self,
         path: Option<PathBuf>,
         has_overlays: bool,
-    ) -> Result<(PathBuf, FileOutcome<()>), Self::Stop>;
+    ) -> Result<Option<(PathBuf, FileOutcome<()>)>, Self::Stop>;
 
     /// Reads the pose of this name, or in this file.
     ///
@@ -203,9 +203,10 @@ pub trait Host {
                 }
             }
             Effect::Screenshot { path, has_overlays } => {
-                let (path, outcome) = self.take_screenshot(path, has_overlays)?;
-                let told = self.editor().screenshot_taken(&path, outcome);
-                return self.told(FileAccess::ScreenshotTaken, &path, told);
+                if let Some((path, outcome)) = self.take_screenshot(path, has_overlays)? {
+                    let told = self.editor().screenshot_taken(&path, outcome);
+                    return self.told(FileAccess::ScreenshotTaken, &path, told);
+                }
             }
             Effect::ReadPose(name) => {
                 let outcome = self.read_pose(&name)?;

@@ -207,10 +207,10 @@ impl Host for Folder {
         &mut self,
         path: Option<PathBuf>,
         _has_overlays: bool,
-    ) -> Result<(PathBuf, FileOutcome<()>), String> {
+    ) -> Result<Option<(PathBuf, FileOutcome<()>)>, String> {
         let path = path.unwrap_or_else(|| PathBuf::from(SCREENSHOT_FILE));
         plain_name(&path)?;
-        Ok((path, Ok(())))
+        Ok(Some((path, Ok(()))))
     }
 
     fn read_pose(&mut self, name: &str) -> Result<FileOutcome<Vec<u8>>, String> {

@@ -104,7 +104,7 @@ impl<H: Windowless> Host for Journaled<H> {
         &mut self,
         path: Option<PathBuf>,
         has_overlays: bool,
-    ) -> Result<(PathBuf, FileOutcome<()>), H::Stop> {
+    ) -> Result<Option<(PathBuf, FileOutcome<()>)>, H::Stop> {
         self.host.take_screenshot(path, has_overlays)
     }
 

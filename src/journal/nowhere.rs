@@ -49,8 +49,8 @@ impl Host for Nowhere {
         &mut self,
         path: Option<PathBuf>,
         _has_overlays: bool,
-    ) -> Result<(PathBuf, FileOutcome<()>), Infallible> {
-        Ok((path.unwrap_or_default(), Err(texts::JOURNAL_NO_FILES.into())))
+    ) -> Result<Option<(PathBuf, FileOutcome<()>)>, Infallible> {
+        Ok(Some((path.unwrap_or_default(), Err(texts::JOURNAL_NO_FILES.into()))))
     }
 
     fn read_pose(&mut self, _: &str) -> Result<FileOutcome<Vec<u8>>, Infallible> {

@@ -6,8 +6,11 @@ use std::thread;
 use thiserror::Error;
 
 use super::choice::chosen_drivers;
+#[cfg(not(target_arch = "wasm32"))]
 use super::quiet::without_driver_chatter;
-use super::watch::{PATIENCE, no_threads, watched};
+#[cfg(not(target_arch = "wasm32"))]
+use super::watch::watched;
+use super::watch::{PATIENCE, no_threads};
 use crate::render::{mesh, shaders};
 use crate::words::{Argument, Message, display_by_message, texts};
 
@@ -106,8 +109,8 @@ fn prepare_ahead() {
     });
 }
 
-/// An adapter with its open device and queue.
-#[derive(Debug)]
+/// An adapter with its open device and queue. A copy is the same device.
+#[derive(Clone, Debug)]
 pub struct Gpu {
     /// The instance that the adapter belongs to.
     pub instance: wgpu::Instance,
@@ -132,12 +135,13 @@ impl Gpu {
     /// # Errors
     ///
     /// [`GpuError::NoAdapter`], [`GpuError::NoDevice`], [`GpuError::NoThreads`] and [`GpuError::Hangs`].
+    #[cfg(not(target_arch = "wasm32"))]
     pub fn headless() -> Result<Self, GpuError> {
         let open = |backends| {
             let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
             descriptor.backends = backends;
             descriptor.flags = wgpu::InstanceFlags::empty();
-            Self::open(wgpu::Instance::new(descriptor), None)
+            pollster::block_on(Self::open(wgpu::Instance::new(descriptor), None))
         };
         without_driver_chatter(|| {
             watched(PATIENCE, move || {
@@ -155,6 +159,7 @@ impl Gpu {
     /// # Errors
     ///
     /// [`GpuError::NoSurface`], and those of [`Gpu::headless`].
+    #[cfg(not(target_arch = "wasm32"))]
     pub fn for_window<D, W>(display: &D, window: &W) -> Result<(Self, wgpu::Surface<'static>), GpuError>
     where
         D: wgpu::wgt::WgpuHasDisplayHandle + Clone,
@@ -173,7 +178,8 @@ impl Gpu {
                 .create_surface(window.clone())
                 .map_err(|error| GpuError::NoSurface { reason: error.to_string().into() })?;
             watched(PATIENCE, move || {
-                let gpu = Self::open(instance, Some(&surface)).map_err(|error| no_threads().unwrap_or(error))?;
+                let opened = pollster::block_on(Self::open(instance, Some(&surface)));
+                let gpu = opened.map_err(|error| no_threads().unwrap_or(error))?;
                 Ok((gpu, surface))
             })
         };
@@ -186,13 +192,33 @@ impl Gpu {
         })
     }
 
-    fn open(instance: wgpu::Instance, surface: Option<&wgpu::Surface<'static>>) -> Result<Self, GpuError> {
+    /// The adapter of a page, by WebGL2, and the surface of its canvas. A page may not wait, so this is asynchronous.
+    ///
+    /// # Errors
+    /// [`GpuError::NoSurface`], [`GpuError::NoAdapter`] and [`GpuError::NoDevice`].
+    #[cfg(target_arch = "wasm32")]
+    pub async fn for_page(
+        canvas: impl Into<wgpu::SurfaceTarget<'static>>,
+    ) -> Result<(Self, wgpu::Surface<'static>), GpuError> {
+        prepare_ahead();
+        let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
+        descriptor.backends = wgpu::Backends::GL;
+        descriptor.flags = wgpu::InstanceFlags::empty();
+        let instance = wgpu::Instance::new(descriptor);
+        let surface = instance
+            .create_surface(canvas)
+            .map_err(|error| GpuError::NoSurface { reason: error.to_string().into() })?;
+        let gpu = Self::open(instance, Some(&surface)).await?;
+        Ok((gpu, surface))
+    }
+
+    async fn open(instance: wgpu::Instance, surface: Option<&wgpu::Surface<'static>>) -> Result<Self, GpuError> {
         let options = wgpu::RequestAdapterOptions {
             power_preference: wgpu::PowerPreference::HighPerformance,
             compatible_surface: surface,
             ..Default::default()
         };
-        let adapter = pollster::block_on(instance.request_adapter(&options)).map_err(|_| GpuError::NoAdapter)?;
+        let adapter = instance.request_adapter(&options).await.map_err(|_| GpuError::NoAdapter)?;
         let info = adapter.get_info();
         let supported = adapter.limits();
         let descriptor = wgpu::DeviceDescriptor {
@@ -201,7 +227,9 @@ impl Gpu {
             memory_hints: wgpu::MemoryHints::MemoryUsage,
             ..Default::default()
         };
-        let (device, queue) = pollster::block_on(adapter.request_device(&descriptor))
+        let (device, queue) = adapter
+            .request_device(&descriptor)
+            .await
             .map_err(|error| GpuError::NoDevice { adapter: info.name.clone(), reason: error.to_string() })?;
         let is_software = info.device_type == wgpu::DeviceType::Cpu;
         let first_work = first_work(&device, &queue);
@@ -213,6 +241,10 @@ impl Gpu {
     /// # Errors
     /// [`GpuError::Hangs`] and [`GpuError::NoThreads`]: dropping what belongs to the device would then hang as well.
     pub fn check(&self) -> Result<(), GpuError> {
+        if cfg!(target_arch = "wasm32") {
+            // A page may not wait.
+            return Ok(());
+        }
         let first = wgpu::PollType::Wait { submission_index: Some(self.first_work.clone()), timeout: Some(PATIENCE) };
         match self.device.poll(first) {
             Err(wgpu::PollError::Timeout) => Err(no_threads().unwrap_or_else(|| GpuError::Hangs {

@@ -91,6 +91,12 @@ impl Offscreen {
     ///
     /// [`GpuError::ReadBack`] if the device is lost.
     pub fn render_refined(&mut self, gpu: &Gpu, refiner: &mut Refiner, frame: &Frame) -> Result<Image, GpuError> {
+        self.begin_refined(gpu, refiner, frame);
+        self.read(gpu).map(|drawn| drawn.rows().to_image())
+    }
+
+    /// Starts to draw a refined picture of a frame in which nothing moves. Pictures that were submitted and not read are dropped.
+    pub fn begin_refined(&mut self, gpu: &Gpu, refiner: &mut Refiner, frame: &Frame) {
         self.back.clear();
         refiner.restart();
         let mut of_sub_frames = frame.clone();
@@ -98,7 +104,15 @@ impl Offscreen {
             refiner.add(gpu, &mut of_sub_frames, [self.texture.width(), self.texture.height()]);
         }
         self.submit_refined(gpu, refiner, frame);
-        self.read(gpu).map(|drawn| drawn.rows().to_image())
+    }
+
+    /// The oldest picture that was not read, if it is there; nothing is waited for. `None`: it is under way.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::ReadBack`] if nothing was submitted or the device is lost.
+    pub fn read_if_there(&mut self, gpu: &Gpu) -> Result<Option<Drawn>, GpuError> {
+        self.back.read_if_there(gpu)
     }
 
     /// Drops pictures that were submitted and not read.

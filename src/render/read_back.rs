@@ -134,6 +134,25 @@ impl ReadBack {
         self.under_way.clear();
     }
 
+    /// The oldest picture that was not read, if it is there; nothing is waited for. `None`: it is under way.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::ReadBack`] if nothing was submitted or the device is lost.
+    pub fn read_if_there(&mut self, gpu: &Gpu) -> Result<Option<Drawn>, GpuError> {
+        let failed = |reason: String| GpuError::ReadBack { adapter: gpu.info.name.clone(), reason };
+        gpu.device.poll(wgpu::PollType::Poll).map_err(|error| failed(error.to_string()))?;
+        let Some(first) = self.under_way.front() else { return Err(failed("nothing was drawn".to_owned())) };
+        match first.mapped.try_recv() {
+            Err(mpsc::TryRecvError::Empty) => return Ok(None),
+            Err(error) => return Err(failed(error.to_string())),
+            Ok(mapped) => mapped.map_err(|error| failed(error.to_string()))?,
+        }
+        let Submitted { buffer, .. } =
+            self.under_way.pop_front().ok_or_else(|| failed("nothing was drawn".to_owned()))?;
+        self.drawn(buffer).map(Some).map_err(failed)
+    }
+
     /// Waits for the oldest picture that was not read, and for nothing that was submitted after it.
     ///
     /// # Errors
@@ -146,7 +165,11 @@ impl ReadBack {
         let until = wgpu::PollType::Wait { submission_index: Some(index), timeout: None };
         gpu.device.poll(until).map_err(|error| failed(error.to_string()))?;
         mapped.recv().map_err(|error| failed(error.to_string()))?.map_err(|error| failed(error.to_string()))?;
-        let bytes = Some(buffer.get_mapped_range(..).map_err(|error| failed(error.to_string()))?);
+        self.drawn(buffer).map_err(failed)
+    }
+
+    fn drawn(&self, buffer: wgpu::Buffer) -> Result<Drawn, String> {
+        let bytes = Some(buffer.get_mapped_range(..).map_err(|error| error.to_string())?);
         let Self { width, height, row_bytes, .. } = *self;
         Ok(Drawn { width, height, row_bytes, bytes, buffer, give_back: self.give_back.clone() })
     }

@@ -18,7 +18,7 @@ use crate::render::gpu::Gpu;
 use crate::render::instances::{INSTANCES_START, Packed};
 use crate::render::light::{Light, SunBox, most_texels};
 use crate::render::look;
-use crate::render::mesh::{MeshRange, geometry};
+use crate::render::mesh::{MeshRange, Vertex, geometry};
 use crate::render::pipelines::Pipelines;
 use crate::render::refine::SUM_FORMAT;
 use crate::render::shaders::{Corner, Variant};
@@ -348,6 +348,15 @@ impl Renderer {
         pass.set_vertex_buffer(1, self.frame_buffer.slice(INSTANCES_START as u64..));
         pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint16);
     }
+
+    /// Draws a unit mesh after [`Self::bind_instances`]. WebGL2 has no first vertex, so the buffer begins there.
+    fn draw_mesh(&self, pass: &mut wgpu::RenderPass<'_>, mesh: &MeshRange, instances: &Range<u32>) {
+        if !instances.is_empty() {
+            let start = mesh.first_vertex as usize * size_of::<Vertex>();
+            pass.set_vertex_buffer(0, self.vertices.slice(start as u64..));
+            pass.draw_indexed(mesh.indices.clone(), 0, instances.clone());
+        }
+    }
 }
 
 /// Ranges in which bytes differ from `before`, or lie past its end, rounded to whole blocks.
@@ -362,12 +371,6 @@ fn changed<'a>(before: &'a [u8], after: &'a [u8]) -> impl Iterator<Item = Range<
         }
         Some(range)
     })
-}
-
-fn draw_mesh(pass: &mut wgpu::RenderPass<'_>, mesh: &MeshRange, instances: &Range<u32>) {
-    if !instances.is_empty() {
-        pass.draw_indexed(mesh.indices.clone(), mesh.first_vertex, instances.clone());
-    }
 }
 
 pub(super) fn set_viewport(pass: &mut wgpu::RenderPass<'_>, viewport: Viewport) {

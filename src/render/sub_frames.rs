@@ -189,7 +189,7 @@ fn filtered(u: f64) -> f32 {
 /// The part of a Blackman-Harris window before a place in it, 0 to 1 (Harris 1978, four terms).
 fn filter_before(place: f64) -> f64 {
     const TERMS: [f64; 4] = [0.358_75, -0.488_29, 0.141_28, -0.011_68];
-    let waves = (1..4).map(|wave| {
+    let waves = (1..4_i32).map(|wave| {
         let around = std::f64::consts::TAU * f64::from(wave);
         TERMS[wave as usize] * (around * place).sin() / around
     });

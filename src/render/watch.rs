@@ -1,5 +1,6 @@
 //! Drivers that hang: they are asked on a thread of their own, and given up after a time.
 
+#[cfg(not(target_arch = "wasm32"))]
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
 use std::time::Duration;
@@ -14,6 +15,7 @@ pub(super) const PATIENCE: Duration = Duration::from_secs(18);
 ///
 /// # Errors
 /// [`GpuError::NoThreads`], [`GpuError::Hangs`] without a name, or what the work returns.
+#[cfg(not(target_arch = "wasm32"))]
 pub(super) fn watched<T: Send + 'static>(
     patience: Duration,
     work: impl FnOnce() -> Result<T, GpuError> + Send + 'static,

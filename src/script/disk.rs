@@ -88,12 +88,12 @@ impl Host for Disk {
         &mut self,
         path: Option<PathBuf>,
         has_overlays: bool,
-    ) -> Result<(PathBuf, FileOutcome<()>), DiskStop> {
-        let path = path.unwrap_or_else(|| storage::next_screenshot_path(self.editor.keyframe_file()));
+    ) -> Result<Option<(PathBuf, FileOutcome<()>)>, DiskStop> {
+        let path = path.unwrap_or_else(|| storage::next_screenshot_path(self.editor.keyframe_file(), &[]));
         let painter = self.painter.as_mut().expect("a script that takes screenshots has a painter");
         let png = painter.png(picture_of_editor(&self.editor, painter.size_px(), has_overlays))?;
         let written = storage::write(&path, &png).map_err(|error| error.message());
-        Ok((path, written))
+        Ok(Some((path, written)))
     }
 
     fn read_pose(&mut self, name: &str) -> Result<FileOutcome<Vec<u8>>, DiskStop> {

@@ -1,6 +1,6 @@
 //! The outline around the chosen node's shapes.
 
-use super::{Renderer, Target, colour_attachment, depth_attachment, draw_mesh, set_viewport};
+use super::{Renderer, Target, colour_attachment, depth_attachment, set_viewport};
 use crate::frame::Frame;
 use crate::render::gpu::Gpu;
 use crate::render::mesh::geometry;
@@ -34,7 +34,7 @@ impl Renderer {
             self.bind_instances(&mut pass);
             pass.set_pipeline(self.pipelines.get(device, kind));
             for (mesh, instances) in geometry().ranges.iter().zip(&self.uploaded.outlined) {
-                draw_mesh(&mut pass, mesh, instances);
+                self.draw_mesh(&mut pass, mesh, instances);
             }
         }
         drop(pass);

@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::thread;
 
-use super::{Background, Part, Renderer, Target, colour_attachment, depth_attachment, draw_mesh, set_viewport};
+use super::{Background, Part, Renderer, Target, colour_attachment, depth_attachment, set_viewport};
 use crate::colour::srgb_from_linear;
 use crate::frame::Frame;
 use crate::render::gpu::Gpu;
@@ -46,11 +46,7 @@ impl Renderer {
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("first"),
             color_attachments: &[colour_attachment(colour, wgpu::LoadOp::Clear(wgpu::Color::BLACK))],
-            depth_stencil_attachment: Some(depth_attachment(
-                depth,
-                wgpu::LoadOp::Clear(0.0),
-                wgpu::StoreOp::Discard,
-            )),
+            depth_stencil_attachment: Some(depth_attachment(depth, wgpu::LoadOp::Clear(0.0), wgpu::StoreOp::Discard)),
             ..Default::default()
         });
         self.bind_instances(&mut pass);
@@ -96,7 +92,7 @@ impl Renderer {
         pass.set_pipeline(self.pipelines.get(device, *kind));
         self.bind_instances(&mut pass);
         for (mesh, instances) in geometry().ranges.iter().zip(&self.uploaded.casters) {
-            draw_mesh(&mut pass, mesh, instances);
+            self.draw_mesh(&mut pass, mesh, instances);
         }
         self.draw_triangles(device, &mut pass, frame, *kind, &self.uploaded.triangles.casters);
     }
@@ -146,9 +142,9 @@ impl Renderer {
             pass.set_pipeline(self.pipelines.get(device, kind));
             match kind {
                 Kind::Sky | Kind::Backdrop => pass.draw(0..3, 0..1),
-                Kind::Plane => draw_mesh(pass, &meshes[PLANE], &items[PLANE]),
-                Kind::Depth => meshes.iter().zip(items).for_each(|(mesh, of_mesh)| draw_mesh(pass, mesh, of_mesh)),
-                _ => meshes[..PLANE].iter().zip(items).for_each(|(mesh, of_mesh)| draw_mesh(pass, mesh, of_mesh)),
+                Kind::Plane => self.draw_mesh(pass, &meshes[PLANE], &items[PLANE]),
+                Kind::Depth => meshes.iter().zip(items).for_each(|(mesh, of_mesh)| self.draw_mesh(pass, mesh, of_mesh)),
+                _ => meshes[..PLANE].iter().zip(items).for_each(|(mesh, of_mesh)| self.draw_mesh(pass, mesh, of_mesh)),
             }
         }
         let Packed { edges, edges_start, .. } = &self.uploaded;
@@ -168,7 +164,7 @@ impl Renderer {
                 self.bind_instances(pass);
                 pass.set_pipeline(self.pipelines.get(device, kind));
                 for (mesh, instances) in geometry().ranges.iter().zip(&self.uploaded.ghosts) {
-                    draw_mesh(pass, mesh, instances);
+                    self.draw_mesh(pass, mesh, instances);
                 }
             }
             let Packed { ghost_edges, edges_start, .. } = &self.uploaded;
