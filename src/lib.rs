@@ -17,19 +17,22 @@
 //! | 4 | [`view`] | |
 //! | 5 | [`render`], [`ui`] | wgpu; egui |
 //! | 6 | [`flip`] | pictures in, numbers out |
-//! | 6 | [`storage`] | the file system |
+//! | 6 | [`storage`] | the file system; in a page js-sys |
 //! | 7 | [`signals`] | signal-hook |
 //! | 7 | [`export`] | of the outside world only `ffmpeg` |
 //! | 8 | [`files`], [`script`] | named files to values; text to commands, run without a window |
 //! | 9 | [`grading`], [`references`] | bytes or folders in, values out |
 //! | 9 | [`journal`] | commands to a file before they are done, and back |
-//! | 10 | [`window`], [`cli`] | winit, wgpu, egui; clap |
+//! | 10 | [`window`], [`cli`] | winit, wgpu, egui, in a page wasm-bindgen; clap |
 //!
 #![doc = include_str!("../assets/manual/glossary.md")]
+// A page has no command line, no threads and no signals: what only those use is not used there.
+#![cfg_attr(target_arch = "wasm32", allow(dead_code))]
 
 pub mod animation_diff;
 pub mod blend;
 pub mod camera;
+#[cfg(not(target_arch = "wasm32"))]
 pub mod cli;
 pub mod clock;
 pub mod colour;
@@ -42,6 +45,7 @@ pub mod film;
 pub mod flip;
 pub mod frame;
 pub mod gltf;
+#[cfg(not(target_arch = "wasm32"))]
 pub mod grading;
 pub mod interchange;
 pub mod interpolation;
@@ -59,12 +63,14 @@ pub mod picture;
 pub mod pose;
 pub mod pose_file;
 pub mod rbt;
+#[cfg(not(target_arch = "wasm32"))]
 pub mod references;
 pub mod render;
 pub mod rotation_rules;
 pub mod scene;
 pub mod script;
 pub mod settings;
+#[cfg(not(target_arch = "wasm32"))]
 pub mod signals;
 pub mod storage;
 pub mod text;

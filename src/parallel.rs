@@ -32,6 +32,10 @@ pub fn map_in_order<T: Sync, R: Send>(items: &[T], map: impl Fn(&T) -> R + Sync)
 
 /// Does work that recurses on a thread with a stack of its own, of so many bytes. A panic is passed on.
 pub fn with_stack<R: Send>(bytes: usize, work: impl FnOnce() -> R + Send) -> R {
+    if cfg!(target_arch = "wasm32") {
+        // A page has one thread, whose stack is large.
+        return work();
+    }
     thread::scope(|scope| {
         let worker = thread::Builder::new().stack_size(bytes).spawn_scoped(scope, work);
         worker.expect("the system has a thread left").join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))

@@ -19,6 +19,7 @@ mod light;
 mod look;
 mod offscreen;
 mod pipelines;
+#[cfg(not(target_arch = "wasm32"))]
 mod quiet;
 mod read_back;
 mod refine;

@@ -1,15 +1,24 @@
-//! The file system. No other module accesses it.
+//! The file system. No other module accesses it. A page has files in memory in its place.
 
+#[cfg(not(target_arch = "wasm32"))]
 mod destination;
+#[cfg(not(target_arch = "wasm32"))]
 mod draft;
 mod known;
+#[cfg(not(target_arch = "wasm32"))]
 mod log;
+#[cfg(not(target_arch = "wasm32"))]
 mod open;
+#[cfg(target_arch = "wasm32")]
+pub mod page;
+#[cfg(not(target_arch = "wasm32"))]
 mod place;
 mod stamp;
+#[cfg(not(target_arch = "wasm32"))]
 mod walk;
 
 use std::ffi::{OsStr, OsString};
+#[cfg(not(target_arch = "wasm32"))]
 use std::fs;
 use std::io::{self, Read as _, Write as _};
 use std::path::{Path, PathBuf};
@@ -19,14 +28,24 @@ use thiserror::Error;
 use crate::text::system_words;
 use crate::words::{Message, display_by_message, texts};
 
-pub use destination::{is_stream, standard_error};
-pub use draft::{Committed, Draft, Foreign};
 pub use known::{KnownFiles, OutsideChange};
-pub use log::{LeftLog, Log, begins_with, epoch_seconds, logs, state_folder};
-pub use open::{Opened, open};
-pub use place::{Place, input_name, is_standard, output_name};
+#[cfg(target_arch = "wasm32")]
+pub use page::{
+    Committed, Draft, Entry, Foreign, LeftLog, Log, Opened, Place, epoch_seconds, input_name, inside, is_standard,
+    is_stream, list, logs, open, output_name, state_folder,
+};
+#[cfg(target_arch = "wasm32")]
+use page::{config_folder, fs};
 pub use stamp::{Stamp, Stamping, sha256};
-pub use walk::{Entry, EntryKind, entries as list, inside, kind};
+#[cfg(not(target_arch = "wasm32"))]
+pub use {
+    destination::{is_stream, standard_error},
+    draft::{Committed, Draft, Foreign},
+    log::{LeftLog, Log, begins_with, epoch_seconds, logs, state_folder},
+    open::{Opened, open},
+    place::{Place, input_name, is_standard, output_name},
+    walk::{Entry, EntryKind, entries as list, inside, kind},
+};
 
 /// The longest name of a file that file systems accept, in bytes.
 const LONGEST_NAME_BYTES: usize = 255;
@@ -85,7 +104,8 @@ impl StorageError {
 /// # Errors
 /// [`StorageError`]
 pub fn read(path: &Path, limit: u64) -> Result<Vec<u8>, StorageError> {
-    if place::is_standard(path) {
+    #[cfg(not(target_arch = "wasm32"))]
+    if is_standard(path) {
         return read_stream(place::standard_input()?, limit, 0);
     }
     let file = fs::File::open(path)?;
@@ -181,14 +201,14 @@ pub fn write_unsynced(path: &Path, bytes: &[u8]) -> Result<(), StorageError> {
 /// # Errors
 /// [`StorageError::System`]
 pub fn keep_copy(path: &Path) -> Result<Option<PathBuf>, StorageError> {
-    if !path.is_file() {
+    if !fs::metadata(path).is_ok_and(|metadata| metadata.is_file()) {
         return Ok(None);
     }
     let name = path.file_name().unwrap_or_default();
     let free = std::iter::once(String::new())
         .chain((2..).map(|count: u32| count.to_string()))
         .map(|count| path.with_file_name(with_ending(name, &format!(".bak{count}"))))
-        .find(|candidate| !candidate.exists())
+        .find(|candidate| !exists(candidate))
         .expect("the numbers do not end");
     fs::copy(path, &free)?;
     Ok(Some(free))
@@ -205,13 +225,13 @@ fn with_ending(name: &OsStr, ending: &str) -> OsString {
     whole
 }
 
-/// The first free name of `inbetween-0001.png` and on, in the folder of `beside`.
+/// The first free name of `inbetween-0001.png` and on, in the folder of `beside`; `taken` are not free.
 #[must_use]
-pub fn next_screenshot_path(beside: &Path) -> PathBuf {
+pub fn next_screenshot_path(beside: &Path, taken: &[&Path]) -> PathBuf {
     let folder = beside.parent().unwrap_or_else(|| Path::new(""));
     (1_u32..)
         .map(|count| folder.join(format!("inbetween-{count:04}.png")))
-        .find(|candidate| !candidate.exists())
+        .find(|candidate| !exists(candidate) && !taken.contains(&candidate.as_path()))
         .expect("the numbers do not end")
 }
 
@@ -221,13 +241,14 @@ pub fn free_path(path: &Path) -> PathBuf {
     let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let ending = path.extension().map(|ending| format!(".{}", ending.to_string_lossy())).unwrap_or_default();
     let others = (2_u32..).map(|count| path.with_file_name(format!("{stem}-{count}{ending}")));
-    std::iter::once(path.to_owned()).chain(others).find(|path| !path.exists()).expect("the numbers do not end")
+    std::iter::once(path.to_owned()).chain(others).find(|path| !exists(path)).expect("the numbers do not end")
 }
 
 /// Writes bytes at the end of a file, which is created if it is missing.
 ///
 /// # Errors
 /// [`StorageError::System`]
+#[cfg(not(target_arch = "wasm32"))]
 pub fn append(path: &Path, bytes: &[u8]) -> Result<(), StorageError> {
     let mut file = fs::OpenOptions::new().append(true).create(true).open(path)?;
     Ok(file.write_all(bytes)?)
@@ -238,14 +259,24 @@ pub fn append(path: &Path, bytes: &[u8]) -> Result<(), StorageError> {
 /// # Errors
 /// [`StorageError::System`]
 pub fn create_folder(path: &Path) -> Result<(), StorageError> {
-    Ok(fs::create_dir_all(path)?)
+    // In a page folders are there where something is in them.
+    #[cfg(not(target_arch = "wasm32"))]
+    fs::create_dir_all(path)?;
+    let _ = path;
+    Ok(())
+}
+
+/// The system's folder of settings.
+#[cfg(not(target_arch = "wasm32"))]
+fn config_folder() -> Option<PathBuf> {
+    let folders = etcetera::base_strategy::choose_native_strategy().ok()?;
+    Some(etcetera::BaseStrategy::config_dir(&folders).join("inbetween"))
 }
 
 /// The settings file in the system's configuration folder; `None` if there is no such folder.
 #[must_use]
 pub fn settings_path() -> Option<PathBuf> {
-    let folders = etcetera::base_strategy::choose_native_strategy().ok()?;
-    Some(etcetera::BaseStrategy::config_dir(&folders).join("inbetween").join("settings.json"))
+    Some(config_folder()?.join("settings.json"))
 }
 
 /// The user's own folder of poses, beside the settings file; `None` if there is no such folder.
@@ -257,11 +288,15 @@ pub fn poses_path() -> Option<PathBuf> {
 /// The absolute form of a path.
 #[must_use]
 pub fn absolute(path: &Path) -> PathBuf {
+    if cfg!(target_arch = "wasm32") {
+        return Path::new("/").join(path);
+    }
     std::path::absolute(path).unwrap_or_else(|_| path.to_owned())
 }
 
 /// The path of an entry without links above it and without `..`; the entry itself may be a link.
 #[must_use]
+#[cfg(not(target_arch = "wasm32"))]
 pub fn resolved(path: &Path) -> PathBuf {
     let path = absolute(path);
     let found = match (path.parent(), path.file_name()) {
@@ -274,13 +309,13 @@ pub fn resolved(path: &Path) -> PathBuf {
 /// Whether a file or folder exists.
 #[must_use]
 pub fn exists(path: &Path) -> bool {
-    path.exists()
+    fs::metadata(path).is_ok()
 }
 
 /// Whether the path is a folder.
 #[must_use]
 pub fn is_folder(path: &Path) -> bool {
-    path.is_dir()
+    fs::metadata(path).is_ok_and(|metadata| metadata.is_dir())
 }
 
 /// What is in a folder: names, and whether each is a folder. A name that is not UTF-8 is left out.
@@ -288,8 +323,11 @@ pub fn is_folder(path: &Path) -> bool {
 /// # Errors
 /// [`StorageError`]
 pub fn folder_contents(path: &Path) -> Result<Vec<(String, bool)>, StorageError> {
-    let entries = fs::read_dir(path)?.filter_map(Result::ok);
-    let named = entries.filter_map(|entry| Some((entry.file_name().into_string().ok()?, entry.path().is_dir())));
+    #[cfg(target_arch = "wasm32")]
+    let paths = fs::names_in(path).into_iter();
+    #[cfg(not(target_arch = "wasm32"))]
+    let paths = fs::read_dir(path)?.filter_map(Result::ok).map(|entry| entry.path());
+    let named = paths.filter_map(|path| Some((path.file_name()?.to_str()?.to_owned(), is_folder(&path))));
     Ok(named.collect())
 }
 
@@ -310,5 +348,5 @@ pub fn remove(path: &Path) -> Result<(), StorageError> {
     }
 }
 
-#[cfg(test)]
+#[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests;

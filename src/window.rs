@@ -6,12 +6,15 @@
 
 mod beginning;
 mod damage;
+#[cfg(not(target_arch = "wasm32"))]
 mod desktop;
+#[cfg(not(target_arch = "wasm32"))]
 mod dialog;
 mod display;
 mod easing;
 mod effects;
 mod ending;
+#[cfg(not(target_arch = "wasm32"))]
 mod export;
 pub mod handle;
 mod handling;
@@ -24,29 +27,42 @@ pub mod limb_drag;
 mod meter;
 pub mod motion_path;
 mod outside;
+#[cfg(target_arch = "wasm32")]
+mod page;
 mod panels;
 mod place;
 pub mod pointer;
 mod rest;
 mod screen;
+mod screenshot;
 mod settings_file;
 mod shared;
 mod shell;
 mod stage;
 
+#[cfg(not(target_arch = "wasm32"))]
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use egui_winit::accesskit_winit;
 use thiserror::Error;
+use web_time::Instant;
+#[cfg(not(target_arch = "wasm32"))]
 use winit::event_loop::EventLoop;
 
+#[cfg(not(target_arch = "wasm32"))]
 use crate::editor::{Command, Editor};
 use crate::film::ExportEnd;
 use crate::render::GpuError;
 use crate::ui::PathPurpose;
+#[cfg(not(target_arch = "wasm32"))]
 pub use ending::Signals;
+#[cfg(target_arch = "wasm32")]
+pub use page::start;
+#[cfg(target_arch = "wasm32")]
+use page::{desktop, dialog, export};
+#[cfg(not(target_arch = "wasm32"))]
 use shell::Shell;
 
 /// Why the window cannot open, and what to install.
@@ -140,6 +156,12 @@ pub(crate) enum UserEvent {
     DesktopTheme(egui::Theme),
     /// The device is gone: everything on it is made again.
     DeviceLost,
+    /// The page's device is open, or cannot be opened.
+    #[cfg(target_arch = "wasm32")]
+    DeviceOpened,
+    /// Files came from the page: by a drop, or from its dialog.
+    #[cfg(target_arch = "wasm32")]
+    FileCame(PathBuf),
     /// A signal asks for the end.
     Signal(i32),
     /// A screen reader asks for something.
@@ -156,6 +178,7 @@ impl From<accesskit_winit::Event> for UserEvent {
 ///
 /// # Errors
 /// [`WindowError`], all of them before the user can have changed anything but the last.
+#[cfg(not(target_arch = "wasm32"))]
 pub fn run(editor: Editor, at_start: Vec<Command>, signals: &Signals, tests: ForTests) -> Result<(), WindowError> {
     let event_loop = event_loop()?;
     let shell = Shell::new(editor, at_start, event_loop.create_proxy(), tests);
@@ -163,6 +186,7 @@ pub fn run(editor: Editor, at_start: Vec<Command>, signals: &Signals, tests: For
 }
 
 /// The event loop. Where a library of the window system is missing, its binding panics: that is no display either.
+#[cfg(not(target_arch = "wasm32"))]
 fn event_loop() -> Result<EventLoop<UserEvent>, WindowError> {
     let hook = std::panic::take_hook();
     std::panic::set_hook(Box::new(|_| {}));

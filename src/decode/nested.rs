@@ -37,6 +37,10 @@ pub fn nested_json<T: DeserializeOwned, R: Send>(
         reader.disable_recursion_limit();
         super::whole(bytes, &mut reader).map(then)
     };
+    if cfg!(target_arch = "wasm32") {
+        // A page has one thread, whose stack is large.
+        return deep();
+    }
     let room = thread::Builder::new().stack_size((most_levels + 64) * STACK_BYTES_PER_LEVEL);
     thread::scope(|scope| match room.spawn_scoped(scope, deep) {
         Ok(reader) => reader.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)),

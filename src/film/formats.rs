@@ -11,6 +11,7 @@ mod palette;
 mod png;
 mod small_png;
 mod webp;
+#[cfg(not(target_arch = "wasm32"))]
 mod webp_film;
 mod y4m;
 
@@ -28,6 +29,11 @@ pub use small_png::SmallPng;
 pub use y4m::Y4M;
 
 /// All formats, in the order of the Export dialog: films, then single pictures.
+/// In a page libwebp and ffmpeg are missing.
+#[cfg(target_arch = "wasm32")]
+pub static FORMATS: [&Format; 5] = [&GIF, &APNG, &Y4M, &PNG, &webp::WEBP];
+/// All formats, in the order of the Export dialog: films, then single pictures.
+#[cfg(not(target_arch = "wasm32"))]
 pub static FORMATS: [&Format; 7] = [&GIF, &APNG, &webp_film::WEBP_FILM, &MP4, &Y4M, &PNG, &webp::WEBP];
 
 /// The highest frame rate of formats without a limit of their own.

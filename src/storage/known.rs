@@ -1,10 +1,9 @@
 //! What this program knows of the files that it reads and writes, to notice what other programs did to them.
 
 use std::collections::BTreeMap;
-use std::fs;
 use std::path::{Path, PathBuf};
 
-use super::{Place, Stamp};
+use super::{Place, Stamp, fs};
 
 /// What another program did to a file that this one knows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,11 +1,12 @@
 //! The state of a file when it was last read or written, to notice changes by other programs.
 
-use std::fs;
 use std::io::{self, Write};
 use std::path::Path;
-use std::time::SystemTime;
 
 use sha2::{Digest as _, Sha256};
+use web_time::SystemTime;
+
+use super::fs;
 
 /// The SHA-256 of bytes, in hexadecimal digits.
 #[must_use]

@@ -1,6 +1,8 @@
 //! Changes of the work eye's view by command, eased: the command counts at once, the picture follows.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
+
+use web_time::Instant;
 
 use super::now;
 use super::shell::Shell;

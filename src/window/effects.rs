@@ -42,10 +42,9 @@ impl Host for Shell {
         &mut self,
         path: Option<PathBuf>,
         has_overlays: bool,
-    ) -> Result<(PathBuf, FileOutcome<()>), Infallible> {
-        let path = path.unwrap_or_else(|| storage::next_screenshot_path(self.editor.keyframe_file()));
-        let outcome = self.screenshot(&path, has_overlays);
-        Ok((path, outcome))
+    ) -> Result<Option<(PathBuf, FileOutcome<()>)>, Infallible> {
+        let path = path.unwrap_or_else(|| self.next_screenshot_path());
+        Ok(self.begin_screenshot(&path, has_overlays).err().map(|reason| (path, Err(reason))))
     }
 
     fn read_pose(&mut self, name: &str) -> Result<FileOutcome<Vec<u8>>, Infallible> {
@@ -228,13 +227,6 @@ impl Shell {
         if self.settings_file.settings.recent != before {
             self.keep_settings();
         }
-    }
-
-    fn screenshot(&self, path: &Path, has_overlays: bool) -> Result<(), Message> {
-        let stage = self.stage.as_ref().ok_or_else(|| Message::from(texts::SCREENSHOT_NO_WINDOW))?;
-        let picture = stage.picture(&self.editor, has_overlays).map_err(|error| error.message())?;
-        let png = picture.to_png().map_err(|error| texts::foreign(error.to_string()))?;
-        storage::write(path, &png).map_err(|error| error.message())
     }
 
     fn choose_path(&mut self, purpose: PathPurpose, proposed: PathBuf) {

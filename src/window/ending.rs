@@ -1,21 +1,33 @@
 //! Endings that no user asked for in the window: signals, faults, a display that goes away.
 
 use std::any::Any;
+#[cfg(not(target_arch = "wasm32"))]
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
+#[cfg(not(target_arch = "wasm32"))]
 use std::thread;
+#[cfg(not(target_arch = "wasm32"))]
 use std::time::Duration;
 
-use winit::event_loop::{ActiveEventLoop, EventLoop, EventLoopProxy};
+use winit::event_loop::ActiveEventLoop;
+#[cfg(not(target_arch = "wasm32"))]
+use winit::event_loop::{EventLoop, EventLoopProxy};
 
+#[cfg(not(target_arch = "wasm32"))]
+use super::UserEvent;
+use super::WindowError;
+#[cfg(not(target_arch = "wasm32"))]
 use super::shell::Shell;
-use super::{UserEvent, WindowError};
+#[cfg(not(target_arch = "wasm32"))]
 use crate::journal::Ending;
+#[cfg(not(target_arch = "wasm32"))]
 use crate::signals;
 
+#[cfg(not(target_arch = "wasm32"))]
 /// So long a window may take to end after a signal. What was done is in the journal already.
 const PATIENCE: Duration = Duration::from_secs(5);
+#[cfg(not(target_arch = "wasm32"))]
 /// The exit status where the display has gone.
 const DISPLAY_GONE: i32 = 1;
 
@@ -35,6 +47,7 @@ impl Whereabouts {
     }
 }
 
+#[cfg(not(target_arch = "wasm32"))]
 /// Signals, which end the program at once until there is a window.
 #[derive(Clone, Default)]
 pub struct Signals {
@@ -42,6 +55,7 @@ pub struct Signals {
     journal: Whereabouts,
 }
 
+#[cfg(not(target_arch = "wasm32"))]
 impl Signals {
     /// Listens from now on.
     #[must_use]
@@ -67,6 +81,7 @@ impl Signals {
     }
 }
 
+#[cfg(not(target_arch = "wasm32"))]
 /// Runs the window to its end, and ends its journal.
 ///
 /// # Errors

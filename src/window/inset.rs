@@ -2,9 +2,10 @@
 //! times a second at most, and only where it would differ from the one before.
 
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use glam::Vec2;
+use web_time::Instant;
 
 use super::now;
 use super::panels::PanelPainter;

@@ -1,6 +1,8 @@
 //! Measures where the time of a picture goes, as means over half a second.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
+
+use web_time::Instant;
 
 use crate::ui::Statistics;
 

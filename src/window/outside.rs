@@ -1,7 +1,9 @@
 //! Files that other programs change: the question before they are replaced, and the offer to read them again.
 
 use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
+use std::time::Duration;
+
+use web_time::Instant;
 
 use super::shell::Shell;
 use crate::animation_diff::{Version, keyframe_differences, scene_differences};

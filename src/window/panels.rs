@@ -1,11 +1,10 @@
 //! Draws the panels on the GPU. Panels beside the scene are kept in a texture, which is redrawn only where it changed; each picture
 //! copies it. Shapes over the scene are drawn for each picture.
 
-use std::time::Instant;
-
 use egui::epaint::ClippedShape;
 use egui::{ClippedPrimitive, Color32, Context, Pos2, Rect, Shape, TextureId, pos2};
 use egui_wgpu::{RendererOptions, ScreenDescriptor};
+use web_time::Instant;
 
 use super::damage::{self, Areas};
 use super::now;

@@ -1,6 +1,8 @@
 //! Where the window is and how large: at first it fits its monitor; later it is where it was when it was closed.
 
-use winit::dpi::{LogicalSize, PhysicalPosition, PhysicalSize};
+#[cfg(not(target_arch = "wasm32"))]
+use winit::dpi::PhysicalPosition;
+use winit::dpi::{LogicalSize, PhysicalSize};
 use winit::event_loop::ActiveEventLoop;
 use winit::monitor::MonitorHandle;
 use winit::window::{Window, WindowAttributes};
@@ -70,7 +72,14 @@ fn opening(kept: Option<&WindowPlace>, monitors: &[Monitor]) -> Opening {
     Opening { size, smallest, at_px }
 }
 
+/// What a window is to be made with: in a page it is the canvas.
+#[cfg(target_arch = "wasm32")]
+pub fn attributes(_: &ActiveEventLoop, _: Option<&WindowPlace>) -> WindowAttributes {
+    super::page::attributes()
+}
+
 /// What a window is to be made with that opens where it was.
+#[cfg(not(target_arch = "wasm32"))]
 pub fn attributes(event_loop: &ActiveEventLoop, kept: Option<&WindowPlace>) -> WindowAttributes {
     let main = event_loop.primary_monitor();
     let others = event_loop.available_monitors().filter(|monitor| Some(monitor) != main.as_ref());

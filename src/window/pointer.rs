@@ -20,9 +20,8 @@
 //!
 //! A left click chooses with every eye: [`Click`]. Parts come before the arcball, so that what lights up is what is taken.
 
-use std::time::Instant;
-
 use glam::Vec2;
+use web_time::Instant;
 
 use crate::editor::DragKind;
 use crate::pose::RbtIndex;

@@ -1,6 +1,8 @@
 //! The picture at rest: once nothing has moved for a while, the scene refines itself, one sub-frame at a time, and then sleeps.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
+
+use web_time::Instant;
 
 use super::now;
 use super::shell::Shell;

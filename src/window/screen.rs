@@ -60,6 +60,9 @@ impl Screen {
             configuration.format = plain;
             scene_format = plain.add_srgb_suffix();
             configuration.view_formats = vec![scene_format];
+        } else if let Some(plain) = plain.filter(|_| cfg!(target_arch = "wasm32")) {
+            // The shaders encode the scene.
+            (configuration.format, scene_format) = (plain, plain);
         }
         configuration.usage |= wgpu::TextureUsages::COPY_DST & capabilities.usages;
         configuration.present_mode = wgpu::PresentMode::AutoVsync;

@@ -72,6 +72,13 @@ fn in_file(path: &Path) -> Option<Result<Settings, Message>> {
 }
 
 /// The language that the system's locale asks for.
+#[cfg(target_arch = "wasm32")]
+fn system_language() -> Language {
+    Language::of_locale(&super::page::language())
+}
+
+/// The language of the system.
+#[cfg(not(target_arch = "wasm32"))]
 fn system_language() -> Language {
     let locale = ["LC_ALL", "LC_MESSAGES", "LANG"]
         .iter()

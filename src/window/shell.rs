@@ -2,14 +2,15 @@
 
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use egui_winit::accesskit_winit;
 use glam::Vec2;
+use web_time::Instant;
 use winit::application::ApplicationHandler;
 use winit::event::WindowEvent;
 use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoopProxy};
-use winit::window::WindowId;
+use winit::window::{Window, WindowId};
 
 use super::easing::Easing;
 use super::export::Export;
@@ -19,6 +20,9 @@ use super::inset::Inset;
 use super::keeper::Keeper;
 use super::meter::{Meter, Work};
 use super::outside::Outside;
+#[cfg(target_arch = "wasm32")]
+use super::page;
+use super::screenshot::Screenshot;
 use super::settings_file::SettingsFile;
 use super::stage::{Lit, WindowSurface};
 use super::{ForTests, UserEvent, WindowError, desktop, display, ending, now, place};
@@ -26,7 +30,8 @@ use crate::clock::AnimationClock;
 use crate::editor::{Command, Editor, Eye, FileCommand, Severity, ViewCommand};
 use crate::files;
 use crate::journal::Ending;
-use crate::render::GpuError;
+use crate::pose::Pose;
+use crate::render::{Gpu, GpuError};
 use crate::script::Restore;
 use crate::ui::{Panels, PathPurpose};
 use crate::words::texts;
@@ -44,6 +49,10 @@ pub struct Shell {
     /// What is done once unsaved work is saved or discarded; `None`: the end.
     pub(super) leaving: Option<Command>,
     at_start: Vec<Command>,
+    /// Whether what was asked for at the start was done.
+    is_begun: bool,
+    /// Whether the window was asked for.
+    is_opening: bool,
     pub(super) settings_file: SettingsFile,
     pub(super) keeper: Keeper,
     pub(super) outside: Outside,
@@ -60,6 +69,10 @@ pub struct Shell {
     show_again: Option<Instant>,
     /// When the next picture of a keyframe is made, unless something happens before.
     pub(super) thumbnail_due: Option<Instant>,
+    /// Whose picture of a keyframe is being drawn.
+    pub(super) thumbnail_of: Option<Pose>,
+    /// Screenshots that are being drawn.
+    pub(super) screenshots: Vec<Screenshot>,
     /// When the picture at rest gets its next sub-frame.
     pub(super) rest_due: Option<Instant>,
     pub(super) meter: Meter,
@@ -94,6 +107,8 @@ impl Shell {
             is_quitting: false,
             leaving: None,
             at_start,
+            is_begun: false,
+            is_opening: false,
             settings_file,
             keeper,
             outside,
@@ -105,6 +120,8 @@ impl Shell {
             last_tick: None,
             show_again: None,
             thumbnail_due: None,
+            thumbnail_of: None,
+            screenshots: Vec::new(),
             rest_due: None,
             meter: Meter::default(),
             title: String::new(),
@@ -130,24 +147,70 @@ impl Shell {
     fn open(&mut self, event_loop: &ActiveEventLoop) {
         self.title = title(&self.editor);
         let attributes = place::attributes(event_loop, self.settings_file.settings.window.as_ref());
-        let stage = match event_loop.create_window(attributes) {
-            Ok(window) => WindowSurface::new(event_loop, Arc::new(window), &self.proxy, None),
-            Err(error) => Err(WindowError::NoDisplay { reason: error.to_string(), variables: display::variables() }),
+        let window = event_loop.create_window(attributes);
+        match window {
+            Ok(window) => self.open_device(event_loop, Arc::new(window), None),
+            Err(error) => {
+                let variables = display::variables();
+                self.give_up(event_loop, WindowError::NoDisplay { reason: error.to_string(), variables });
+            }
+        }
+    }
+
+    fn give_up(&mut self, event_loop: &ActiveEventLoop, error: WindowError) {
+        self.error = Some(error);
+        event_loop.exit();
+    }
+
+    /// Opens a device for the window, and goes on by [`Self::device_opened`].
+    #[cfg(not(target_arch = "wasm32"))]
+    fn open_device(
+        &mut self,
+        event_loop: &ActiveEventLoop,
+        window: Arc<Window>,
+        reader: Option<accesskit_winit::Adapter>,
+    ) {
+        let opened = if reader.is_some() && self.keeper.loses_device() {
+            Err(GpuError::NoAdapter)
+        } else {
+            Gpu::for_window(&event_loop.owned_display_handle(), &window)
         };
-        match stage {
+        self.device_opened(event_loop, window, opened, reader);
+    }
+
+    /// The same; the device comes by [`UserEvent::DeviceOpened`].
+    #[cfg(target_arch = "wasm32")]
+    fn open_device(&mut self, _: &ActiveEventLoop, window: Arc<Window>, reader: Option<accesskit_winit::Adapter>) {
+        page::open_device(window, reader, self.proxy.clone());
+    }
+
+    /// Puts the scene and the panels on a device, at first or again.
+    pub(super) fn device_opened(
+        &mut self,
+        event_loop: &ActiveEventLoop,
+        window: Arc<Window>,
+        opened: Result<(Gpu, wgpu::Surface<'static>), GpuError>,
+        reader: Option<accesskit_winit::Adapter>,
+    ) {
+        let opened = opened.map_err(WindowError::from);
+        match opened.and_then(|device| WindowSurface::new(event_loop, window, device, &self.proxy, reader)) {
             Ok(stage) => {
                 // Set the title after the window is visible, so that tools that search by title find a visible window.
                 stage.window.set_title(&self.title);
+                stage.window.request_redraw();
                 self.stage = Some(stage);
+                desktop::ask_theme(self.proxy.clone());
+                if !std::mem::replace(&mut self.is_begun, true) {
+                    self.begin_at_first(event_loop);
+                }
             }
-            Err(error) => {
-                self.error = Some(error);
-                event_loop.exit();
-                return;
-            }
+            Err(error) => self.give_up(event_loop, error),
         }
+    }
+
+    /// Does what was asked for at the start.
+    fn begin_at_first(&mut self, event_loop: &ActiveEventLoop) {
         ending::watch_display(event_loop, self.keeper.whereabouts().clone());
-        desktop::ask_theme(self.proxy.clone());
         self.look_as_at_first();
         for command in std::mem::take(&mut self.at_start) {
             self.apply(command);
@@ -172,22 +235,9 @@ impl Shell {
         let reader = lost.input.accesskit.take();
         let window = Arc::clone(&lost.window);
         drop(lost);
-        let new = if self.keeper.loses_device() {
-            Err(GpuError::NoAdapter.into())
-        } else {
-            WindowSurface::new(event_loop, window, &self.proxy, reader)
-        };
-        match new {
-            Ok(stage) => {
-                stage.window.request_redraw();
-                self.stage = Some(stage);
-                desktop::ask_theme(self.proxy.clone());
-            }
-            Err(error) => {
-                self.error = Some(error);
-                event_loop.exit();
-            }
-        }
+        self.screenshots.clear();
+        self.thumbnail_of = None;
+        self.open_device(event_loop, window, reader);
     }
 
     /// Shows the panels, applies their commands, and draws the scene after the commands, so a drag appears in the same picture.
@@ -372,7 +422,7 @@ fn title(editor: &Editor) -> String {
 
 impl ApplicationHandler<UserEvent> for Shell {
     fn resumed(&mut self, event_loop: &ActiveEventLoop) {
-        if self.stage.is_none() && self.error.is_none() {
+        if self.stage.is_none() && self.error.is_none() && !std::mem::replace(&mut self.is_opening, true) {
             self.open(event_loop);
         }
         self.request_redraw();
@@ -395,6 +445,10 @@ impl ApplicationHandler<UserEvent> for Shell {
                 }
             }
             UserEvent::DeviceLost => self.reopen(event_loop),
+            #[cfg(target_arch = "wasm32")]
+            UserEvent::DeviceOpened => page::device_opened(self, event_loop),
+            #[cfg(target_arch = "wasm32")]
+            UserEvent::FileCame(path) => page::file_came(self, path),
             UserEvent::Signal(signal) => {
                 self.error = Some(WindowError::Signalled { signal });
                 event_loop.exit();
@@ -433,13 +487,21 @@ impl ApplicationHandler<UserEvent> for Shell {
             self.request_redraw();
         }
         self.make_thumbnail(at);
+        self.take_screenshots();
         self.make_inset(at);
         self.make_sub_frame(at);
         self.update_title();
-        if self.is_quitting {
+        #[cfg(target_arch = "wasm32")]
+        {
+            self.step_export();
+            page::hand_on(self);
+        }
+        if self.is_quitting && self.screenshots.is_empty() {
             event_loop.exit();
         }
-        let due = [next_tick, next_look, self.show_again, self.thumbnail_due, self.inset.due, self.rest_due];
+        let screenshots = self.next_screenshot_look();
+        let due =
+            [next_tick, next_look, self.show_again, self.thumbnail_due, self.inset.due, self.rest_due, screenshots];
         let due = due.into_iter().flatten().min();
         event_loop.set_control_flow(due.map_or(ControlFlow::Wait, ControlFlow::WaitUntil));
     }

@@ -121,10 +121,10 @@ impl WindowSurface {
     pub fn new(
         event_loop: &ActiveEventLoop,
         window: Arc<Window>,
+        (gpu, surface): (Gpu, wgpu::Surface<'static>),
         proxy: &EventLoopProxy<UserEvent>,
         reader: Option<egui_winit::accesskit_winit::Adapter>,
     ) -> Result<Self, WindowError> {
-        let (gpu, surface) = Gpu::for_window(&event_loop.owned_display_handle(), &window)?;
         let lost = proxy.clone();
         gpu.device.set_device_lost_callback(move |reason, _| {
             if reason != wgpu::DeviceLostReason::Destroyed {
@@ -133,7 +133,7 @@ impl WindowSurface {
             }
         });
         let screen = Screen::new(&gpu, Arc::clone(&window), surface)?;
-        let renderer = Renderer::new(&gpu, screen.scene_format(), default_samples(gpu.is_software));
+        let renderer = Renderer::new(&gpu, screen.scene_format(), samples(&gpu));
         let panel_painter = PanelPainter::new(&gpu, screen.format());
         if let Err(error) = gpu.check() {
             // The driver would wait for its work.
@@ -268,11 +268,11 @@ impl WindowSurface {
         self.shown.as_ref().map(|shown| resting.go_on(gpu, shown))
     }
 
-    /// A small picture, of [`THUMBNAIL_PX`] pixels.
+    /// Starts to draw a small picture, of [`THUMBNAIL_PX`] pixels.
     ///
     /// # Errors
     /// [`GpuError`]
-    pub fn thumbnail(&mut self, frame: &Frame) -> Result<Image, GpuError> {
+    pub fn begin_thumbnail(&mut self, frame: &Frame) -> Result<(), GpuError> {
         if self.thumbnails.is_none() {
             let [width, height] = THUMBNAIL_PX.map(|side| u32::try_from(side).unwrap_or(1));
             // It is so small that many sub-frames cost nothing.
@@ -280,7 +280,17 @@ impl WindowSurface {
             self.thumbnails = Some((refiner, Offscreen::new(&self.gpu, width, height)?));
         }
         let (refiner, offscreen) = self.thumbnails.as_mut().expect("it was just made");
-        offscreen.render_refined(&self.gpu, refiner, frame)
+        offscreen.begin_refined(&self.gpu, refiner, frame);
+        Ok(())
+    }
+
+    /// The small picture, if it is there. `None`: it is under way.
+    ///
+    /// # Errors
+    /// [`GpuError`]
+    pub fn thumbnail(&mut self) -> Result<Option<Image>, GpuError> {
+        let Some((_, offscreen)) = &mut self.thumbnails else { return Ok(None) };
+        Ok(offscreen.read_if_there(&self.gpu)?.map(|drawn| drawn.rows().to_image()))
     }
 
     /// Draws what the recorded camera sees, in a size in pixels, into a texture that panels can show.
@@ -289,16 +299,37 @@ impl WindowSurface {
         painter.draw(&self.gpu, &mut self.panel_painter, frame, size_px)
     }
 
-    /// A picture of the scene alone, as large as the 3D view.
+    /// The device, for films of a page.
+    #[cfg(target_arch = "wasm32")]
+    pub fn device(&self) -> Gpu {
+        self.gpu.clone()
+    }
+
+    /// Starts to draw a picture of the scene alone, as large as the 3D view.
     ///
     /// # Errors
     /// [`GpuError`]
-    pub fn picture(&self, editor: &Editor, has_overlays: bool) -> Result<Image, GpuError> {
+    pub fn begin_picture(&self, editor: &Editor, has_overlays: bool) -> Result<Offscreen, GpuError> {
         let [width, height] = whole(self.view.size_px);
         let mut refiner = Refiner::new(&self.gpu, Offscreen::FORMAT, AT_REST);
         let frame = picture_of_editor(editor, self.view.size_px, has_overlays);
-        Offscreen::new(&self.gpu, width, height)?.render_refined(&self.gpu, &mut refiner, &frame)
+        let mut offscreen = Offscreen::new(&self.gpu, width, height)?;
+        offscreen.begin_refined(&self.gpu, &mut refiner, &frame);
+        Ok(offscreen)
     }
+
+    /// The picture that was begun, if it is there. `None`: it is under way.
+    ///
+    /// # Errors
+    /// [`GpuError`]
+    pub fn picture(&self, begun: &mut Offscreen) -> Result<Option<Image>, GpuError> {
+        Ok(begun.read_if_there(&self.gpu)?.map(|drawn| drawn.rows().to_image()))
+    }
+}
+
+/// Samples a pixel. WebGL2 cannot read the samples of the outline's mask, so a page has one, and its edges are smoothed.
+fn samples(gpu: &Gpu) -> u32 {
+    if cfg!(target_arch = "wasm32") { 1 } else { default_samples(gpu.is_software) }
 }
 
 fn viewport(view: SceneArea, target_px: [u32; 2]) -> Viewport {

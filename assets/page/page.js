@@ -1,0 +1,177 @@
+// What the program asks of the browser. `src/window/page.rs` says what each function is for.
+
+const STORE = "files";
+const kept = open_store();
+const canvas = document.getElementById("scene");
+// Handles of files that the browser lets the page write in place, by their names.
+const handles = new Map();
+// What the address asks for, or else the page itself, as `inbetween share` writes it.
+const query = new URLSearchParams(location.search);
+const shown = { ...window.shown, ...Object.fromEntries(query) };
+let is_unsaved = false;
+
+// The store of kept files: pieces of bytes by [path, offset]; without one nothing is kept.
+function open_store() {
+    return new Promise((resolve) => {
+        const request = indexedDB.open("inbetween", 1);
+        request.onupgradeneeded = () => request.result.createObjectStore(STORE);
+        request.onsuccess = () => resolve(request.result);
+        request.onerror = () => resolve(null);
+    }).catch(() => null);
+}
+
+function settled(request) {
+    return new Promise((resolve, reject) => {
+        request.onsuccess = () => resolve(request.result);
+        request.onerror = () => reject(request.error);
+    });
+}
+
+const lock_name = (path) => `inbetween ${path}`;
+
+// Files that other pages hold are theirs.
+async function held_elsewhere() {
+    const { held = [] } = (await navigator.locks?.query()) ?? {};
+    return new Set(held.map((lock) => lock.name));
+}
+
+async function kept_files() {
+    const store = await kept;
+    if (!store) return [];
+    const objects = store.transaction(STORE).objectStore(STORE);
+    const [keys, values] = await Promise.all([settled(objects.getAllKeys()), settled(objects.getAll())]);
+    const pieces = new Map();
+    keys.forEach(([path], index) => pieces.set(path, [...(pieces.get(path) ?? []), values[index]]));
+    const held = await held_elsewhere();
+    const files = [...pieces].filter(([path]) => !held.has(lock_name(path)));
+    return Promise.all(files.map(async ([path, all]) => [path, new Uint8Array(await new Blob(all).arrayBuffer())]));
+}
+
+// The last part of an address.
+const name_of = (address) => decodeURIComponent(address.split(/[?#]/)[0].split("/").pop());
+
+async function asked_files() {
+    const addresses = ["scene", "file", "compare"].map((key) => shown[key]).filter(Boolean);
+    return Promise.all(addresses.map(async (address) => {
+        const url = new URL(address, location.href);
+        if (url.origin !== location.origin) throw new Error(`${address}: only files of this web site can be shown`);
+        const answer = await fetch(url);
+        if (!answer.ok) throw new Error(`${address}: the web site says ${answer.status} ${answer.statusText}`);
+        return [name_of(address), new Uint8Array(await answer.arrayBuffer())];
+    }));
+}
+
+export async function load() {
+    return [...(await kept_files().catch(() => [])), ...(await asked_files())];
+}
+
+export function asked(key) {
+    return shown[key] ? name_of(shown[key]) : "";
+}
+
+async function with_store(act) {
+    const store = await kept;
+    if (store) act(store.transaction(STORE, "readwrite").objectStore(STORE));
+}
+
+// Each file's pieces: an array sorts after every number.
+const pieces_of = (path) => IDBKeyRange.bound([path], [path, []]);
+
+export function keep(path, offset, bytes) {
+    const piece = bytes.slice();
+    with_store((objects) => {
+        if (offset === 0) objects.delete(pieces_of(path));
+        objects.put(piece, [path, offset]);
+    });
+}
+
+export function forget(path) {
+    with_store((objects) => objects.delete(pieces_of(path)));
+}
+
+export function hold(path) {
+    navigator.locks?.request(lock_name(path), () => new Promise(() => {}));
+}
+
+export function save(name, bytes) {
+    const content = bytes.slice();
+    const handle = handles.get(name);
+    if (handle) write_in_place(handle, content).catch(() => download(name, content));
+    else download(name, content);
+}
+
+async function write_in_place(handle, content) {
+    const file = await handle.createWritable();
+    await file.write(content);
+    await file.close();
+}
+
+function download(name, content) {
+    const link = document.createElement("a");
+    link.href = URL.createObjectURL(new Blob([content]));
+    link.download = name;
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
+}
+
+async function given(file, take) {
+    take(file.name, new Uint8Array(await file.arrayBuffer()));
+}
+
+export function choose(endings, chosen) {
+    if (window.showOpenFilePicker) {
+        window.showOpenFilePicker({ id: "inbetween" }).then(async ([handle]) => {
+            handles.set(handle.name, handle);
+            await given(await handle.getFile(), chosen);
+        }, () => chosen("", new Uint8Array()));
+        return;
+    }
+    const input = document.createElement("input");
+    input.type = "file";
+    input.accept = endings;
+    input.onchange = () => given(input.files[0], chosen);
+    input.oncancel = () => chosen("", new Uint8Array());
+    input.click();
+}
+
+export function on_drop(dropped) {
+    window.addEventListener("dragover", (event) => event.preventDefault());
+    window.addEventListener("drop", (event) => {
+        event.preventDefault();
+        for (const item of event.dataTransfer.items) {
+            const file = item.getAsFile();
+            if (!file) continue;
+            handles.delete(file.name);
+            item.getAsFileSystemHandle?.().then((handle) => handles.set(handle.name, handle), () => {});
+            given(file, dropped);
+        }
+    });
+}
+
+export function set_unsaved(value) {
+    is_unsaved = value;
+}
+
+window.addEventListener("beforeunload", (event) => {
+    if (is_unsaved) event.preventDefault();
+});
+
+export function tell(text) {
+    document.getElementById("said").textContent = text;
+}
+
+export function begun_now() {
+    document.getElementById("loading").hidden = true;
+    canvas.focus();
+}
+
+export function ended(reason) {
+    is_unsaved = false;
+    const place = document.getElementById("loading");
+    place.hidden = false;
+    place.textContent = `Inbetween cannot go on: ${reason}. Load the page again: what was not saved is kept in this browser, and is offered.`;
+}
+
+export function language() {
+    return navigator.language;
+}
