@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import shutil
+from dataclasses import fields
 from pathlib import Path
 
 import pytest
@@ -25,6 +26,7 @@ def test_examples_run(page: Path, says: Says, capsys: pytest.CaptureFixture[str]
     Path("class/ann").mkdir(parents=True)
     shutil.copy(WALK, "class/ann/animation.json")
     shutil.make_archive("submissions", "zip", "class")
+    Path("roster.csv").write_text("name,id,section\nAnn,7,A\n")
     blocks = re.findall(r"^```python\n(.*?)^```$", page.read_text(), re.MULTILINE | re.DOTALL)
     assert blocks
     names: dict[str, object] = {}
@@ -32,6 +34,7 @@ def test_examples_run(page: Path, says: Says, capsys: pytest.CaptureFixture[str]
         exec(compile(block, page.name, "exec"), names)
     if page.name == "python.md":
         told = capsys.readouterr().out
+        assert "ann  " in told and "No samples show linear playback" in told
         assert "turns fastest at" in told and "FirstExceeded(key_time=" in told
         assert "broken.txt | line 2 column 5 | broken.txt: line 2 column 5: " in told
         assert Path("walk.png").exists() and not Path("out.json").exists()
@@ -46,6 +49,13 @@ def test_the_page_names_every_function_and_field() -> None:
         assert f"\n| `{field}` |" in page, field
     for field in ("message", "path", "place", "exit_status", "problems"):
         assert f"\n| `{field}` |" in page, field
+
+
+def test_the_page_names_every_field_of_results() -> None:
+    page = PAGES[0].read_text()
+    for kind in (ia.Grades, ia.Submission, ia.Item, ia.Shown, ia.Difference, ia.Deviation, ia.Diagnosis, ia.Conversion, ia.Finding):
+        for field in fields(kind):
+            assert f"`{field.name}`" in page, f"{kind.__name__}.{field.name}"
 
 
 def test_everything_that_is_public_is_described() -> None:
