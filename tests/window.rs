@@ -161,3 +161,49 @@ fn a_wayland_variable_of_another_session_does_not_keep_the_window_from_x11() {
     assert_eq!(output.status.code(), Some(3), "{said}");
     assert!(said.contains("WAYLAND_DISPLAY is \"wayland-nobody\", DISPLAY is \":77777\""), "{said}");
 }
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_desktop_knows_the_window_by_its_class_and_shows_its_icon() {
+    use x11rb::connection::Connection as _;
+    use x11rb::protocol::xproto::{AtomEnum, ConnectionExt as _};
+
+    let folder = tempfile::tempdir().unwrap();
+    let (_server, display) = display(&[]);
+    let mut running = start("inbetween", &mut inbetween(&display, folder.path()));
+    let window: u32 = focused_window(&display, &mut running).parse().unwrap();
+    let (connection, _) = x11rb::connect(Some(&display)).unwrap();
+    let property = |name: &str| {
+        let atom = connection.intern_atom(false, name.as_bytes()).unwrap().reply().unwrap().atom;
+        connection.get_property(false, window, atom, AtomEnum::ANY, 0, 1 << 20).unwrap().reply().unwrap()
+    };
+    assert_eq!(connection.setup().protocol_major_version, 11);
+    assert_eq!(String::from_utf8_lossy(&property("WM_CLASS").value), "inbetween\0inbetween\0");
+    let icon: Vec<u32> = property("_NET_WM_ICON").value32().unwrap().collect();
+    assert_eq!(icon.get(..2), Some(&[64, 64][..]));
+    assert_eq!(icon.len(), 2 + 64 * 64);
+    // Its corner is transparent, its keyframes are of the accent's colour.
+    assert_eq!(icon[2] >> 24, 0);
+    assert!(icon[2..].contains(&0xff_f2_a3_3a), "{:x?}", &icon[2 + 64 * 17..][..64]);
+}
+
+#[test]
+fn a_second_start_with_a_file_opens_a_second_window() {
+    let folder = tempfile::tempdir().unwrap();
+    let (_server, display) = display(&[]);
+    let open = |name: &str| {
+        let mut running = start("inbetween", inbetween(&display, folder.path()).arg(folder.path().join(name)));
+        let title = format!("{name} ");
+        let is_open = wait_for(|| xdotool(&display, &["search", "--name", &title]).is_some_and(|id| !id.is_empty()));
+        assert!(is_open, "no window shows {name}; the program: {:?}", running.0.try_wait());
+        running
+    };
+    let (mut first, mut second) = (open("first.json"), open("second.json"));
+    let windows = xdotool(&display, &["search", "--class", "^inbetween$"]).unwrap_or_default();
+    let of_process = |window: &str| xdotool(&display, &["getwindowpid", window]);
+    let mut processes: Vec<_> = windows.lines().filter_map(of_process).collect();
+    processes.sort();
+    processes.dedup();
+    assert_eq!(processes.len(), 2, "{windows}");
+    assert!(first.0.try_wait().unwrap().is_none() && second.0.try_wait().unwrap().is_none());
+}

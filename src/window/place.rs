@@ -1,13 +1,18 @@
-//! Where the window is and how large: at first it fits its monitor; later it is where it was when it was closed.
+//! How the desktop knows the window, by name and icon; where it is and how large: at first it fits its monitor; later it is where it was
+//! when it was closed.
 
 #[cfg(not(target_arch = "wasm32"))]
 use winit::dpi::PhysicalPosition;
 use winit::dpi::{LogicalSize, PhysicalSize};
 use winit::event_loop::ActiveEventLoop;
 use winit::monitor::MonitorHandle;
-use winit::window::{Window, WindowAttributes};
+use winit::window::{Icon, Window, WindowAttributes};
 
+use crate::picture::Image;
 use crate::settings::WindowPlace;
+
+/// The window's icon, a PNG. It is made of `assets/linux/inbetween.svg`.
+const ICON: &[u8] = include_bytes!("../../assets/linux/inbetween-64.png");
 
 /// The window's size at first, in points.
 const SIZE: [f64; 2] = [1280.0, 800.0];
@@ -90,11 +95,31 @@ pub fn attributes(event_loop: &ActiveEventLoop, kept: Option<&WindowPlace>) -> W
         .with_inner_size(logical(opening.size))
         .with_min_inner_size(logical(opening.smallest))
         .with_maximized(kept.is_some_and(|kept| kept.is_maximized))
+        .with_window_icon(icon())
         .with_visible(false);
+    let attributes = named(attributes);
     match opening.at_px {
         Some([x, y]) => attributes.with_position(PhysicalPosition::new(x, y)),
         None => attributes,
     }
+}
+
+/// The icon for window systems that take one from the window: X11 and Windows.
+fn icon() -> Option<Icon> {
+    let Image { width, height, rgba } = Image::from_png(ICON).ok()?;
+    Icon::from_rgba(rgba, width, height).ok()
+}
+
+/// The application id, on Wayland, and the class of the window, on X11: desktops find `inbetween.desktop` by it.
+#[cfg(all(unix, not(target_os = "macos")))]
+fn named(attributes: WindowAttributes) -> WindowAttributes {
+    // The method for X11 sets the same field.
+    winit::platform::wayland::WindowAttributesExtWayland::with_name(attributes, "inbetween", "inbetween")
+}
+
+#[cfg(not(all(unix, not(target_os = "macos"))))]
+fn named(attributes: WindowAttributes) -> WindowAttributes {
+    attributes
 }
 
 /// Where a window is now; `before` is where it was before it was maximised, if it is.
@@ -141,6 +166,11 @@ mod tests {
         for lost in [[-2000, 0], [100, 5000], [1330, 10]] {
             assert_eq!(open(lost, &both[..1]).at_px, None, "{lost:?}");
         }
+    }
+
+    #[test]
+    fn the_icon_can_be_read() {
+        assert!(icon().is_some());
     }
 
     #[test]
