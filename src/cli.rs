@@ -25,6 +25,7 @@ mod help;
 mod import;
 mod info;
 mod join;
+mod logging;
 mod mistyped;
 mod nodes;
 mod output;
@@ -65,9 +66,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     // Must come first: the environment can only be changed while there is one thread.
     #[cfg(target_os = "linux")]
     drivers::leave_out_useless_ones();
-    let log_level = env_logger::Env::default().default_filter_or("inbetween=error");
-    // A logger that is there already, in a test, serves as well.
-    let _ = env_logger::Builder::from_env(log_level).try_init();
+    logging::start();
     let arguments: Vec<OsString> = arguments.into_iter().collect();
     match dispatch(&arguments) {
         Ok(ended) => ExitCode::from(ended.status()),
@@ -115,8 +114,9 @@ fn dispatch(arguments: &[OsString]) -> Result<Ended, CliError> {
 }
 
 fn perform(arguments: Arguments) -> Result<Ended, CliError> {
-    let Arguments { scene, quiet, file, print_lines, window_panic_at, drawing_panic_at, device_lost_at, command } =
-        arguments;
+    let Arguments {
+        scene, quiet, file, print_lines, window_panic_at, drawing_panic_at, device_lost_at, command, ..
+    } = arguments;
     let common = Common { scene: scene.as_deref(), is_quiet: quiet };
     let Some(command) = command else {
         let tests = ForTests {

@@ -9,6 +9,7 @@ use std::io::Write;
 
 pub use mean::PictureSum;
 pub use read::{ImageReadError, MOST_PIXELS, PNG_HEAD_BYTES, png_size};
+pub(crate) use read::{decode_png, rgba_of};
 
 /// Rows of pixels from the top, tightly packed.
 #[derive(Clone, Debug, PartialEq, Eq)]

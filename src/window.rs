@@ -5,6 +5,7 @@
 //! [`hands`], which tests drive without a window.
 
 mod beginning;
+mod clipboard;
 mod damage;
 #[cfg(not(target_arch = "wasm32"))]
 mod desktop;

@@ -207,3 +207,41 @@ fn a_second_start_with_a_file_opens_a_second_window() {
     assert_eq!(processes.len(), 2, "{windows}");
     assert!(first.0.try_wait().unwrap().is_none() && second.0.try_wait().unwrap().is_none());
 }
+
+#[test]
+fn a_text_is_copied_in_one_window_and_pasted_in_another() {
+    let folder = tempfile::tempdir().unwrap();
+    let (_server, display) = display(&[]);
+    let open = |name: &str| {
+        let home = folder.path().join(name);
+        std::fs::create_dir_all(home.join("inbetween")).unwrap();
+        let settings = r#"{"format": "inbetween.settings", "version": 1, "tour": false}"#;
+        std::fs::write(home.join("inbetween/settings.json"), settings).unwrap();
+        let mut running = start("inbetween", inbetween(&display, &home).arg(folder.path().join(name)));
+        let title = format!("{name} ");
+        let mut window = String::new();
+        let is_open = wait_for(|| {
+            window = xdotool(&display, &["search", "--name", &title]).unwrap_or_default();
+            !window.is_empty()
+        });
+        assert!(is_open, "no window shows {name}; the program: {:?}", running.0.try_wait());
+        (running, window.lines().next().unwrap_or_default().to_owned(), home.join("state/inbetween"))
+    };
+    // The window of an id types keys in the list of commands.
+    let act = |window: &str, line: &str| {
+        xdotool(&display, &["windowfocus", "--sync", window]).expect("the window takes the focus");
+        let all: Vec<&str> = line.split(' ').collect();
+        xdotool(&display, &all).unwrap_or_else(|| panic!("{line} is not done"));
+        sleep(Duration::from_millis(500));
+    };
+    let (_first, from, _) = open("first.json");
+    let (_second, to, state) = open("second.json");
+    act(&from, "key ctrl+shift+p sleep 0.5 type --delay 40 linear");
+    act(&from, "key ctrl+a sleep 0.2 key ctrl+c sleep 0.3");
+    act(&to, "key ctrl+shift+p sleep 0.5 key ctrl+v sleep 0.5 key Return");
+    let journal = || {
+        let logs = inbetween::storage::logs(&state, ".journal");
+        logs.first().and_then(|path| std::fs::read_to_string(path).ok()).unwrap_or_default()
+    };
+    assert!(wait_for(|| journal().contains("\ndo interpolation-next")), "{}", journal());
+}

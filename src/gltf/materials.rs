@@ -1,22 +1,28 @@
 //! Materials and their pictures (glTF 2.0, sections 3.8 and 3.9).
 
 use std::collections::HashMap;
-use std::io::Cursor;
 use std::sync::Arc;
 
 use glam::{Mat2, Vec2, Vec3, Vec4};
-use image::{ImageDecoder, ImageFormat, ImageReader};
 use serde::Deserialize;
+use zune_core::bytestream::ZCursor;
+use zune_core::colorspace::ColorSpace;
+use zune_core::options::DecoderOptions;
+use zune_jpeg::JpegDecoder;
 
 use super::document::{Document, GltfError, MOST_BUFFER_BYTES, ReadFile, UNDERSTOOD, bytes_of};
 use super::json::{self, Index};
 use crate::model::{Material, Texture, Wrap};
+use crate::picture::{Image, decode_png, rgba_of};
 use crate::words::{Message, all_of, texts};
 
 /// The most pixels of a picture's side.
 pub const MOST_PIXELS_A_SIDE: u32 = 8192;
 /// The most pixels of all pictures of a file together, in millions.
 pub const MOST_MILLION_PIXELS: u64 = 64;
+
+/// The most memory that a PNG takes while it is decoded, beside its pixels.
+const MOST_PNG_BYTES: usize = 1 << 29;
 
 /// A material, and what belongs to the primitive that has it.
 #[derive(Clone, Debug)]
@@ -189,21 +195,47 @@ impl<'a, 'f> MaterialReader<'a, 'f> {
 
 /// Decodes a PNG or JPEG file of a size that fits into memory.
 fn decoded(file: Arc<[u8]>, pixels_left: &mut u64) -> Result<Picture, Message> {
-    let (format, media_type) = match image::guess_format(&file) {
-        Ok(ImageFormat::Png) => (ImageFormat::Png, "image/png"),
-        Ok(ImageFormat::Jpeg) => (ImageFormat::Jpeg, "image/jpeg"),
-        _ => return Err(texts::GLTF_NOTE_PICTURE_KIND.into()),
+    let damaged = || Message::from(texts::GLTF_NOTE_PICTURE_DAMAGED);
+    let mut take = |[width, height]: [u32; 2]| {
+        let pixels = u64::from(width) * u64::from(height);
+        if width.max(height) > MOST_PIXELS_A_SIDE || pixels > *pixels_left {
+            return Err(texts::gltf_note_picture_large(width, height, MOST_PIXELS_A_SIDE, MOST_MILLION_PIXELS));
+        }
+        *pixels_left -= pixels;
+        Ok(())
     };
-    let damaged = |_| Message::from(texts::GLTF_NOTE_PICTURE_DAMAGED);
-    let decoder = ImageReader::with_format(Cursor::new(&file), format).into_decoder().map_err(damaged)?;
-    let (width, height) = decoder.dimensions();
-    let pixels = u64::from(width) * u64::from(height);
-    if width.max(height) > MOST_PIXELS_A_SIDE || pixels > *pixels_left {
-        return Err(texts::gltf_note_picture_large(width, height, MOST_PIXELS_A_SIDE, MOST_MILLION_PIXELS));
-    }
-    *pixels_left -= pixels;
-    let rgba = image::DynamicImage::from_decoder(decoder).map_err(damaged)?.into_rgba8().into_raw();
-    Ok(Picture { file, media_type, size_px: [width, height], pixels: rgba.into() })
+    let (media_type, read) = if file.starts_with(b"\x89PNG\r\n\x1a\n") {
+        let side = |at: usize| file.get(at..)?.first_chunk().map(|bytes| u32::from_be_bytes(*bytes));
+        take(side(16).zip(side(20)).map(<[u32; 2]>::from).ok_or_else(damaged)?)?;
+        ("image/png", decode_png(&file, MOST_PNG_BYTES).map_err(|_| damaged())?)
+    } else if file.starts_with(b"\xff\xd8\xff") {
+        ("image/jpeg", jpeg(&file, take, damaged)?)
+    } else {
+        return Err(texts::GLTF_NOTE_PICTURE_KIND.into());
+    };
+    let size_px = [read.width, read.height];
+    Ok(Picture { file, media_type, size_px, pixels: read.rgba.into() })
+}
+
+/// Decodes a JPEG file, after `take` has agreed to its size.
+fn jpeg(
+    file: &[u8],
+    mut take: impl FnMut([u32; 2]) -> Result<(), Message>,
+    damaged: impl Fn() -> Message,
+) -> Result<Image, Message> {
+    let options = DecoderOptions::default().set_strict_mode(false).set_max_width(usize::MAX).set_max_height(usize::MAX);
+    let mut decoder = JpegDecoder::new_with_options(ZCursor::new(file), options);
+    decoder.decode_headers().map_err(|_| damaged())?;
+    let sides = decoder.dimensions().ok_or_else(&damaged)?;
+    let [width, height] = <[usize; 2]>::from(sides).map(|side| u32::try_from(side).unwrap_or(u32::MAX));
+    take([width, height])?;
+    let (colours, channels) = match decoder.input_colorspace() {
+        Some(ColorSpace::Luma) => (ColorSpace::Luma, 1),
+        _ => (ColorSpace::RGB, 3),
+    };
+    decoder.set_options(options.jpeg_set_out_colorspace(colours));
+    let pixels = decoder.decode().map_err(|_| damaged())?;
+    Ok(Image { width, height, rgba: rgba_of(&pixels, channels) })
 }
 
 /// Notes what of a material is not drawn.

@@ -8,6 +8,7 @@
 mod export;
 mod gradescope;
 mod rubbish;
+mod yaml;
 
 use std::collections::{BTreeMap, HashSet};
 use std::path::{Path, PathBuf};

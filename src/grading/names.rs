@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 
 use glob::{MatchOptions, Pattern};
+use unicode_normalization::{IsNormalized, UnicodeNormalization as _, is_nfc_quick};
 
 /// The name without folders.
 #[must_use]
@@ -19,7 +20,10 @@ pub fn ending(path: &str) -> String {
 /// The composed form of a text: letters with accents and syllables in one piece, as most systems write them.
 #[must_use]
 pub fn composed(text: &str) -> Cow<'_, str> {
-    icu_normalizer::ComposingNormalizerBorrowed::new_nfc().normalize(text)
+    match is_nfc_quick(text.chars()) {
+        IsNormalized::Yes => Cow::Borrowed(text),
+        IsNormalized::No | IsNormalized::Maybe => Cow::Owned(text.nfc().collect()),
+    }
 }
 
 /// A student's number as it is compared: in small letters.

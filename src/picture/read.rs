@@ -2,7 +2,7 @@
 
 use std::io::Cursor;
 
-use image::{ImageError, ImageFormat, ImageReader, Limits};
+use png::{BitDepth, Decoder, DecodingError, Limits, Transformations};
 use thiserror::Error;
 
 use super::Image;
@@ -70,19 +70,41 @@ impl Image {
     /// [`ImageReadError`]
     pub fn from_png(bytes: &[u8]) -> Result<Self, ImageReadError> {
         let [width, height] = png_size(bytes)?;
-        let mut reader = ImageReader::with_format(Cursor::new(bytes), ImageFormat::Png);
-        let mut limits = Limits::default();
         // At most 16 bits a channel, and as much again for what is decoded of it at a time.
-        limits.max_alloc = Some(16 * u64::from(width) * u64::from(height) + (1 << 20));
-        reader.limits(limits);
-        let read = reader.decode().map_err(|error| match error {
-            ImageError::Limits(_) => ImageReadError::TooLarge { width, height },
+        let limit = 16 * u64::from(width) * u64::from(height) + (1 << 20);
+        let read = decode_png(bytes, usize::try_from(limit).unwrap_or(usize::MAX)).map_err(|error| match error {
+            DecodingError::LimitsExceeded => ImageReadError::TooLarge { width, height },
             _ => ImageReadError::Damaged,
         })?;
-        let read = read.into_rgba8();
-        let (width, height) = read.dimensions();
-        Ok(Self { width, height, rgba: read.into_raw() })
+        Ok(read)
     }
+}
+
+/// The picture in a PNG of any kind, whose decoder takes at most `limit` bytes of memory. Of 16 bits a channel the nearest 8 are kept.
+pub(crate) fn decode_png(bytes: &[u8], limit: usize) -> Result<Image, DecodingError> {
+    let mut decoder = Decoder::new_with_limits(Cursor::new(bytes), Limits { bytes: limit });
+    decoder.set_transformations(Transformations::EXPAND);
+    let mut reader = decoder.read_info()?;
+    let mut pixels = vec![0; reader.output_buffer_size().ok_or(DecodingError::LimitsExceeded)?];
+    let info = reader.next_frame(&mut pixels)?;
+    pixels.truncate(info.buffer_size());
+    if info.bit_depth == BitDepth::Sixteen {
+        let nearest = |pair: &[u8; 2]| ((u32::from(u16::from_be_bytes(*pair)) + 128) / 257) as u8;
+        pixels = pixels.as_chunks().0.iter().map(nearest).collect();
+    }
+    let rgba = rgba_of(&pixels, info.color_type.samples());
+    Ok(Image { width: info.width, height: info.height, rgba })
+}
+
+/// Pixels of four channels out of pixels of one (grey), two (grey, opacity), three (red, green, blue) or four.
+pub(crate) fn rgba_of(pixels: &[u8], channels: usize) -> Vec<u8> {
+    let rgba = |pixel: &[u8]| match *pixel {
+        [grey] => [grey, grey, grey, u8::MAX],
+        [grey, opacity] => [grey, grey, grey, opacity],
+        [red, green, blue] => [red, green, blue, u8::MAX],
+        _ => [pixel[0], pixel[1], pixel[2], pixel[3]],
+    };
+    pixels.chunks_exact(channels).flat_map(rgba).collect()
 }
 
 #[cfg(test)]
@@ -107,5 +129,39 @@ mod tests {
         assert_eq!(png_size(&head(1, 1)[..20]), Err(ImageReadError::Damaged));
         assert_eq!(png_size(b"GIF89a"), Err(ImageReadError::NotPng));
         assert_eq!(Image::from_png(&head(9, 9)), Err(ImageReadError::Damaged));
+    }
+
+    /// A PNG of 2x1 pixels.
+    fn png(colour: png::ColorType, depth: BitDepth, data: &[u8], palette: Option<&[u8]>) -> Vec<u8> {
+        let mut bytes = Vec::new();
+        let mut encoder = png::Encoder::new(&mut bytes, 2, 1);
+        encoder.set_color(colour);
+        encoder.set_depth(depth);
+        if let Some(palette) = palette {
+            encoder.set_palette(palette.to_vec());
+            encoder.set_trns(vec![255, 9]);
+        }
+        encoder.write_header().and_then(|mut writer| writer.write_image_data(data)).expect("it is written");
+        bytes
+    }
+
+    #[test]
+    fn every_kind_of_png_becomes_four_channels_of_eight_bits() {
+        use BitDepth::{Eight, One, Sixteen};
+        use png::ColorType::{Grayscale, GrayscaleAlpha, Indexed, Rgb, Rgba};
+        #[track_caller]
+        fn check(colour: png::ColorType, depth: BitDepth, data: &[u8], palette: Option<&[u8]>, expected: [u8; 8]) {
+            let read = Image::from_png(&png(colour, depth, data, palette)).expect("it can be read");
+            assert_eq!((read.width, read.height, &read.rgba[..]), (2, 1, &expected[..]));
+        }
+        check(Grayscale, One, &[0b0100_0000], None, [0, 0, 0, 255, 255, 255, 255, 255]);
+        check(Grayscale, Eight, &[7, 8], None, [7, 7, 7, 255, 8, 8, 8, 255]);
+        check(GrayscaleAlpha, Eight, &[7, 1, 8, 2], None, [7, 7, 7, 1, 8, 8, 8, 2]);
+        check(Indexed, One, &[0b0100_0000], Some(&[1, 2, 3, 4, 5, 6]), [1, 2, 3, 255, 4, 5, 6, 9]);
+        check(Rgb, Eight, &[1, 2, 3, 4, 5, 6], None, [1, 2, 3, 255, 4, 5, 6, 255]);
+        check(Rgba, Eight, &[1, 2, 3, 4, 5, 6, 7, 8], None, [1, 2, 3, 4, 5, 6, 7, 8]);
+        // 0x0080 is nearer to 0 than to 257, 0x0081 is not; 0xfefe is 254 exactly.
+        check(Grayscale, Sixteen, &[0x00, 0x80, 0x00, 0x81], None, [0, 0, 0, 255, 1, 1, 1, 255]);
+        check(Grayscale, Sixteen, &[0xfe, 0xfe, 0xff, 0xff], None, [254, 254, 254, 255, 255, 255, 255, 255]);
     }
 }

@@ -349,6 +349,7 @@ impl Shell {
     fn take_in(&mut self, event: WindowEvent) {
         let Some(stage) = &mut self.stage else { return };
         let mut shows = stage.input.on_window_event(&stage.window, &event).repaint;
+        stage.clipboard.fill_in(&mut stage.input, self.ui.has_keyboard(&stage.context));
         match event {
             WindowEvent::CloseRequested => self.apply(Command::File(FileCommand::Quit)),
             WindowEvent::Resized(_) | WindowEvent::ScaleFactorChanged { .. } => {

@@ -7,6 +7,7 @@ use glam::Vec2;
 use winit::event_loop::{ActiveEventLoop, EventLoopProxy};
 use winit::window::Window;
 
+use super::clipboard::Clipboard;
 use super::inset::InsetPainter;
 use super::meter::{Meter, Work};
 use super::panels::{PanelPainter, WindowLayout};
@@ -18,7 +19,9 @@ use crate::editor::gizmo::Handle;
 use crate::editor::{Editor, LimbBall, PathDot, WorkEye};
 use crate::frame::Frame;
 use crate::pose::RbtIndex;
-use crate::render::{Gpu, GpuError, Image, Offscreen, Refiner, Renderer, Target, Viewport, default_samples};
+use crate::render::{
+    Gpu, GpuError, Image, Offscreen, Refiner, Renderer, Target, Viewport, default_samples,
+};
 use crate::scene::Part;
 use crate::ui::{Panels, THUMBNAIL_PX, UiOutput, theme};
 use crate::view::{
@@ -78,6 +81,8 @@ pub struct WindowSurface {
     pub context: egui::Context,
     /// The panels' input.
     pub input: egui_winit::State,
+    /// The system's clipboard.
+    pub clipboard: Clipboard,
     /// Where the scene was drawn last.
     pub view: SceneArea,
     gpu: Gpu,
@@ -148,6 +153,7 @@ impl WindowSurface {
         let viewport = egui::ViewportId::ROOT;
         let mut input =
             egui_winit::State::new(context.clone(), viewport, event_loop, Some(scale), window.theme(), most);
+        let clipboard = Clipboard::new(&window, &mut input);
         // Before the window shows: a screen reader asks for it from its first moment.
         match reader {
             Some(reader) => input.accesskit = Some(reader),
@@ -158,6 +164,7 @@ impl WindowSurface {
             window,
             context,
             input,
+            clipboard,
             view: SceneArea::default(),
             gpu,
             screen,
@@ -192,6 +199,7 @@ impl WindowSurface {
         if let Some(cursor) = cursor {
             shown.platform_output.cursor_icon = cursor;
         }
+        self.clipboard.take(&shown.platform_output);
         self.input.handle_platform_output(&self.window, std::mem::take(&mut shown.platform_output));
         let root = shown.viewport_output.get(&egui::ViewportId::ROOT);
         self.view = SceneArea::new(output.viewport, shown.pixels_per_point);

@@ -2,12 +2,11 @@
 
 use std::io::Cursor;
 
-use image::codecs::webp::{WebPDecoder, WebPEncoder};
-use image::{DynamicImage, ExtendedColorType, ImageDecoder as _};
+use image_webp::{ColorType, WebPDecoder, WebPEncoder};
 
 use super::MOST_FRAMES_PER_SECOND;
 use crate::film::{Encoder, EncodingError, Format, StillEncoder, StillFormat};
-use crate::picture::{Image, MOST_PIXELS, Rows};
+use crate::picture::{Image, MOST_PIXELS, Rows, rgba_of};
 use crate::words::texts;
 
 /// The longest side in pixels: the format has 14 bits for it.
@@ -30,12 +29,14 @@ fn decode(bytes: &[u8]) -> Option<Image> {
     if bytes.len() as u64 != 8 + u64::from(said) {
         return None;
     }
-    let decoder = WebPDecoder::new(Cursor::new(bytes)).ok()?;
+    let mut decoder = WebPDecoder::new(Cursor::new(bytes)).ok()?;
     let (width, height) = decoder.dimensions();
     if u64::from(width) * u64::from(height) > MOST_PIXELS {
         return None;
     }
-    let rgba = DynamicImage::from_decoder(decoder).ok()?.into_rgba8().into_raw();
+    let mut pixels = vec![0; decoder.output_buffer_size()?];
+    decoder.read_image(&mut pixels).ok()?;
+    let rgba = if decoder.has_alpha() { pixels } else { rgba_of(&pixels, 3) };
     Some(Image { width, height, rgba })
 }
 
@@ -49,9 +50,9 @@ struct WebP {
 impl StillEncoder for WebP {
     fn encode(&mut self, rows: &Rows<'_>) -> Result<(), EncodingError> {
         let Self { packed, bytes } = self;
-        let colour_type = if rows.pack(packed) { ExtendedColorType::Rgb8 } else { ExtendedColorType::Rgba8 };
+        let colour_type = if rows.pack(packed) { ColorType::Rgb8 } else { ColorType::Rgba8 };
         bytes.clear();
-        WebPEncoder::new_lossless(bytes)
+        WebPEncoder::new(bytes)
             .encode(packed, rows.width, rows.height, colour_type)
             .map_err(|error| EncodingError(error.into()))
     }

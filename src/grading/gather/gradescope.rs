@@ -1,13 +1,13 @@
 //! `submission_metadata.yml`, in which Gradescope says whose each folder `submission_100` is.
 
 use std::collections::BTreeMap;
-
-use saphyr::Yaml;
+use std::sync::Arc;
 
 use super::super::archive::Unread;
 use super::super::late;
 use super::super::place::{Entry, Place};
 use super::export::{Student, System};
+use super::yaml::{self, Yaml};
 use crate::storage::EntryKind;
 
 /// The largest such file: 64 MiB. It holds all results of automatic tests.
@@ -23,23 +23,17 @@ pub fn is_metadata(entry: &Entry) -> bool {
 #[derive(Clone, Debug, Default)]
 pub struct Metadata(BTreeMap<String, Student>);
 
-/// The value of a key, which Ruby writes with a colon before it.
-fn field<'y, 'i>(yaml: &'y Yaml<'i>, key: &str) -> Option<&'y Yaml<'i>> {
-    let mapping = yaml.as_mapping()?;
-    let is_key = |found: &Yaml| text(found).is_some_and(|found| found.strip_prefix(':').unwrap_or(&found) == key);
-    mapping.iter().find(|(found, _)| is_key(found)).map(|(_, value)| value)
+/// The value of a key, which Ruby writes with a colon before it. Of repeated keys the last counts.
+fn field<'y>(yaml: &'y Yaml, key: &str) -> Option<&'y Yaml> {
+    let is_key = |found: &Yaml| text(found).is_some_and(|found| found.strip_prefix(':').unwrap_or(found) == key);
+    yaml.mapping()?.iter().rev().find(|(found, _)| is_key(found)).map(|(_, value)| &**value)
 }
 
 /// A value as it is written: numbers with their zeros.
-fn text(yaml: &Yaml) -> Option<String> {
+fn text(yaml: &Yaml) -> Option<&str> {
     match yaml {
-        Yaml::Representation(text, ..) => Some(text.to_string()),
-        Yaml::Value(_) => {
-            let number = || yaml.as_integer().map(|number| number.to_string());
-            yaml.as_str().map(str::to_owned).or_else(number)
-        }
-        Yaml::Tagged(_, inner) => text(inner),
-        _ => None,
+        Yaml::Scalar(text) => Some(text),
+        Yaml::Sequence(_) | Yaml::Mapping(_) => None,
     }
 }
 
@@ -57,33 +51,24 @@ impl Metadata {
     }
 
     fn parse(source: &str) -> Result<Self, String> {
-        let mut loader = saphyr::YamlLoader::<Yaml>::default();
-        // Student numbers keep their zeros, and results of tests may repeat keys.
-        loader.early_parse(false);
-        loader.allow_duplicate_keys(true);
-        let mut parser = saphyr_parser::Parser::new_from_str(source);
-        parser.load(&mut loader, false).map_err(|error| error.to_string())?;
-        if let Some(error) = loader.error() {
-            return Err(error.to_string());
-        }
-        let documents = loader.into_documents();
-        let submissions = documents.first().and_then(|document| document.as_mapping());
+        let document = yaml::first_document(source)?;
+        let submissions = document.as_deref().and_then(Yaml::mapping);
         let submissions = submissions.ok_or_else(|| "it holds no submissions".to_owned())?;
-        let student = |(name, yaml): (&Yaml, &Yaml)| Some((text(name)?, Self::student_in(yaml)?));
+        let student = |(name, yaml): &(Arc<Yaml>, Arc<Yaml>)| Some((text(name)?.to_owned(), Self::student_in(yaml)?));
         Ok(Self(submissions.iter().filter_map(student).collect()))
     }
 
     fn student_in(yaml: &Yaml) -> Option<Student> {
-        let submitters = field(yaml, "submitters")?.as_sequence()?;
+        let submitters = field(yaml, "submitters")?.sequence()?;
         let all = |key: &str| {
             let found = submitters.iter().filter_map(|submitter| text(field(submitter, key)?));
-            found.filter(|text| !text.is_empty() && text != "~" && text != "null").collect::<Vec<_>>().join(", ")
+            found.filter(|text| !["", "~", "null"].contains(text)).collect::<Vec<_>>().join(", ")
         };
         let (name, id) = (all("name"), all("sid"));
         let late = field(yaml, "late").or_else(|| field(yaml, "lateness")).and_then(text).unwrap_or_default();
-        let is_late = !["", "false", "~", "null", "0", "0.0", "00:00:00"].contains(&late.as_str());
+        let is_late = !["", "false", "~", "null", "0", "0.0", "00:00:00"].contains(&late);
         let id = if id.is_empty() { all("email") } else { id };
-        Some(Student { system: System::Gradescope, name, id, is_late, days_late: late::days_of(&late), file: None })
+        Some(Student { system: System::Gradescope, name, id, is_late, days_late: late::days_of(late), file: None })
     }
 
     /// Who made the submission in the folder, file or archive of a name.
@@ -127,6 +112,9 @@ submission_103:
         assert_eq!(of("submission_102"), Some(("Zoë Ng, Ada".to_owned(), "00421".to_owned())));
         assert_eq!(of("submission_102.zip").map(|(name, _)| name), Some("Zoë Ng, Ada".to_owned()));
         assert_eq!((of("submission_103"), of("submission_9")), (None, None));
+        let shared = "submission_1: &1\n  :submitters:\n  - :name: Ann\nsubmission_2: *1\n";
+        let shared = Metadata::parse(shared).expect("it is right");
+        assert_eq!(shared.student("submission_2").map(|student| student.name), Some("Ann".to_owned()));
         for broken in ["", "- a\n", "a: [", "\t"] {
             assert!(Metadata::parse(broken).is_err(), "{broken:?}");
         }
