@@ -2,7 +2,7 @@
 //! messages' constants and functions.
 //!
 //! For each folder it writes `$OUT_DIR/FOLDER.rs`: an array of `(name, text)`, sorted by name, for `include!`. Of `words/en.txt` it
-//! makes `$OUT_DIR/texts.rs`.
+//! makes `$OUT_DIR/texts.rs`. It also says which commit is built, and how.
 
 #[path = "../src/words/file.rs"]
 mod file;
@@ -10,6 +10,7 @@ mod file;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 use std::{env, fs};
 
 use file::LanguageFile;
@@ -40,6 +41,51 @@ fn main() {
         }
     }
     fs::write(out.join("texts.rs"), texts(&english)).expect("the output folder can be written");
+    say_how_it_is_built(&package);
+}
+
+/// Sets the variables of `src/facts.rs`: `INBETWEEN_COMMIT`, `INBETWEEN_TARGET`, `INBETWEEN_PROFILE` and `INBETWEEN_RUSTC`.
+fn say_how_it_is_built(package: &Path) {
+    let variable = |name: &str| env::var(name).unwrap_or_default();
+    let rustc = Command::new(variable("RUSTC")).arg("--version").output();
+    let rustc = rustc.map(|output| String::from_utf8_lossy(&output.stdout).trim().to_owned()).unwrap_or_default();
+    // cargo tells `debug` or `release` alone; the folder is called as the profile is: TARGET/PROFILE/build/PACKAGE/out.
+    let out = PathBuf::from(variable("OUT_DIR"));
+    let folder = out.ancestors().nth(3).and_then(|folder| folder.file_name()?.to_str().map(str::to_owned));
+    let profile = folder.unwrap_or_else(|| variable("PROFILE"));
+    println!("cargo::rustc-env=INBETWEEN_COMMIT={}", commit(package, variable("PROFILE") == "debug"));
+    println!("cargo::rustc-env=INBETWEEN_TARGET={}", variable("TARGET"));
+    println!("cargo::rustc-env=INBETWEEN_PROFILE={profile}");
+    println!("cargo::rustc-env=INBETWEEN_RUSTC={rustc}");
+}
+
+/// The commit that is built: what `INBETWEEN_COMMIT` says, else what git says of the checkout. `unknown` in debug builds, which would
+/// have to be made anew after each commit, and where there is neither.
+fn commit(package: &Path, is_debug: bool) -> String {
+    println!("cargo::rerun-if-env-changed=INBETWEEN_COMMIT");
+    let told = env::var("INBETWEEN_COMMIT").ok().filter(|commit| !commit.is_empty());
+    let git = |arguments: &[&str]| {
+        let output = Command::new("git").arg("-C").arg(package).args(arguments).output().ok()?;
+        output.status.success().then(|| String::from_utf8_lossy(&output.stdout).trim().to_owned())
+    };
+    let of_checkout = || {
+        if is_debug {
+            return None;
+        }
+        // A folder inside of another project's checkout is none.
+        let top = fs::canonicalize(git(&["rev-parse", "--show-toplevel"])?).ok()?;
+        if fs::canonicalize(package).ok()? != top {
+            return None;
+        }
+        for file in ["HEAD", "logs/HEAD"] {
+            let path = package.join(git(&["rev-parse", "--git-path", file])?);
+            if path.exists() {
+                println!("cargo::rerun-if-changed={}", path.display());
+            }
+        }
+        git(&["rev-parse", "HEAD"])
+    };
+    told.or_else(of_checkout).unwrap_or_else(|| "unknown".to_owned())
 }
 
 /// The files of a folder with an ending, sorted.

@@ -42,6 +42,7 @@ mod share;
 mod targets;
 mod told;
 mod verify;
+mod version;
 mod window;
 
 use std::ffi::OsString;
@@ -114,6 +115,10 @@ fn dispatch(arguments: &[OsString]) -> Result<Ended, CliError> {
 }
 
 fn perform(arguments: Arguments) -> Result<Ended, CliError> {
+    if arguments.version {
+        version::run(arguments.verbose)?;
+        return Ok(Ended::Well);
+    }
     let Arguments {
         scene, quiet, file, print_lines, window_panic_at, drawing_panic_at, device_lost_at, command, ..
     } = arguments;

@@ -19,6 +19,7 @@
 //! | 6 | [`flip`] | pictures in, numbers out |
 //! | 6 | [`storage`] | the file system; in a page js-sys |
 //! | 7 | [`signals`] | signal-hook |
+//! | 7 | [`facts`] | the environment |
 //! | 7 | [`export`] | of the outside world only `ffmpeg` |
 //! | 8 | [`files`], [`script`] | named files to values; text to commands, run without a window |
 //! | 9 | [`grading`], [`references`] | bytes or folders in, values out |
@@ -40,6 +41,7 @@ pub mod decode;
 pub mod diagnosis;
 pub mod editor;
 pub mod export;
+pub mod facts;
 pub mod files;
 pub mod film;
 pub mod flip;

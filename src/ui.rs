@@ -137,6 +137,8 @@ struct PanelInput<'a> {
     settings: &'a Settings,
     /// Whether an export is under way.
     is_exporting: bool,
+    /// What a report of a fault says.
+    facts: &'a str,
     /// The size of the 3D view, in points.
     view: egui::Vec2,
 }
@@ -171,6 +173,8 @@ pub struct Panels {
     pub recovery: Option<RecoveryOffer>,
     /// The file that another program has changed.
     pub changed: Option<ChangeOffer>,
+    /// What a report of a fault says of the program and of the system, a line a fact.
+    pub facts: String,
     /// How fast the window is, where that is shown.
     pub statistics: Option<Statistics>,
     /// The name of what the pointer is over in the scene, where it can be chosen or dragged.
@@ -360,7 +364,8 @@ impl Panels {
         }
         let is_exporting = self.exporting.is_some();
         let view = output.viewport.size();
-        let shown = PanelInput { editor, keymap: &self.keymap, settings: &self.settings, is_exporting, view };
+        let facts = &self.facts;
+        let shown = PanelInput { editor, keymap: &self.keymap, settings: &self.settings, is_exporting, facts, view };
         dialogs::show(ui, &mut self.dialog, shown, &mut output);
         self.manual.show(ui);
         if let Some(Command::File(FileCommand::Export(options))) = output.commands.last() {

@@ -65,7 +65,7 @@ Exit status: 0 done; 1 bad input, said on standard error; 2 wrong usage; 3 no di
 
 /// Animate a scene with keyframes: in a window, or with one of the commands below.
 #[derive(Debug, Parser)]
-#[command(name = "inbetween", version, disable_help_subcommand = true)]
+#[command(name = "inbetween", version, disable_help_subcommand = true, disable_version_flag = true)]
 pub struct Arguments {
     /// The scene: a built-in one (two-robots, cylinder, orbits), or a scene file of at most 256 MiB.
     #[arg(long, global = true, value_name = "NAME|FILE")]
@@ -73,6 +73,12 @@ pub struct Arguments {
     /// Say only what was asked for and what is wrong: no notes, no reports, no progress.
     #[arg(short, long, global = true)]
     pub quiet: bool,
+    /// Print the version.
+    #[arg(short = 'V', long)]
+    pub version: bool,
+    /// With --version: print what a report of a fault needs to say, of the program, the system and the graphics driver.
+    #[arg(long, requires = "version")]
+    pub verbose: bool,
     /// The keyframe file to open in the window, loaded if it exists [default: animation.json, not loaded].
     pub file: Option<PathBuf>,
     /// For tests: after each command the window prints how many lines its journal has, and a hash of what it must bring back; and

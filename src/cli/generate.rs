@@ -24,15 +24,12 @@ pub fn completions(arguments: &CompletionsArguments) -> Result<(), CliError> {
 fn shown(command: &Command) -> Command {
     let shown_command = Command::new(command.get_name().to_owned())
         .disable_help_subcommand(true)
+        .disable_version_flag(true)
         .args(command.get_arguments().filter(|argument| !argument.is_hide_set()))
         .subcommands(command.get_subcommands().map(shown));
-    let with_about = match command.get_about() {
+    match command.get_about() {
         Some(about) => shown_command.about(about.clone()),
         None => shown_command,
-    };
-    match command.get_version() {
-        Some(version) => with_about.version(version.to_owned()),
-        None => with_about,
     }
 }
 

@@ -96,8 +96,14 @@ impl Panels {
         let tokens = Tokens::of(ui);
         let plain = |fill, x, y| Frame::new().fill(fill).inner_margin(Margin::symmetric(x, y));
         let is_exporting = self.exporting.is_some();
-        let shown =
-            PanelInput { editor, keymap: &self.keymap, settings: &self.settings, is_exporting, view: Vec2::ZERO };
+        let shown = PanelInput {
+            editor,
+            keymap: &self.keymap,
+            settings: &self.settings,
+            is_exporting,
+            facts: &self.facts,
+            view: Vec2::ZERO,
+        };
         let state = WindowState {
             messages: self.log.is_shown(),
             poses: self.poses.is_shown(),

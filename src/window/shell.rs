@@ -195,6 +195,7 @@ impl Shell {
         let opened = opened.map_err(WindowError::from);
         match opened.and_then(|device| WindowSurface::new(event_loop, window, device, &self.proxy, reader)) {
             Ok(stage) => {
+                self.ui.facts = stage.facts();
                 // Set the title after the window is visible, so that tools that search by title find a visible window.
                 stage.window.set_title(&self.title);
                 stage.window.request_redraw();

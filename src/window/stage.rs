@@ -17,10 +17,11 @@ use super::{UserEvent, WindowError, now};
 use crate::camera::Camera;
 use crate::editor::gizmo::Handle;
 use crate::editor::{Editor, LimbBall, PathDot, WorkEye};
+use crate::facts;
 use crate::frame::Frame;
 use crate::pose::RbtIndex;
 use crate::render::{
-    Gpu, GpuError, Image, Offscreen, Refiner, Renderer, Target, Viewport, default_samples,
+    Gpu, GpuError, Image, Offscreen, Refiner, Renderer, Target, Viewport, adapter_facts, default_samples,
 };
 use crate::scene::Part;
 use crate::ui::{Panels, THUMBNAIL_PX, UiOutput, theme};
@@ -175,6 +176,12 @@ impl WindowSurface {
             resting: None,
             inset: None,
         })
+    }
+
+    /// What a report of a fault says, a line a fact.
+    pub fn facts(&self) -> String {
+        let all = facts::facts().into_iter().chain(adapter_facts(&self.gpu));
+        facts::lines(&all.collect::<Vec<_>>())
     }
 
     /// The surface is configured anew before it is drawn on again.

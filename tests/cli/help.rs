@@ -48,3 +48,29 @@ fn an_unknown_topic_is_wrong_usage_with_a_suggestion() {
         outcome.misuses();
     }
 }
+
+#[test]
+fn the_version_says_in_full_what_a_report_of_a_fault_needs() {
+    let sandbox = Sandbox::new();
+    let version = format!("inbetween {}\n", env!("CARGO_PKG_VERSION"));
+    for short in [&["--version"][..], &["-V"]] {
+        assert_eq!(sandbox.run(short).succeeds(), version);
+    }
+    let said = sandbox.run(&["--version", "--verbose"]).succeeds();
+    let facts = said.strip_prefix(&version).unwrap_or_else(|| panic!("{said}"));
+    let labels: Vec<&str> = facts.lines().filter_map(|line| Some(line.split_once(": ")?.0)).collect();
+    assert_eq!(labels, ["commit", "build", "system", "session", "adapter", "driver", "API"], "{said}");
+    assert!(facts.lines().all(|line| !line.ends_with(": ")), "{said}");
+    assert!(facts.contains("rustc 1."), "{said}");
+    sandbox.run(&["--verbose"]).misuses();
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn without_an_adapter_the_version_says_so_and_all_is_well() {
+    let sandbox = Sandbox::new();
+    let mut command = sandbox.command(&["--version", "--verbose"]);
+    command.env("VK_DRIVER_FILES", "/nonexistent.json");
+    let said = Sandbox::outcome(command).succeeds();
+    assert!(said.contains("\nadapter: no GPU adapter was found: "), "{said}");
+}
