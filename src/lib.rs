@@ -9,7 +9,7 @@
 //!
 //! | level | modules | may name |
 //! |---|---|---|
-//! | 0 | [`words`], [`text`], [`rbt`], [`interpolation`], [`rotation_rules`], [`json`], [`colour`], [`lighting`], [`picture`], [`decode`], [`parallel`], [`limb`], [`unfinished`], [`markup`], [`junit`], [`model`], [`gltf`] | glam; `words` may name serde: settings store language codes; `decode` and `gltf` read by serde; `markup` hashes by sha2 |
+//! | 0 | [`words`], [`text`], [`rbt`], [`interpolation`], [`rotation_rules`], [`json`], [`colour`], [`lighting`], [`picture`], [`decode`], [`parallel`], [`limb`], [`unfinished`], [`markup`], [`junit`], [`model`], [`gltf`], [`notices`] | glam; `words` may name serde: settings store language codes; `decode` and `gltf` read by serde; `markup` hashes by sha2 |
 //! | 0 | [`manual`] | pulldown-cmark |
 //! | 1 | [`timed`], [`pose`], [`blend`], [`scene`], [`camera`] | serde, in file formats |
 //! | 2 | [`keyframe`], [`pose_file`], [`clock`], [`settings`], [`text_layouts`], [`frame`], [`film`], [`unit_mesh`] | serde, in file formats; `Duration`, never `Instant` |
@@ -60,6 +60,7 @@ pub mod limb;
 pub mod manual;
 pub mod markup;
 pub mod model;
+pub mod notices;
 pub mod parallel;
 pub mod picture;
 pub mod pose;

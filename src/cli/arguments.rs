@@ -175,7 +175,7 @@ pub struct NodesArguments {
 /// Arguments of `help`.
 #[derive(Debug, Args)]
 pub struct HelpArguments {
-    /// A command or a page of the manual; without it, both are listed.
+    /// A command, a page of the manual, or `licences`: those of what the program is made of. Without it, commands and pages are listed.
     pub topic: Option<String>,
 }
 

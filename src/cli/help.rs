@@ -7,8 +7,10 @@ use clap::{Arg, Command};
 
 use super::arguments::{HelpArguments, command};
 use super::{CliError, output};
-use crate::manual;
+use crate::{manual, notices};
 
+/// The topic of what the program is made of.
+const LICENCES: &str = "licences";
 /// Width of a page, in characters.
 const WIDTH: usize = 80;
 
@@ -23,6 +25,9 @@ pub fn run(arguments: &HelpArguments) -> Result<(), CliError> {
         let _ = asked_for(program, &[]).print();
         return output::print(|output| output.write_all(pages().as_bytes()));
     };
+    if topic == LICENCES {
+        return output::print(|output| output.write_all(notices::text().as_bytes()));
+    }
     if program.find_subcommand(topic).is_some() {
         return Err(CliError::Usage(asked_for(program, &[topic])));
     }
@@ -47,13 +52,14 @@ fn pages() -> String {
     for entry in entries() {
         let _ = writeln!(text, "  {:longest$}  {}", entry.name, entry.title);
     }
+    let _ = writeln!(text, "\n`inbetween help {LICENCES}` prints the licences of what the program is made of.");
     text
 }
 
 /// The error for a topic that is neither a command nor a page. It lists both, and suggests what is spelt alike.
 fn unknown(topic: &str, program: &Command) -> clap::Error {
     let commands = program.get_subcommands().map(|command| command.get_name().to_owned());
-    let topics: Vec<String> = commands.chain(manual::names()).collect();
+    let topics: Vec<String> = commands.chain(manual::names()).chain([LICENCES.to_owned()]).collect();
     let topic_argument = Arg::new("TOPIC").value_parser(PossibleValuesParser::new(topics));
     // A parser that knows only this argument says what is wrong as every other argument's does.
     let parser = Command::new("inbetween help").arg(topic_argument);

@@ -2,7 +2,7 @@
 
 use egui::{Align, Align2, Frame, Id, Key, Layout, Margin, Modal, Ui, vec2};
 
-use super::about;
+use super::about::About;
 use super::export::ExportDialog;
 use super::hotkeys::{DialogState, HotkeysDialog};
 use super::model_question::ModelQuestion;
@@ -25,7 +25,7 @@ pub enum Dialog {
         is_quitting: bool,
     },
     /// Which program is this?
-    About,
+    About(About),
     /// Is a file to be replaced?
     Overwrite(OverwriteQuestion),
     /// Which command?
@@ -53,7 +53,7 @@ pub fn show(ui: &Ui, dialog: &mut Option<Dialog>, shown: PanelInput<'_>, output:
         Dialog::Path(_) => "path",
         Dialog::Unsaved { .. } => "unsaved",
         Dialog::Hotkeys(_) => "hotkeys",
-        Dialog::About => "about",
+        Dialog::About(_) => "about",
         Dialog::Model(_) => "model",
     });
     let mut modal = Modal::new(id).backdrop_color(Tokens::of(ui).shade).frame(frame);
@@ -64,7 +64,7 @@ pub fn show(ui: &Ui, dialog: &mut Option<Dialog>, shown: PanelInput<'_>, output:
     let response = modal.show(ui.ctx(), |ui| match question {
         Dialog::Path(path) => outcome(path.show(ui, shown.settings, output)),
         Dialog::Unsaved { is_quitting } => at_width(ui, |ui| unsaved(ui, *is_quitting, shown, output)),
-        Dialog::About => at_width(ui, |ui| about::show(ui, &mut output.commands)),
+        Dialog::About(about) => outcome(about.show(ui, shown.facts, &mut output.commands)),
         Dialog::Model(question) => at_width(ui, |ui| question.show(ui, &mut output.commands)),
         Dialog::Overwrite(question) => outcome(overwrite::show(ui, question, output)),
         Dialog::Commands(palette) => outcome(palette.show(ui, shown, &mut output.commands)),
@@ -73,7 +73,7 @@ pub fn show(ui: &Ui, dialog: &mut Option<Dialog>, shown: PanelInput<'_>, output:
     });
     let is_left = match question {
         // These lose nothing where one clicks beside them.
-        Dialog::Commands(_) | Dialog::Hotkeys(_) | Dialog::About | Dialog::Model(_) => {
+        Dialog::Commands(_) | Dialog::Hotkeys(_) | Dialog::About(_) | Dialog::Model(_) => {
             response.backdrop_response.clicked()
         }
         Dialog::Path(_) | Dialog::Unsaved { .. } | Dialog::Overwrite(_) | Dialog::Export(_) => false,

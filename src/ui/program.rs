@@ -1,6 +1,7 @@
 //! Commands of the window itself: lists, dialogs and settings.
 
 use super::Panels;
+use super::about::About;
 use super::dialogs::Dialog;
 use super::export::ExportDialog;
 use super::hotkeys::HotkeysDialog;
@@ -74,7 +75,7 @@ impl Panels {
             WindowCommand::FitTimeline => self.timeline.ask(Ask::FitAll),
             WindowCommand::FitSelection => self.timeline.ask(Ask::FitSelection),
             WindowCommand::ForgetRecent => settings.recent.clear(),
-            WindowCommand::ShowAbout => self.dialog = Some(Dialog::About),
+            WindowCommand::ShowAbout => self.dialog = Some(Dialog::About(About::default())),
             WindowCommand::ShowTour => settings.tour = self.tour.toggle(),
             WindowCommand::CloseTour => {
                 self.tour.close();

@@ -74,3 +74,10 @@ fn without_an_adapter_the_version_says_so_and_all_is_well() {
     let said = Sandbox::outcome(command).succeeds();
     assert!(said.contains("\nadapter: no GPU adapter was found: "), "{said}");
 }
+
+#[test]
+fn the_licences_of_what_the_program_is_made_of_are_a_topic() {
+    let sandbox = Sandbox::new();
+    assert!(sandbox.run(&["help"]).succeeds().contains("inbetween help licences"));
+    assert_eq!(sandbox.run(&["help", "licences"]).succeeds(), inbetween::notices::text());
+}

@@ -143,6 +143,24 @@ fn about_says_version_and_licence_and_leads_to_the_manual() {
 }
 
 #[test]
+fn about_copies_what_a_report_needs_and_shows_all_licences() {
+    let mut harness = harness(editor(0));
+    harness.state_mut().ui.facts = "inbetween 1\ncommit: abc\n".to_owned();
+    does(&mut harness, Command::Window(WindowCommand::ShowAbout));
+    harness.get_by_label("inbetween 1\ncommit: abc");
+    harness.get_by_label("Copy for a report").click();
+    harness.step();
+    let commands = &harness.output().platform_output.commands;
+    let copied = egui::OutputCommand::CopyText("inbetween 1\ncommit: abc\n".to_owned());
+    assert!(commands.contains(&copied), "{commands:?}");
+    click(&mut harness, "Licences of what it is made of");
+    harness.get_by_label(inbetween::notices::lines()[0]);
+    assert!(harness.query_by_label("Copy for a report").is_none());
+    click(&mut harness, "Hide the licences");
+    harness.get_by_label("Copy for a report");
+}
+
+#[test]
 fn the_shape_of_the_picture_is_said() {
     let mut harness = harness(editor(5));
     does(&mut harness, Command::Window(WindowCommand::ShowExport));
