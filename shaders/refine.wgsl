@@ -5,7 +5,7 @@
 struct Place {
     @builtin(position) in_clip: vec4f,
     // From the top left corner of the sum, which may be a part of the target.
-    @location(0) @interpolate(linear) in_pixels: vec2f,
+    @location(0) in_pixels: vec2f,
 }
 
 @vertex

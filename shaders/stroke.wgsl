@@ -10,7 +10,7 @@ struct Stroke {
 struct StrokePixel {
     @builtin(position) in_clip: vec4f,
     // Pixels from the middle.
-    @location(0) @interpolate(linear) across_px: vec2f,
+    @location(0) across_px: vec2f,
     @location(1) @interpolate(flat) colour: vec4f,
     @location(2) @interpolate(flat) half_width_px: f32,
 }

@@ -5,6 +5,7 @@
 //! [`hands`], which tests drive without a window.
 
 mod beginning;
+#[cfg(not(target_arch = "wasm32"))]
 mod clipboard;
 mod damage;
 #[cfg(not(target_arch = "wasm32"))]
@@ -62,7 +63,7 @@ pub use ending::Signals;
 #[cfg(target_arch = "wasm32")]
 pub use page::start;
 #[cfg(target_arch = "wasm32")]
-use page::{desktop, dialog, export};
+use page::{clipboard, desktop, dialog, export};
 #[cfg(not(target_arch = "wasm32"))]
 use shell::Shell;
 

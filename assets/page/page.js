@@ -142,7 +142,7 @@ export function on_drop(dropped) {
             const file = item.getAsFile();
             if (!file) continue;
             handles.delete(file.name);
-            item.getAsFileSystemHandle?.().then((handle) => handles.set(handle.name, handle), () => {});
+            item.getAsFileSystemHandle?.().then((handle) => handle && handles.set(handle.name, handle), () => {});
             given(file, dropped);
         }
     });
@@ -155,6 +155,10 @@ export function set_unsaved(value) {
 window.addEventListener("beforeunload", (event) => {
     if (is_unsaved) event.preventDefault();
 });
+
+export function copy(text) {
+    navigator.clipboard?.writeText(text).catch(() => {});
+}
 
 export function tell(text) {
     document.getElementById("said").textContent = text;

@@ -3,6 +3,7 @@
 //! A page may not wait: its device opens later, and its files are in memory. What it writes is downloaded, or written in place where a
 //! browser allows that; settings and journals the browser keeps. One thread does all.
 
+pub mod clipboard;
 pub mod desktop;
 pub mod dialog;
 pub mod export;
@@ -51,6 +52,8 @@ extern "C" {
     fn on_drop(dropped: &Closure<dyn FnMut(String, Vec<u8>)>);
     /// Says whether leaving the page would lose something.
     fn set_unsaved(is_unsaved: bool);
+    /// Gives the system's clipboard a text.
+    pub(super) fn copy(text: &str);
     /// Says the status line to a screen reader.
     fn tell(text: &str);
     /// The window is there.

@@ -72,11 +72,19 @@ pub struct File {
 }
 
 impl File {
+    /// Opens it.
+    ///
+    /// # Errors
+    /// It is not there.
     pub fn open(path: impl AsRef<Path>) -> io::Result<Self> {
         metadata(&path)?;
         Ok(Self { path: absolute(path), at: 0 })
     }
 
+    /// What is known of it.
+    ///
+    /// # Errors
+    /// It is not there any more.
     pub fn metadata(&self) -> io::Result<Metadata> {
         metadata(&self.path)
     }
@@ -104,23 +112,37 @@ pub struct Metadata {
 }
 
 impl Metadata {
+    /// Whether it is a folder.
+    #[must_use]
     pub const fn is_dir(&self) -> bool {
         self.length.is_none()
     }
 
+    /// Whether it is a file.
+    #[must_use]
     pub const fn is_file(&self) -> bool {
         self.length.is_some()
     }
 
+    /// Its length in bytes.
+    #[must_use]
     pub fn len(&self) -> u64 {
         self.length.unwrap_or_default()
     }
 
+    /// When it was written last.
+    ///
+    /// # Errors
+    /// It is a folder.
     pub fn modified(&self) -> io::Result<SystemTime> {
         self.modified.ok_or_else(not_found)
     }
 }
 
+/// What is known of a file or folder.
+///
+/// # Errors
+/// It is not there.
 pub fn metadata(path: impl AsRef<Path>) -> io::Result<Metadata> {
     let path = &absolute(path);
     with(|files| match files.entries.get(path) {
@@ -135,10 +157,18 @@ fn is_folder(files: &Files, path: &Path) -> bool {
     files.entries.keys().any(|file| file.starts_with(path) && file != path)
 }
 
+/// All that a file holds.
+///
+/// # Errors
+/// It is not there.
 pub fn read(path: impl AsRef<Path>) -> io::Result<Vec<u8>> {
     with(|files| files.entries.get(&absolute(path)).map(|entry| entry.bytes.clone()).ok_or_else(not_found))
 }
 
+/// Writes a file.
+///
+/// # Errors
+/// None; elsewhere there are.
 pub fn write(path: impl AsRef<Path>, bytes: impl AsRef<[u8]>) -> io::Result<()> {
     let path = absolute(path);
     put(&path, bytes.as_ref().to_owned());
@@ -146,6 +176,10 @@ pub fn write(path: impl AsRef<Path>, bytes: impl AsRef<[u8]>) -> io::Result<()> 
     Ok(())
 }
 
+/// Appends to a file.
+///
+/// # Errors
+/// It is not there.
 pub fn append(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let path = absolute(path);
     with(|files| {
@@ -158,12 +192,20 @@ pub fn append(path: &Path, bytes: &[u8]) -> io::Result<()> {
     })
 }
 
+/// Copies a file.
+///
+/// # Errors
+/// It is not there.
 pub fn copy(from: impl AsRef<Path>, to: impl AsRef<Path>) -> io::Result<u64> {
     let bytes = read(from)?;
     write(to, &bytes)?;
     Ok(bytes.len() as u64)
 }
 
+/// Removes a file.
+///
+/// # Errors
+/// It is not there.
 pub fn remove_file(path: impl AsRef<Path>) -> io::Result<()> {
     let path = absolute(path);
     with(|files| {
