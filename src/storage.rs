@@ -348,5 +348,5 @@ pub fn remove(path: &Path) -> Result<(), StorageError> {
     }
 }
 
-#[cfg(all(test, not(target_arch = "wasm32")))]
+#[cfg(test)]
 mod tests;

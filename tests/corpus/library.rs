@@ -148,6 +148,8 @@ pub fn window_and_failures() -> String {
         texts::FILE_EXPORT_BEGUN_ALREADY.into(),
         texts::reach_ball("robot1/left_hip/left_knee"),
         texts::no_file_manager("/home/me/films"),
+        texts::SHARE_NOT_EMPTY.into(),
+        texts::share_written("page"),
         texts::file_model_not_written("walk.glb"),
         texts::gltf_buffers_too_large(1024),
         texts::count_joints(1_usize),
