@@ -43,6 +43,9 @@ impl Steps {
     }
 
     fn begun(job: &Job, gpu: Gpu) -> Result<(Painter, usize), ExportError> {
+        if !matches!(job.format().encoder, Encoder::Film(_)) {
+            return Err(FormatProblem::NoPicture.into());
+        }
         let count = job.request(&job.lit())?.plan()?.frame_count();
         let mut painter = Painter::on(gpu, job.size(), Some(1))?;
         job.prepare(&mut painter);
@@ -59,6 +62,13 @@ impl Steps {
 
     fn try_step(&mut self) -> Result<Step, ExportError> {
         let Self { job, painter, images, is_drawing, count } = self;
+        if *is_drawing {
+            if let Some(image) = painter.image_if_there()? {
+                images.push_back(image);
+                *is_drawing = false;
+            }
+            return Ok(Step::Drawn(images.len(), *count));
+        }
         let lit = job.lit();
         let planned = job.request(&lit)?.plan()?;
         if images.len() == *count {
@@ -68,16 +78,9 @@ impl Steps {
             write_film(job.path(), film, plan, &mut drawn, &mut |_, _| true)?;
             return Ok(Step::Ended(end(Ok(*count), 0)));
         }
-        if *is_drawing {
-            if let Some(image) = painter.image_if_there()? {
-                images.push_back(image);
-                *is_drawing = false;
-            }
-        } else {
-            let stage = planned.stage(painter)?;
-            painter.begin(&Exposed::of_stage(&stage, &planned.moments.all[images.len()])?)?;
-            *is_drawing = true;
-        }
+        let stage = planned.stage(painter)?;
+        painter.begin(&Exposed::of_stage(&stage, &planned.moments.all[images.len()])?)?;
+        *is_drawing = true;
         Ok(Step::Drawn(images.len(), *count))
     }
 }

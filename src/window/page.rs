@@ -57,7 +57,7 @@ extern "C" {
     /// Says the status line to a screen reader.
     fn tell(text: &str);
     /// The window is there.
-    fn begun_now(title: &str);
+    fn begun_now();
     /// The page cannot go on.
     fn ended(reason: &str);
     /// The user's language, such as `ko-KR`.
@@ -167,11 +167,11 @@ pub fn open_device(window: Arc<Window>, reader: Option<accesskit_winit::Adapter>
 /// Goes on with the device.
 pub fn device_opened(shell: &mut Shell, event_loop: &ActiveEventLoop) {
     let Some(Waiting { window, reader, device }) = WAITING.take() else { return };
-    if let Err(error) = &device {
-        ended(&error.to_string());
+    match &device {
+        Ok(_) => begun_now(),
+        Err(error) => ended(&error.to_string()),
     }
     shell.device_opened(event_loop, window, device, reader);
-    begun_now(&shell.editor.keyframe_file().display().to_string());
 }
 
 /// Hands on what changed since the last time: files to the user or to the browser, what the status line says, whether anything is unsaved.
