@@ -236,7 +236,8 @@ impl Shell {
         let reader = lost.input.accesskit.take();
         let window = Arc::clone(&lost.window);
         drop(lost);
-        self.screenshots.clear();
+        // Those under way are gone with the device: each is said to have failed.
+        self.take_screenshots();
         self.thumbnail_of = None;
         self.open_device(event_loop, window, reader);
     }
