@@ -22,6 +22,9 @@ use crate::words::{Message, texts};
 /// The default tolerance: two pictures with at most this score look the same.
 pub const DEFAULT_TOLERANCE: f32 = 0.06;
 
+/// A pixel with a larger error than this differs strikingly.
+pub const STRIKING: f32 = 0.3;
+
 /// Why two pictures cannot be compared.
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
 pub enum CompareError {
@@ -132,6 +135,14 @@ impl Comparison {
     #[must_use]
     pub fn errors(&self) -> &[f32] {
         &self.errors
+    }
+
+    /// The share of the pixels whose error is above [`STRIKING`], 0 to 1.
+    #[must_use]
+    #[expect(clippy::cast_precision_loss, reason = "a share needs no more digits")]
+    pub fn striking(&self) -> f32 {
+        let count = self.errors.iter().filter(|&&error| error > STRIKING).count();
+        count as f32 / self.errors.len() as f32
     }
 
     /// A picture of the errors: from black (0) through violet and orange to pale yellow (1).

@@ -55,7 +55,7 @@ pub fn run(arguments: &CompareArguments, common: Common<'_>) -> Result<Ended, Cl
                 let line = format!("{}\n", texts::compare_alone(pair.first.display(), pair.folder.display()));
                 return Ok(Done::ended(Ended::Beyond, line, json!({"within": false})));
             };
-            let (scores, difference) = scores(&pair.first, second).map_err(CliError::into_trouble)?;
+            let (scores, striking, difference) = scores(&pair.first, second).map_err(CliError::into_trouble)?;
             if let (Some(target), Some(output)) = (target, output) {
                 let written = difference().and_then(|png| {
                     make_folder(output, target)?;
@@ -71,7 +71,7 @@ pub fn run(arguments: &CompareArguments, common: Common<'_>) -> Result<Ended, Cl
                 (false, _) => format!("{}: {result}\n", pair.name()),
             };
             let ended = if is_within { Ended::Well } else { Ended::Beyond };
-            Ok(Done::ended(ended, lines, json(scores, arguments.tolerance)))
+            Ok(Done::ended(ended, lines, json(scores, striking, arguments.tolerance)))
         },
     )?;
     tell(outcomes, Telling { is_json: arguments.json, data: output }).map_err(CliError::into_trouble)
@@ -79,8 +79,8 @@ pub fn run(arguments: &CompareArguments, common: Common<'_>) -> Result<Ended, Cl
 
 type Png<'a> = Box<dyn FnOnce() -> Result<Vec<u8>, CliError> + 'a>;
 
-/// The scores of two images, and what makes the picture of their difference.
-fn scores(first: &Path, second: &Path) -> Result<(Scores, Png<'static>), CliError> {
+/// The scores of two images, the share of pixels that differ strikingly, and what makes the picture of their difference.
+fn scores(first: &Path, second: &Path) -> Result<(Scores, f32, Png<'static>), CliError> {
     let incomparable = |error: CompareError| {
         let location = format!("{} and {}", input_name(first), input_name(second));
         FileError::new(location, error)
@@ -92,10 +92,10 @@ fn scores(first: &Path, second: &Path) -> Result<(Scores, Png<'static>), CliErro
     }
     let [one, other] = [files::image(first)?, files::image(second)?];
     let found = compare(&one, &other).map_err(incomparable)?;
-    Ok((found.scores(), Box::new(move || Ok(found.difference().to_png()?))))
+    Ok((found.scores(), found.striking(), Box::new(move || Ok(found.difference().to_png()?))))
 }
 
-fn json(scores: Scores, tolerance: f32) -> serde_json::Value {
+fn json(scores: Scores, striking: f32, tolerance: f32) -> serde_json::Value {
     // The shortest number that names the value, not the digits of its double.
     let short = |number: f32| number.to_string().parse::<f64>().unwrap_or(f64::NAN);
     let Scores { score, mean, largest } = scores;
@@ -103,6 +103,7 @@ fn json(scores: Scores, tolerance: f32) -> serde_json::Value {
         "score": short(score),
         "mean": short(mean),
         "largest": short(largest),
+        "striking": short(striking),
         "tolerance": short(tolerance),
         "within": scores.is_within(tolerance),
     })

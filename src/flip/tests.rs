@@ -57,6 +57,16 @@ fn what_moves_is_seen_and_a_level_more_is_not() {
 }
 
 #[test]
+fn the_share_of_striking_pixels_is_counted() {
+    assert_eq!(check(&scene(0, 0), &scene(0, 0)).striking(), 0.0);
+    assert_eq!(check(&plain([0; 3]), &plain([255; 3])).striking(), 1.0);
+    let moved = check(&scene(0, 0), &scene(3, 0));
+    let count = moved.errors().iter().filter(|&&error| error > 0.3).count();
+    assert!(count > 0, "the disc's edges differ strikingly");
+    assert!((f64::from(moved.striking()) - count as f64 / (64.0 * 48.0)).abs() < 1e-7);
+}
+
+#[test]
 fn errors_are_where_the_pictures_differ() {
     let found = check(&scene(0, 0), &scene(2, 0));
     let at = |x: usize, y: usize| found.errors()[y * 64 + x];

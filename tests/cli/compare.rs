@@ -42,6 +42,7 @@ fn the_result_is_json_too() {
     assert_eq!((outcome.status, &result["within"]), (1, &Value::Bool(false)));
     let number = |name: &str| result[name].as_f64().unwrap();
     assert!(0.0 < number("mean") && number("mean") < number("score") && number("score") <= number("largest"));
+    assert!(0.0 < number("striking") && number("striking") < 0.5);
 }
 
 #[test]

@@ -22,7 +22,7 @@ pub struct CompareArguments {
     /// Write a PNG of the differences: black where equal, brighter for larger differences. Of several images it is a folder.
     #[arg(short, long, value_name = "DIFF.png|DIR")]
     pub output: Option<PathBuf>,
-    /// Print JSON, an object a line for each pair: a, b, score, mean (FLIP's own number: the mean of all pixels), largest, tolerance, within.
+    /// Print JSON, an object a line for each pair: a, b, score, mean (FLIP's own number: the mean of all pixels), largest, striking (the share of pixels with an error above 0.3), tolerance, within.
     #[arg(long)]
     pub json: bool,
 }
