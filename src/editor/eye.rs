@@ -146,7 +146,16 @@ impl WorkEye {
     /// It nearer by notches of the wheel, or farther. What is under the pixel, at the target's depth, stays there.
     #[must_use]
     pub fn zoomed(self, notches: f32, at_px: Vec2, camera: &Camera) -> Self {
-        let distance = self.distance * ZOOM_STEP.powf(-notches);
+        self.at_distance(self.distance * ZOOM_STEP.powf(-notches), at_px, camera)
+    }
+
+    /// It so many times as near. What is under the pixel, at the target's depth, stays there.
+    #[must_use]
+    pub fn zoomed_by(self, factor: f32, at_px: Vec2, camera: &Camera) -> Self {
+        self.at_distance(self.distance / factor, at_px, camera)
+    }
+
+    fn at_distance(self, distance: f32, at_px: Vec2, camera: &Camera) -> Self {
         let Some(Self { distance, .. }) = (Self { distance, ..self }).in_range() else { return self };
         let from_centre = (at_px - camera.size_px * 0.5) * camera.units_per_pixel_at_unit_depth() * self.distance;
         let to_point = self.rotation() * Vec3::new(from_centre.x, -from_centre.y, 0.0);

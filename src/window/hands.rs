@@ -5,6 +5,7 @@
 
 mod buttons;
 mod limbs;
+mod touch;
 mod turning;
 mod wheel;
 
@@ -23,6 +24,7 @@ use crate::keyframe::KeyframeIndex;
 use crate::scene::Part;
 use crate::words::{Message, texts};
 pub use limbs::Limbs;
+use touch::Fingers;
 
 /// The 3D view in the window.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -77,6 +79,8 @@ pub struct Hands {
     /// The handle that the pointer is over.
     pub hovered_handle: Option<Handle>,
     pointer: Pointer,
+    /// The fingers on a touch screen.
+    fingers: Fingers,
     /// The dot of the motion path that is held.
     path_drag: Option<PathDrag>,
     /// The balls at limbs' ends that the pointer is over or holds.
@@ -103,6 +107,7 @@ impl Hands {
             space: self.space,
             pointer_px: self.pointer_px,
             pointer: self.pointer,
+            fingers: self.fingers,
             ..Self::default()
         };
     }

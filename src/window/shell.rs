@@ -8,6 +8,7 @@ use egui_winit::accesskit_winit;
 use glam::Vec2;
 use web_time::Instant;
 use winit::application::ApplicationHandler;
+use winit::dpi::PhysicalPosition;
 use winit::event::WindowEvent;
 use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoopProxy};
 use winit::window::{Window, WindowId};
@@ -364,13 +365,16 @@ impl Shell {
                 }
             }
             WindowEvent::ModifiersChanged(modifiers) => self.hands.modifiers = modifiers.state(),
+            WindowEvent::Touch(touch) => {
+                let at_px = pixel(touch.location);
+                self.by_hand(|hands, shell| hands.touch(shell, touch.phase, touch.id, at_px, now()));
+            }
             WindowEvent::PinchGesture { delta, .. } => self.by_hand(|hands, shell| hands.pinch(shell, delta)),
             WindowEvent::KeyboardInput { event, is_synthetic, .. } => {
                 self.key(&KeyInput::new(&event, is_synthetic, self.hands.modifiers));
             }
             WindowEvent::CursorMoved { position, .. } => {
-                #[expect(clippy::cast_possible_truncation, reason = "windows are small")]
-                let at_px = Vec2::new(position.x as f32, position.y as f32);
+                let at_px = pixel(position);
                 let changes = self.by_hand(|hands, shell| hands.moved(shell, at_px));
                 if !changes && let Some(stage) = &mut self.stage {
                     // The panels need not hear of movements over the scene, which change nothing of theirs.
@@ -416,6 +420,11 @@ impl Shell {
             self.title = title;
         }
     }
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "windows are small")]
+const fn pixel(at: PhysicalPosition<f64>) -> Vec2 {
+    Vec2::new(at.x as f32, at.y as f32)
 }
 
 fn title(editor: &Editor) -> String {

@@ -8,3 +8,4 @@ mod keys;
 mod posing;
 mod reaching;
 mod table;
+mod touching;

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 use std::sync::Arc;
+use std::time::Instant;
 
 use glam::Vec2;
 use inbetween::editor::keymap::{binding_for, press_from_word};
@@ -13,7 +14,7 @@ use inbetween::script::script_commands;
 use inbetween::window::hands::{Desk, Hands, View};
 use inbetween::window::limb_drag;
 use inbetween::words::Phrase;
-use winit::event::{ElementState, MouseButton, MouseScrollDelta};
+use winit::event::{ElementState, MouseButton, MouseScrollDelta, TouchPhase};
 use winit::keyboard::ModifiersState;
 
 pub use winit::event::MouseButton::{Left, Middle, Right};
@@ -130,6 +131,11 @@ impl Table {
 
     pub fn lose_focus(&mut self) {
         self.hands.let_go(&mut Top(&mut self.editor));
+    }
+
+    /// A finger comes down, moves or goes up at a pixel, at a time.
+    pub fn touch(&mut self, phase: TouchPhase, id: u64, at_px: Vec2, at: Instant) {
+        self.hands.touch(&mut Top(&mut self.editor), phase, id, at_px, at);
     }
 
     /// Turns the wheel by notches.

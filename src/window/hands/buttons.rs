@@ -100,6 +100,11 @@ impl Hands {
     /// Lets go of everything, as when the window loses the focus. Drags count.
     pub fn let_go(&mut self, desk: &mut dyn Desk) {
         self.space.release();
+        self.let_go_of_drags(desk);
+    }
+
+    /// Ends what the buttons drag, which counts. It is no click.
+    pub(super) fn let_go_of_drags(&mut self, desk: &mut dyn Desk) {
         self.let_go_of_dot(desk);
         self.let_go_of_limb(desk);
         if let Some(action) = self.pointer.let_go() {
