@@ -245,6 +245,12 @@ impl Panels {
         self.exported = None;
     }
 
+    /// Forgets pictures that were on a device which is gone. They are wanted again where they are in sight.
+    pub fn forget_textures(&mut self) {
+        self.thumbnails = thumbnails::Thumbnails::default();
+        self.inset = None;
+    }
+
     /// Asks before a file is replaced that holds something that the user may not know of. The answer is [`UiOutput::overwrite`].
     pub fn ask_before_overwriting(&mut self, question: OverwriteQuestion) {
         self.dialog = Some(Dialog::Overwrite(question));

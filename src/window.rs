@@ -156,11 +156,14 @@ pub(crate) enum UserEvent {
     NoFileManager(PathBuf),
     /// The desktop prefers these colours.
     DesktopTheme(egui::Theme),
-    /// The device is gone: everything on it is made again.
+    /// The device is gone: everything on it is made again, in a page once [`UserEvent::DeviceBack`] says that it can.
     DeviceLost,
     /// The page's device is open, or cannot be opened.
     #[cfg(target_arch = "wasm32")]
     DeviceOpened,
+    /// The page's device, which was lost, can be opened again.
+    #[cfg(target_arch = "wasm32")]
+    DeviceBack,
     /// Files came from the page: by a drop, or from its dialog.
     #[cfg(target_arch = "wasm32")]
     FileCame(PathBuf),

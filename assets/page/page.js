@@ -148,6 +148,19 @@ export function on_drop(dropped) {
     });
 }
 
+export function on_context(changed) {
+    canvas.addEventListener("webglcontextlost", (event) => {
+        // Without this it is not given back.
+        event.preventDefault();
+        changed(false);
+    });
+    canvas.addEventListener("webglcontextrestored", () => changed(true));
+}
+
+export function is_context_lost() {
+    return canvas.getContext("webgl2")?.isContextLost() ?? true;
+}
+
 export function set_unsaved(value) {
     is_unsaved = value;
 }

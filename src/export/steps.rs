@@ -13,7 +13,8 @@ use crate::render::Gpu;
 /// A film that is being made: its frames are drawn one a step, and encoded in the last step.
 pub struct Steps {
     job: Job,
-    painter: Painter,
+    /// `None` while there is no adapter.
+    painter: Option<Painter>,
     images: VecDeque<Image>,
     /// Whether the next frame is being drawn.
     is_drawing: bool,
@@ -37,7 +38,9 @@ impl Steps {
     pub fn new(job: Job, gpu: Gpu) -> Result<Self, ExportEnd> {
         let begun = Self::begun(&job, gpu);
         match begun {
-            Ok((painter, count)) => Ok(Self { job, painter, images: VecDeque::new(), is_drawing: false, count }),
+            Ok((painter, count)) => {
+                Ok(Self { job, painter: Some(painter), images: VecDeque::new(), is_drawing: false, count })
+            }
             Err(error) => Err(end(Err(error), 0)),
         }
     }
@@ -47,9 +50,28 @@ impl Steps {
             return Err(FormatProblem::NoPicture.into());
         }
         let count = job.request(&job.lit())?.plan()?.frame_count();
+        Ok((Self::painter(job, gpu)?, count))
+    }
+
+    fn painter(job: &Job, gpu: Gpu) -> Result<Painter, ExportError> {
         let mut painter = Painter::on(gpu, job.size(), Some(1))?;
         job.prepare(&mut painter);
-        Ok((painter, count))
+        Ok(painter)
+    }
+
+    /// Waits from now on: the adapter is gone. The frame that was being drawn will be begun again.
+    pub fn suspend(&mut self) {
+        self.painter = None;
+        self.is_drawing = false;
+    }
+
+    /// Goes on, on another adapter.
+    ///
+    /// # Errors
+    /// How it ended.
+    pub fn resume(&mut self, gpu: Gpu) -> Result<(), ExportEnd> {
+        self.painter = Some(Self::painter(&self.job, gpu).map_err(|error| end(Err(error), 0))?);
+        Ok(())
     }
 
     /// Goes on as far as that needs no waiting.
@@ -62,6 +84,7 @@ impl Steps {
 
     fn try_step(&mut self) -> Result<Step, ExportError> {
         let Self { job, painter, images, is_drawing, count } = self;
+        let Some(painter) = painter else { return Ok(Step::Drawn(images.len(), *count)) };
         if *is_drawing {
             if let Some(image) = painter.image_if_there()? {
                 images.push_back(image);

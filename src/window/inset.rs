@@ -97,12 +97,6 @@ impl Shell {
         self.inset.shown = Some(shown);
         self.request_redraw();
     }
-
-    /// The device is gone, and the picture with it.
-    pub(super) fn lose_inset(&mut self) {
-        self.inset = Inset::default();
-        self.ui.inset = None;
-    }
 }
 
 /// Draws the picture into a texture that the panels show.

@@ -50,6 +50,10 @@ extern "C" {
     pub(super) fn choose(endings: &str, chosen: &Closure<dyn FnMut(String, Vec<u8>)>);
     /// Calls back with each dropped file.
     fn on_drop(dropped: &Closure<dyn FnMut(String, Vec<u8>)>);
+    /// Calls back when the canvas loses what draws on it (`false`), and when it has it again (`true`).
+    fn on_context(changed: &Closure<dyn FnMut(bool)>);
+    /// Whether the canvas has lost what draws on it.
+    pub(super) fn is_context_lost() -> bool;
     /// Says whether leaving the page would lose something.
     fn set_unsaved(is_unsaved: bool);
     /// Gives the system's clipboard a text.
@@ -73,10 +77,20 @@ struct Waiting {
     device: Device,
 }
 
+/// A window without a device.
+type Lost = (Arc<Window>, Option<accesskit_winit::Adapter>);
+
+/// What the browser was told last.
+#[derive(Default)]
+struct Told {
+    status: String,
+    is_unsaved: bool,
+}
+
 thread_local! {
     static WAITING: RefCell<Option<Waiting>> = const { RefCell::new(None) };
-    /// What the browser was told last: the status line, and whether anything is unsaved.
-    static TOLD: RefCell<(String, bool)> = const { RefCell::new((String::new(), false)) };
+    static LOST: RefCell<Option<Lost>> = const { RefCell::new(None) };
+    static TOLD: RefCell<Told> = RefCell::default();
 }
 
 /// Opens the program in the page that it was loaded by, and returns.
@@ -129,6 +143,13 @@ fn open() {
     let dropped = Closure::new(move |name: String, bytes: Vec<u8>| came(&proxy, &name, bytes));
     on_drop(&dropped);
     dropped.forget();
+    let proxy = event_loop.create_proxy();
+    let changed = Closure::new(move |is_back: bool| {
+        let event = if is_back { UserEvent::DeviceBack } else { UserEvent::DeviceLost };
+        let _ = proxy.send_event(event);
+    });
+    on_context(&changed);
+    changed.forget();
     let shell = Shell::new(editor, at_start, event_loop.create_proxy(), ForTests::default());
     event_loop.spawn_app(shell);
 }
@@ -145,6 +166,31 @@ fn came(proxy: &EventLoopProxy<UserEvent>, name: &str, bytes: Vec<u8>) {
 pub fn file_came(shell: &mut Shell, path: PathBuf) {
     if let Some(command) = PathPurpose::Open.command(path) {
         shell.apply(command);
+    }
+}
+
+/// The device is gone. Where the browser took it away, it says when another one can be opened.
+pub fn device_lost(shell: &mut Shell) {
+    if is_context_lost() {
+        keep_window(shell);
+    } else {
+        device_back(shell);
+    }
+}
+
+fn keep_window(shell: &mut Shell) {
+    // What was on a lost device goes now: later the browser would take it for another device's.
+    shell.suspend_export();
+    if let Some(lost) = shell.lose_device() {
+        LOST.set(Some(lost));
+    }
+}
+
+/// Opens a device again.
+pub fn device_back(shell: &mut Shell) {
+    keep_window(shell);
+    if let Some((window, reader)) = LOST.take() {
+        open_device(window, reader, shell.proxy.clone());
     }
 }
 
@@ -172,14 +218,15 @@ pub fn device_opened(shell: &mut Shell, event_loop: &ActiveEventLoop) {
         Err(error) => ended(&error.to_string()),
     }
     shell.device_opened(event_loop, window, device, reader);
+    shell.resume_export();
 }
 
 /// Hands on what changed since the last time: files to the user or to the browser, what the status line says, whether anything is unsaved.
 pub fn hand_on(shell: &Shell) {
     keep_changes(&fs::take_changes());
-    TOLD.with_borrow_mut(|(told, was_unsaved)| {
+    TOLD.with_borrow_mut(|told| {
         let is_unsaved = shell.editor.has_unsaved_changes();
-        if is_unsaved != std::mem::replace(was_unsaved, is_unsaved) {
+        if is_unsaved != std::mem::replace(&mut told.is_unsaved, is_unsaved) {
             set_unsaved(is_unsaved);
         }
         let text = shell
@@ -187,9 +234,9 @@ pub fn hand_on(shell: &Shell) {
             .status()
             .map(|message| Words::new(shell.settings_file.settings.language).message(message))
             .unwrap_or_default();
-        if text != *told {
+        if text != told.status {
             tell(&text);
-            *told = text;
+            told.status = text;
         }
     });
 }

@@ -231,16 +231,27 @@ impl Shell {
     }
 
     /// Recreates all GPU objects after a device loss, in the same window.
+    #[cfg(not(target_arch = "wasm32"))]
     fn reopen(&mut self, event_loop: &ActiveEventLoop) {
-        let Some(mut lost) = self.stage.take() else { return };
-        self.lose_inset();
+        if let Some((window, reader)) = self.lose_device() {
+            self.open_device(event_loop, window, reader);
+        }
+    }
+
+    /// Drops all that was on a device which is gone. What is left is the window, and what a screen reader reads of it; `None` if there was
+    /// no device.
+    pub(super) fn lose_device(&mut self) -> Option<(Arc<Window>, Option<accesskit_winit::Adapter>)> {
+        self.by_hand(|hands, shell| hands.let_go(shell));
+        let mut lost = self.stage.take()?;
+        self.inset = Inset::default();
+        self.ui.forget_textures();
         let reader = lost.input.accesskit.take();
         let window = Arc::clone(&lost.window);
         drop(lost);
         // Those under way are gone with the device: each is said to have failed.
         self.take_screenshots();
         self.thumbnail_of = None;
-        self.open_device(event_loop, window, reader);
+        Some((window, reader))
     }
 
     /// Shows the panels, applies their commands, and draws the scene after the commands, so a drag appears in the same picture.
@@ -350,6 +361,10 @@ impl Shell {
 
     /// Handles every window event except `RedrawRequested`.
     fn take_in(&mut self, event: WindowEvent) {
+        // What is held is known also while there is no device.
+        if let WindowEvent::ModifiersChanged(modifiers) = &event {
+            self.hands.modifiers = modifiers.state();
+        }
         let Some(stage) = &mut self.stage else { return };
         let mut shows = stage.input.on_window_event(&stage.window, &event).repaint;
         stage.clipboard.fill_in(&mut stage.input, self.ui.has_keyboard(&stage.context));
@@ -364,7 +379,6 @@ impl Shell {
                     self.apply(command);
                 }
             }
-            WindowEvent::ModifiersChanged(modifiers) => self.hands.modifiers = modifiers.state(),
             WindowEvent::Touch(touch) => {
                 let at_px = pixel(touch.location);
                 self.by_hand(|hands, shell| hands.touch(shell, touch.phase, touch.id, at_px, now()));
@@ -456,7 +470,12 @@ impl ApplicationHandler<UserEvent> for Shell {
                     stage.context.options_mut(|options| options.fallback_theme = theme);
                 }
             }
+            #[cfg(not(target_arch = "wasm32"))]
             UserEvent::DeviceLost => self.reopen(event_loop),
+            #[cfg(target_arch = "wasm32")]
+            UserEvent::DeviceLost => page::device_lost(self),
+            #[cfg(target_arch = "wasm32")]
+            UserEvent::DeviceBack => page::device_back(self),
             #[cfg(target_arch = "wasm32")]
             UserEvent::DeviceOpened => page::device_opened(self, event_loop),
             #[cfg(target_arch = "wasm32")]

@@ -138,6 +138,11 @@ impl WindowSurface {
                 let _ = lost.send_event(UserEvent::DeviceLost);
             }
         });
+        #[cfg(target_arch = "wasm32")]
+        gpu.device.on_uncaptured_error(Arc::new(|error: wgpu::Error| {
+            // On a lost device nothing can be made, until the browser gives it back.
+            assert!(super::page::is_context_lost(), "{error}");
+        }));
         let screen = Screen::new(&gpu, Arc::clone(&window), surface)?;
         let renderer = Renderer::new(&gpu, screen.scene_format(), samples(&gpu));
         let panel_painter = PanelPainter::new(&gpu, screen.format());

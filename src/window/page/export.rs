@@ -43,6 +43,21 @@ impl Shell {
         }
     }
 
+    /// The device is gone: the export waits for another one.
+    pub(in crate::window) fn suspend_export(&mut self) {
+        if let Some(export) = &mut self.export {
+            export.steps.suspend();
+        }
+    }
+
+    /// Goes on with an export that waits for a device.
+    pub(in crate::window) fn resume_export(&mut self) {
+        let (Some(export), Some(stage)) = (&mut self.export, &self.stage) else { return };
+        if let Err(end) = export.steps.resume(stage.device()) {
+            self.export_ended(end);
+        }
+    }
+
     /// Goes on with the export, if one runs.
     pub(in crate::window) fn step_export(&mut self) {
         let Some(export) = &mut self.export else { return };
