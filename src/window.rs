@@ -164,6 +164,9 @@ pub(crate) enum UserEvent {
     /// The page's device, which was lost, can be opened again.
     #[cfg(target_arch = "wasm32")]
     DeviceBack,
+    /// A text was pasted into the page.
+    #[cfg(target_arch = "wasm32")]
+    Pasted(String),
     /// Files came from the page: by a drop, or from its dialog.
     #[cfg(target_arch = "wasm32")]
     FileCame(PathBuf),

@@ -9,6 +9,7 @@ const handles = new Map();
 const query = new URLSearchParams(location.search);
 const shown = { ...window.shown, ...Object.fromEntries(query) };
 let is_unsaved = false;
+let is_typing = false;
 
 // The store of kept files: pieces of bytes by [path, offset]; without one nothing is kept.
 function open_store() {
@@ -146,6 +147,24 @@ export function on_drop(dropped) {
             given(file, dropped);
         }
     });
+}
+
+export function on_paste(pasted) {
+    // Where a field has the keyboard, the browser keeps the keys that paste, and gives the text.
+    window.addEventListener("keydown", (event) => {
+        const pastes = (event.ctrlKey || event.metaKey) && !event.altKey && event.key.toLowerCase() === "v";
+        if (pastes && is_typing && document.activeElement === canvas) event.stopImmediatePropagation();
+    }, { capture: true });
+    document.addEventListener("paste", (event) => {
+        if (!is_typing || document.activeElement !== canvas) return;
+        event.preventDefault();
+        const text = event.clipboardData.getData("text/plain");
+        if (text) pasted(text);
+    });
+}
+
+export function set_typing(value) {
+    is_typing = value;
 }
 
 export function on_context(changed) {

@@ -50,10 +50,14 @@ extern "C" {
     pub(super) fn choose(endings: &str, chosen: &Closure<dyn FnMut(String, Vec<u8>)>);
     /// Calls back with each dropped file.
     fn on_drop(dropped: &Closure<dyn FnMut(String, Vec<u8>)>);
+    /// Calls back with each text that is pasted while the keyboard is with a field.
+    fn on_paste(pasted: &Closure<dyn FnMut(String)>);
     /// Calls back when the canvas loses what draws on it (`false`), and when it has it again (`true`).
     fn on_context(changed: &Closure<dyn FnMut(bool)>);
     /// Whether the canvas has lost what draws on it.
     pub(super) fn is_context_lost() -> bool;
+    /// Says whether the keyboard is with a field, which takes what is pasted.
+    fn set_typing(is_typing: bool);
     /// Says whether leaving the page would lose something.
     fn set_unsaved(is_unsaved: bool);
     /// Gives the system's clipboard a text.
@@ -85,6 +89,7 @@ type Lost = (Arc<Window>, Option<accesskit_winit::Adapter>);
 struct Told {
     status: String,
     is_unsaved: bool,
+    is_typing: bool,
 }
 
 thread_local! {
@@ -144,6 +149,12 @@ fn open() {
     on_drop(&dropped);
     dropped.forget();
     let proxy = event_loop.create_proxy();
+    let pasted = Closure::new(move |text: String| {
+        let _ = proxy.send_event(UserEvent::Pasted(text));
+    });
+    on_paste(&pasted);
+    pasted.forget();
+    let proxy = event_loop.create_proxy();
     let changed = Closure::new(move |is_back: bool| {
         let event = if is_back { UserEvent::DeviceBack } else { UserEvent::DeviceLost };
         let _ = proxy.send_event(event);
@@ -166,6 +177,13 @@ fn came(proxy: &EventLoopProxy<UserEvent>, name: &str, bytes: Vec<u8>) {
 pub fn file_came(shell: &mut Shell, path: PathBuf) {
     if let Some(command) = PathPurpose::Open.command(path) {
         shell.apply(command);
+    }
+}
+
+/// Brings a text to the field that has the keyboard.
+pub fn pasted(shell: &mut Shell, text: String) {
+    if let Some(stage) = &mut shell.stage {
+        stage.input.egui_input_mut().events.push(egui::Event::Paste(text.replace("\r\n", "\n")));
     }
 }
 
@@ -228,6 +246,10 @@ pub fn hand_on(shell: &Shell) {
         let is_unsaved = shell.editor.has_unsaved_changes();
         if is_unsaved != std::mem::replace(&mut told.is_unsaved, is_unsaved) {
             set_unsaved(is_unsaved);
+        }
+        let is_typing = shell.stage.as_ref().is_some_and(|stage| shell.ui.has_keyboard(&stage.context));
+        if is_typing != std::mem::replace(&mut told.is_typing, is_typing) {
+            set_typing(is_typing);
         }
         let text = shell
             .editor

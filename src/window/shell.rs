@@ -480,6 +480,8 @@ impl ApplicationHandler<UserEvent> for Shell {
             UserEvent::DeviceOpened => page::device_opened(self, event_loop),
             #[cfg(target_arch = "wasm32")]
             UserEvent::FileCame(path) => page::file_came(self, path),
+            #[cfg(target_arch = "wasm32")]
+            UserEvent::Pasted(text) => page::pasted(self, text),
             UserEvent::Signal(signal) => {
                 self.error = Some(WindowError::Signalled { signal });
                 event_loop.exit();

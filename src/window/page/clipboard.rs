@@ -1,4 +1,5 @@
-//! The system's clipboard takes what is copied. Pasting brings what was copied in the page: a browser gives nothing unasked.
+//! The system's clipboard takes what is copied. What is pasted comes as [`UserEvent::Pasted`](crate::window::UserEvent::Pasted): a
+//! browser gives nothing unasked.
 
 use egui::{OutputCommand, PlatformOutput};
 use winit::window::Window;
@@ -12,7 +13,7 @@ impl Clipboard {
         Self
     }
 
-    /// Leaves pastes as they are.
+    /// Does nothing: the press of a key is no paste here.
     pub const fn fill_in(&mut self, _: &mut egui_winit::State, _: bool) {}
 
     /// Gives the system what the panels copy.
