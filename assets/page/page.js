@@ -49,25 +49,59 @@ async function kept_files() {
 }
 
 // The last part of an address.
-const name_of = (address) => decodeURIComponent(address.split(/[?#]/)[0].split("/").pop());
+function name_of(address) {
+    const last = address.split(/[?#]/)[0].split("/").pop();
+    try {
+        return decodeURIComponent(last);
+    } catch {
+        return last;
+    }
+}
 
-async function asked_files() {
-    const addresses = ["scene", "file", "compare"].map((key) => shown[key]).filter(Boolean);
-    return Promise.all(addresses.map(async (address) => {
+// What a file that the address asks for is called here. Two of one name are told apart.
+function path_of(key) {
+    const name = name_of(shown[key]);
+    return key === "compare" && shown.file && name_of(shown.file) === name ? `compared/${name}` : name;
+}
+
+// Why the address does not show all that it asks for: `other-site`, `refused`, `silent` or `alone`, the address of the file, and what the
+// web site says.
+const failed = [];
+// Where the files are that the address asks for, by `scene`, `file` and `compare`.
+const paths = new Map();
+
+async function asked_file(key, path) {
+    const address = shown[key];
+    const fail = (why, said = "") => {
+        failed.push([why, address, said]);
+        return [];
+    };
+    try {
         const url = new URL(address, location.href);
-        if (url.origin !== location.origin) throw new Error(`${address}: only files of this web site can be shown`);
+        if (url.origin !== location.origin) return fail("other-site");
         const answer = await fetch(url);
-        if (!answer.ok) throw new Error(`${address}: the web site says ${answer.status} ${answer.statusText}`);
-        return [name_of(address), new Uint8Array(await answer.arrayBuffer())];
-    }));
+        if (!answer.ok) return fail("refused", `${answer.status} ${answer.statusText}`.trim());
+        const bytes = new Uint8Array(await answer.arrayBuffer());
+        paths.set(key, path);
+        return [[path, bytes]];
+    } catch {
+        return fail("silent");
+    }
 }
 
 export async function load() {
-    return [...(await kept_files().catch(() => [])), ...(await asked_files())];
+    const keys = ["scene", "file", "compare"].filter((key) => shown[key]);
+    const files = await Promise.all(keys.map((key) => asked_file(key, path_of(key))));
+    if (shown.compare && !shown.file) failed.push(["alone", shown.compare, ""]);
+    return [...(await kept_files().catch(() => [])), ...files.flat()];
+}
+
+export function problems() {
+    return failed;
 }
 
 export function asked(key) {
-    return shown[key] ? name_of(shown[key]) : "";
+    return paths.get(key) ?? "";
 }
 
 async function with_store(act) {

@@ -30,14 +30,18 @@ use crate::storage::page::KEPT;
 use crate::storage::page::fs::{self, Change};
 use crate::ui::PathPurpose;
 use crate::ui::words::Words;
+use crate::words::{Message, texts};
 
 #[wasm_bindgen(module = "/assets/page/page.js")]
 extern "C" {
     /// What the browser kept, and the files that the address names, as pairs of a path and its bytes.
     #[wasm_bindgen(catch)]
     async fn load() -> Result<JsValue, JsValue>;
-    /// What the address asks for: `file`, `scene` or `compare`; empty if it does not.
+    /// Where the file is that the address asks for as `file`, `scene` or `compare`; empty if there is none.
     fn asked(key: &str) -> String;
+    /// Why the address does not show all that it asks for: triples of `other-site`, `refused`, `silent` or `alone`, the file's address, and
+    /// what the web site says.
+    fn problems() -> Array;
     /// Keeps bytes of a file, from an offset on; at 0 it is a new file.
     fn keep(path: &str, offset: f64, bytes: &[u8]);
     /// Keeps a file no longer.
@@ -94,6 +98,8 @@ struct Told {
 
 thread_local! {
     static WAITING: RefCell<Option<Waiting>> = const { RefCell::new(None) };
+    /// What is said once the window is there.
+    static PROBLEMS: RefCell<Vec<Message>> = const { RefCell::new(Vec::new()) };
     static LOST: RefCell<Option<Lost>> = const { RefCell::new(None) };
     static TOLD: RefCell<Told> = RefCell::default();
 }
@@ -125,15 +131,16 @@ fn open() {
     };
     let [file, scene, compared] = ["file", "scene", "compare"]
         .map(|key| Some(PathBuf::from(asked(key))).filter(|path| !path.as_os_str().is_empty()));
-    let (mut editor, mut said) = (None, Vec::new());
+    let (mut editor, mut said) = (None, address_problems());
     if let Some(scene) = scene {
         match begun(&Beginning::SceneFile(scene), Path::new("")) {
             Ok(begun) => editor = Some(begun.editor),
             Err(reason) => said.push(reason),
         }
     }
+    PROBLEMS.set(said);
     let mut at_start = Vec::new();
-    let mut editor = editor.unwrap_or_else(|| {
+    let editor = editor.unwrap_or_else(|| {
         let scene = built_in_scene(DEFAULT_SCENE).expect("the default scene is built in");
         Editor::new(Arc::new(scene), PathBuf::from(NEW_FILE))
     });
@@ -141,9 +148,6 @@ fn open() {
         at_start.extend(PathPurpose::Open.command(file));
     }
     at_start.extend(compared.map(|path| Command::File(FileCommand::CompareWith(path))));
-    for reason in said {
-        editor.say(reason.with_severity(Severity::Error));
-    }
     let proxy = event_loop.create_proxy();
     let dropped = Closure::new(move |name: String, bytes: Vec<u8>| came(&proxy, &name, bytes));
     on_drop(&dropped);
@@ -163,6 +167,21 @@ fn open() {
     changed.forget();
     let shell = Shell::new(editor, at_start, event_loop.create_proxy(), ForTests::default());
     event_loop.spawn_app(shell);
+}
+
+/// Why the address does not show all that it asks for.
+fn address_problems() -> Vec<Message> {
+    let of = |problem: JsValue| {
+        let problem = problem.unchecked_into::<Array>();
+        let [why, address, said] = [0, 1, 2].map(|part| problem.get(part).as_string().unwrap_or_default());
+        match why.as_str() {
+            "other-site" => texts::page_other_site(address),
+            "refused" => texts::page_refused(address, said),
+            "alone" => texts::page_compare_alone(address),
+            _ => texts::page_silent(address),
+        }
+    };
+    problems().iter().map(of).collect()
 }
 
 /// Puts a file that the user gave where the program finds it.
@@ -237,6 +256,9 @@ pub fn device_opened(shell: &mut Shell, event_loop: &ActiveEventLoop) {
     }
     shell.device_opened(event_loop, window, device, reader);
     shell.resume_export();
+    for problem in PROBLEMS.take() {
+        shell.editor.say(problem.with_severity(Severity::Error));
+    }
 }
 
 /// Hands on what changed since the last time: files to the user or to the browser, what the status line says, whether anything is unsaved.
