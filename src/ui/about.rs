@@ -5,7 +5,7 @@ use egui::{Align, Layout, RichText, ScrollArea, Ui, vec2};
 
 use super::dialogs::default_button;
 use super::icons::was_pressed;
-use super::theme::Tokens;
+use super::theme::{Tokens, dialog_width};
 use super::words::Words;
 use crate::editor::{Command, WindowCommand};
 use crate::notices;
@@ -27,7 +27,7 @@ impl About {
     pub(super) fn show(&mut self, ui: &mut Ui, facts: &str, commands: &mut Vec<Command>) -> bool {
         let words = Words::of(ui);
         let dim = Tokens::of(ui).dim;
-        ui.set_width(if self.shows_notices { NOTICES[0] } else { WIDTH });
+        ui.set_width(dialog_width(ui, if self.shows_notices { NOTICES[0] } else { WIDTH }));
         ui.heading(format!("{} {}", words.say(texts::WINDOW_OF_INBETWEEN), env!("CARGO_PKG_VERSION")));
         ui.add_space(4.0);
         ui.label(words.say(texts::ABOUT_WHAT));
@@ -64,6 +64,7 @@ fn show_notices(ui: &mut Ui) {
     let lines = notices::lines();
     let height = ui.text_style_height(&egui::TextStyle::Small);
     let [width, seen] = NOTICES;
+    let width = dialog_width(ui, width);
     ui.allocate_ui(vec2(width, seen), |ui| {
         let area = ScrollArea::both().auto_shrink(false).max_height(seen);
         area.show_rows(ui, height, lines.len(), |ui, rows| {

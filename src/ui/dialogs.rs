@@ -9,7 +9,7 @@ use super::model_question::ModelQuestion;
 use super::overwrite::{self, OverwriteQuestion};
 use super::palette::Palette;
 use super::path_dialog::PathDialog;
-use super::theme::{CORNER, Tokens};
+use super::theme::{CORNER, Tokens, dialog_width};
 use super::words::Words;
 use super::{PanelInput, QuitAnswer, UiOutput};
 use crate::words::texts;
@@ -91,7 +91,7 @@ const fn outcome(is_over: bool) -> DialogState {
 }
 
 fn at_width(ui: &mut Ui, contents: impl FnOnce(&mut Ui) -> bool) -> DialogState {
-    ui.set_width(400.0);
+    ui.set_width(dialog_width(ui, 400.0));
     outcome(contents(ui))
 }
 

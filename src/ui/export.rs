@@ -12,7 +12,7 @@ use super::axis_letters;
 use super::dialogs::default_button;
 use super::export_shape;
 use super::icons::was_pressed;
-use super::theme::{CORNER, GRID, ROW, Tokens};
+use super::theme::{CORNER, GRID, ROW, Tokens, dialog_width};
 use super::words::Words;
 use crate::editor::{Command, Editor, FileCommand, WindowCommand};
 use crate::film::{Encoder, ExportBackground, ExportOptions, FORMATS, Format, Quality};
@@ -78,7 +78,8 @@ impl ExportDialog {
         if typed.is_empty() && !*has_begun {
             *typed = options.path.to_string_lossy().into_owned();
         }
-        ui.set_width(WIDTH);
+        let width = dialog_width(ui, WIDTH);
+        ui.set_width(width);
         ui.heading(words.say(texts::EXPORT_A_FILM));
         ui.add_space(2.0 * GRID);
         let height = (ui.ctx().content_rect().height() - AROUND).max(3.0 * ROW);
@@ -138,7 +139,7 @@ impl ExportDialog {
         let said = problem.clone().unwrap_or_else(|| summary(options, shown.editor, words));
         let colour = if problem.is_some() { tokens.error } else { tokens.dim };
         // Reserve the space for the message, so that nothing moves when it appears.
-        ui.allocate_ui_with_layout(vec2(WIDTH, 2.0 * ROW), Layout::left_to_right(Align::Center), |ui| {
+        ui.allocate_ui_with_layout(vec2(width, 2.0 * ROW), Layout::left_to_right(Align::Center), |ui| {
             ui.set_min_height(2.0 * ROW);
             ui.add(Label::new(RichText::new(said).small().color(colour)).wrap());
         });
@@ -174,7 +175,7 @@ fn row(ui: &mut Ui, label: &str, fields: impl FnOnce(&mut Ui)) {
 /// A label and fields of this height, in points.
 fn high_row(ui: &mut Ui, height: f32, label: &str, fields: impl FnOnce(&mut Ui)) {
     ui.label(RichText::new(label).color(Tokens::of(ui).dim));
-    let size = vec2(WIDTH - LABELS - 2.0 * GRID, height);
+    let size = vec2(dialog_width(ui, WIDTH) - LABELS - 2.0 * GRID, height);
     ui.allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
         ui.set_min_size(size);
         fields(ui);
@@ -235,6 +236,10 @@ fn size(ui: &mut Ui, options: &mut ExportOptions, words: Words) {
     number(ui, width, 1..=ExportOptions::LONGEST_SIDE, words.say(texts::WIDTH));
     ui.label("×");
     number(ui, height, 1..=ExportOptions::LONGEST_SIDE, words.say(texts::HEIGHT));
+    if dialog_width(ui, WIDTH) < WIDTH {
+        // The list of sizes has no room.
+        return;
+    }
     let labels = SIZES.map(|[width, height]| format!("{width}×{height}"));
     let response =
         ComboBox::from_id_salt("sizes").selected_text(words.say(texts::SIZES)).width(96.0).show_ui(ui, |ui| {

@@ -4,7 +4,7 @@ use egui::{Align, Button, Event, Layout, RichText, ScrollArea, Ui, vec2};
 
 use super::PanelInput;
 use super::icons::{Icon, paint, was_pressed};
-use super::theme::{GRID, ROW, Tokens, text_font};
+use super::theme::{GRID, ROW, Tokens, dialog_width, text_font};
 use super::words::Words;
 use crate::editor::keymap::{Binding, Chord, Group, Key, Modifiers, NAMED_KEYS, can_change, chords_of_table};
 use crate::editor::{Command, WindowCommand};
@@ -12,6 +12,8 @@ use crate::words::texts;
 
 /// Width of the dialog, in points.
 const WIDTH: f32 = 560.0;
+/// Width of the names, in points.
+const NAMES: f32 = 220.0;
 
 /// The state of the dialog.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -37,7 +39,7 @@ impl HotkeysDialog {
     /// Shows it.
     pub fn show(&mut self, ui: &mut Ui, shown: PanelInput<'_>, commands: &mut Vec<Command>) -> DialogState {
         let words = Words::of(ui);
-        ui.set_width(WIDTH);
+        ui.set_width(dialog_width(ui, WIDTH));
         let mut outcome = DialogState::Stays;
         if let Some((id, index)) = self.waiting {
             match press(ui) {
@@ -69,7 +71,7 @@ impl HotkeysDialog {
         // Reserve the space for the message, so that nothing moves when it appears.
         let refused = self.refused.clone().unwrap_or_default();
         ui.add_sized(
-            vec2(WIDTH, ROW),
+            vec2(dialog_width(ui, WIDTH), ROW),
             egui::Label::new(RichText::new(refused).color(Tokens::of(ui).error)).halign(Align::Min).truncate(),
         );
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
@@ -87,12 +89,19 @@ impl HotkeysDialog {
 
     fn row(&mut self, ui: &mut Ui, binding: &Binding, words: Words, commands: &mut Vec<Command>) {
         let name = words.say(binding.title());
+        let room = NAMES.min(dialog_width(ui, WIDTH) / 2.0);
         ui.horizontal(|ui| {
             ui.set_height(ROW + 2.0);
-            let (rect, label) = ui.allocate_exact_size(vec2(220.0, ROW), egui::Sense::hover());
+            let (rect, label) = ui.allocate_exact_size(vec2(room, ROW), egui::Sense::hover());
             label.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Label, true, name));
             let at = rect.left_center() + vec2(8.0, 0.0);
-            ui.painter().text(at, egui::Align2::LEFT_CENTER, name, text_font(), Tokens::of(ui).text);
+            ui.painter().with_clip_rect(rect.intersect(ui.clip_rect())).text(
+                at,
+                egui::Align2::LEFT_CENTER,
+                name,
+                text_font(),
+                Tokens::of(ui).text,
+            );
             label.on_hover_text(words.say(binding.explanation()));
             let is_fixed = !can_change(binding);
             for (index, chord) in binding.chords.iter().enumerate() {

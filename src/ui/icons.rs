@@ -69,6 +69,8 @@ pub enum Icon {
     Home,
     /// A file.
     File,
+    /// The panel at the right.
+    Side,
 }
 
 /// Draws an icon about a centre.
@@ -235,6 +237,13 @@ pub fn paint(painter: &Painter, icon: Icon, centre: Pos2, colour: Color32) {
             let sheet = [at(1.0, -6.0), at(-4.5, -6.0), at(-4.5, 6.0), at(4.5, 6.0), at(4.5, -2.5)];
             painter.add(Shape::closed_line(sheet.to_vec(), stroke));
             painter.line(vec![at(1.0, -6.0), at(1.0, -2.5), at(4.5, -2.5)], stroke);
+        }
+        Icon::Side => {
+            let window = Rect::from_min_max(at(-6.5, -5.5), at(6.5, 5.5));
+            painter.rect_stroke(window, 1.5, stroke, egui::StrokeKind::Middle);
+            line(at(1.5, -5.5), at(1.5, 5.5));
+            line(at(3.5, -2.0), at(4.5, -2.0));
+            line(at(3.5, 1.0), at(4.5, 1.0));
         }
         Icon::Tick => {
             line(at(-3.5, 0.0), at(-1.0, 3.0));

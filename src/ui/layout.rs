@@ -1,10 +1,10 @@
 //! How the window is divided: menu bar and status line over its whole width, the right panel between them, transport and timeline under
-//! the scene. Three edges can be dragged. What the user wants is kept as it is; what is shown keeps room for everything else.
+//! the scene. In a narrow window the right panel lies over the scene, while it is asked for. Three edges can be dragged. What the user wants is kept as it is; what is shown keeps room for everything else.
 
 use egui::accesskit::Action;
 use egui::{
-    CentralPanel, CursorIcon, Frame, Id, Margin, Panel, Pos2, Rect, Role, ScrollArea, Sense, Stroke, Ui, Vec2,
-    WidgetInfo, pos2,
+    Area, CentralPanel, CursorIcon, Frame, Id, Margin, Order, Panel, Pos2, Rect, Role, ScrollArea, Sense, Stroke, Ui,
+    UiBuilder, Vec2, WidgetInfo, pos2,
 };
 
 use super::theme::{self, ROW, Tokens};
@@ -18,6 +18,10 @@ use crate::words::{Phrase, texts};
 const SCENE: [f32; 2] = [240.0, 96.0];
 /// The least height of a half of the right panel, in points: its heading and four rows.
 const HALF: f32 = 5.0 * ROW;
+/// In a narrower window, in points, the right panel lies over the scene, and only while it is asked for.
+const NARROW: f32 = 560.0;
+/// What is left of the scene beside the panel that lies over it, in points.
+const BESIDE: f32 = 64.0;
 /// How far from an edge a press takes it, in points.
 const GRAB: f32 = 3.0;
 
@@ -72,6 +76,8 @@ impl Edge {
 pub struct Rooms {
     /// The height of all that the inspector shows, in points.
     inspector: f32,
+    /// Whether the right panel is asked for in a narrow window.
+    is_side_asked_for: bool,
 }
 
 /// The height of the timeline without the transport: the wanted one as far as there is room in `height`, all in points.
@@ -123,11 +129,14 @@ impl Panels {
             status::show(ui, editor, self.statistics.as_ref());
         });
         let all = ui.available_rect_before_wrap();
+        let is_narrow = all.width() < NARROW;
         self.drag_edges(ui, all);
-        let side = self.shown_size(Edge::Side, all);
-        Panel::right("side").exact_size(side).resizable(false).frame(plain(tokens.panel, 0, 0)).show(ui, |ui| {
-            self.show_side(ui, editor, commands);
-        });
+        let side = if is_narrow { 0.0 } else { self.shown_size(Edge::Side, all) };
+        if !is_narrow {
+            Panel::right("side").exact_size(side).resizable(false).frame(plain(tokens.panel, 0, 0)).show(ui, |ui| {
+                self.show_side(ui, editor, commands);
+            });
+        }
         let height = self.shown_size(Edge::Timeline, all);
         Panel::bottom("timeline").exact_size(height).resizable(false).frame(Frame::new()).show(ui, |ui| {
             self.timeline.show(ui, editor, self.keymap.bindings(), &mut self.thumbnails, commands);
@@ -137,7 +146,16 @@ impl Panels {
             .exact_size(theme::TRANSPORT)
             .resizable(false)
             .frame(plain(tokens.panel, 8, 4))
-            .show(ui, |ui| transport::show(ui, editor, self.keymap.bindings(), commands));
+            .show(ui, |ui| {
+                let asked_for = is_narrow.then_some(&mut self.rooms.is_side_asked_for);
+                transport::show(ui, editor, self.keymap.bindings(), asked_for, commands);
+            });
+        if is_narrow && self.rooms.is_side_asked_for {
+            let bottom = all.bottom() - height - theme::TRANSPORT;
+            let width = theme::SIDE.min(all.width() - BESIDE);
+            let place = Rect::from_min_max(pos2(all.right() - width, all.top()), pos2(all.right(), bottom));
+            self.show_side_over_scene(ui, place, editor, commands);
+        }
         let left = all.right() - side;
         let at = |edge: Edge| match edge {
             Edge::Timeline => {
@@ -151,8 +169,25 @@ impl Panels {
             }
         };
         for edge in Edge::ALL {
-            show_edge(ui, edge, at(edge));
+            if edge == Edge::Timeline || !is_narrow {
+                show_edge(ui, edge, at(edge));
+            }
         }
+    }
+
+    /// Shows the right panel in a place over the scene.
+    fn show_side_over_scene(&mut self, ui: &Ui, place: Rect, editor: &Editor, commands: &mut Vec<Command>) {
+        let tokens = Tokens::of(ui);
+        let area = Area::new(Id::unique("side over scene")).order(Order::Middle).fixed_pos(place.min).fade_in(false);
+        area.show(ui.ctx(), |ui| {
+            ui.allocate_rect(place, Sense::CLICK | Sense::DRAG);
+            ui.painter().rect_filled(place, 0.0, tokens.panel);
+            ui.painter().vline(place.left(), place.y_range(), Stroke::new(1.0, tokens.line));
+            ui.scope_builder(UiBuilder::new().max_rect(place), |ui| {
+                ui.shrink_clip_rect(place);
+                self.show_side(ui, editor, commands);
+            });
+        });
     }
 
     fn show_side(&mut self, ui: &mut Ui, editor: &Editor, commands: &mut Vec<Command>) {

@@ -6,7 +6,7 @@ use egui::{Align, Layout, RichText, ScrollArea, Ui};
 
 use super::UiOutput;
 use super::dialogs::default_button;
-use super::theme::Tokens;
+use super::theme::{Tokens, dialog_width};
 use super::words::Words;
 use crate::words::{Message, texts};
 
@@ -52,7 +52,7 @@ pub enum OverwriteAnswer {
 
 /// Shows the question. Says whether it is over.
 pub(super) fn show(ui: &mut Ui, question: &OverwriteQuestion, output: &mut UiOutput) -> bool {
-    ui.set_width(WIDTH);
+    ui.set_width(dialog_width(ui, WIDTH));
     let words = Words::of(ui);
     let name = question.path.file_name().unwrap_or(question.path.as_os_str()).to_string_lossy().into_owned();
     ui.heading(words.message(match question.reason {

@@ -6,7 +6,7 @@ use egui::{Align2, Key, Layout, Modifiers, Response, Role, ScrollArea, Sense, Te
 use super::PanelInput;
 use super::access;
 use super::choices::choices;
-use super::theme::{CORNER, GRID, Tokens, number_font, small_font, text_font};
+use super::theme::{CORNER, GRID, Tokens, dialog_width, number_font, small_font, text_font};
 use super::words::Words;
 use crate::editor::{Command, ViewCommand};
 use crate::words::texts;
@@ -42,7 +42,8 @@ struct Entry {
 impl Palette {
     /// Shows the field and the list. Says whether it is over.
     pub fn show(&mut self, ui: &mut Ui, shown: PanelInput<'_>, commands: &mut Vec<Command>) -> bool {
-        ui.set_width(WIDTH);
+        let width = dialog_width(ui, WIDTH);
+        ui.set_width(width);
         let words = Words::of(ui);
         let entries = entries(shown, words, !self.typed.trim().is_empty());
         // The arrows and Enter are the list's, wherever the keyboard is.
@@ -72,7 +73,7 @@ impl Palette {
         let mut chosen = if enter { found.get(self.at).copied() } else { None };
         // As high whatever is found: nothing moves, and a long list never has to scroll in the room of a short one.
         let height = (ui.ctx().content_rect().height() - AROUND).clamp(3.0 * LINE, ROWS * LINE);
-        ui.allocate_ui_with_layout(vec2(WIDTH, height), Layout::default(), |ui| {
+        ui.allocate_ui_with_layout(vec2(width, height), Layout::default(), |ui| {
             ui.set_min_height(height);
             if found.is_empty() {
                 let text = words.message(texts::no_command_named(&self.typed));

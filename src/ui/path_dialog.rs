@@ -12,7 +12,7 @@ use super::access;
 use super::dialogs::{Dialog, default_button};
 use super::export::ExportDialog;
 use super::icons::{self, Icon};
-use super::theme::{CORNER, GRID, ROW, Tokens, text_font};
+use super::theme::{CORNER, GRID, ROW, Tokens, dialog_width, text_font};
 use super::words::Words;
 use super::{PathPurpose, UiOutput};
 use crate::settings::Settings;
@@ -171,7 +171,7 @@ impl PathDialog {
 
     /// Shows it. Says whether it is over.
     pub(super) fn show(&mut self, ui: &mut Ui, settings: &Settings, output: &mut UiOutput) -> bool {
-        ui.set_width(WIDTH.min(ui.ctx().content_rect().width() - 64.0));
+        ui.set_width(dialog_width(ui, WIDTH));
         let words = Words::of(ui);
         let (heading, verb) = self.purpose.words();
         ui.heading(words.say(heading));

@@ -29,6 +29,12 @@ pub const SMALL: f32 = 11.0;
 /// Radius of corners, in points.
 pub const CORNER: u8 = 4;
 
+/// The width of a dialog that wants this much, in points: in a narrow window it is less.
+#[must_use]
+pub fn dialog_width(ui: &Ui, wanted: f32) -> f32 {
+    wanted.min(ui.ctx().content_rect().width() - 12.0 * GRID)
+}
+
 /// A named colour, opaque.
 const fn shown(colour: Colour) -> Color32 {
     let [red, green, blue] = colour.to_bytes();

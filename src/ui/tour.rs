@@ -14,8 +14,8 @@ use crate::words::{Message, texts};
 const STEPS: usize = 6;
 /// Width of the card, in points.
 const WIDTH: f32 = 268.0;
-/// The least height of the 3D view in which all steps are listed, in points; in a lower one only the step at hand is.
-const ROOM: f32 = 230.0;
+/// The least width and height of the 3D view in which all steps are listed, in points; in a smaller one only the step at hand is.
+const ROOM: egui::Vec2 = vec2(480.0, 230.0);
 
 /// How far the user is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -77,8 +77,9 @@ impl Tour {
                     ui.spacing_mut().item_spacing.y = GRID;
                     let heading = ui.label(RichText::new(words.say(texts::TOUR_HEADING)).strong().color(tokens.text));
                     close(ui, heading.rect, width, commands);
+                    let has_room = viewport.width() >= ROOM.x && viewport.height() >= ROOM.y;
                     for (index, text) in steps.iter().enumerate() {
-                        if viewport.height() >= ROOM || index == done {
+                        if has_room || index == done {
                             step(ui, index, text, done);
                         }
                     }

@@ -1,7 +1,7 @@
 //! The transport: step, play, stop, pause, loop; auto-key; the key time; the pace; the interpolation; ghosts; the current keyframe.
 //! Where there are too few keyframes to play, its buttons play the timed keys.
 
-use egui::{Button, ComboBox, DragValue, RichText, Role, Sense, Ui, WidgetInfo, vec2};
+use egui::{Align, Button, ComboBox, DragValue, Layout, RichText, Role, Sense, Ui, WidgetInfo, vec2};
 
 use super::binding_of;
 use super::icons::{Icon, button, was_pressed};
@@ -36,8 +36,8 @@ impl Fits {
     }
 }
 
-/// Shows the row.
-pub fn show(ui: &mut Ui, editor: &Editor, bindings: &[Binding], commands: &mut Vec<Command>) {
+/// Shows the row. `side`: whether the right panel is asked for, where a button is to change that.
+pub fn show(ui: &mut Ui, editor: &Editor, bindings: &[Binding], side: Option<&mut bool>, commands: &mut Vec<Command>) {
     let fits = Fits::of(ui.available_width());
     ui.horizontal_centered(|ui| {
         ui.spacing_mut().item_spacing.x = 2.0;
@@ -70,7 +70,18 @@ pub fn show(ui: &mut Ui, editor: &Editor, bindings: &[Binding], commands: &mut V
         if !fits.keyframes {
             more(ui, fits, editor, bindings, commands);
         }
+        if let Some(is_asked_for) = side {
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| side_button(ui, is_asked_for));
+        }
     });
+}
+
+/// The button that shows the right panel over the scene, and hides it.
+fn side_button(ui: &mut Ui, is_asked_for: &mut bool) {
+    let name = if *is_asked_for { texts::HIDE_NODES_AND_INSPECTOR } else { texts::SHOW_NODES_AND_INSPECTOR };
+    if button(ui, Icon::Side, Words::of(ui).say(name), "", true, *is_asked_for) {
+        *is_asked_for = !*is_asked_for;
+    }
 }
 
 /// The menu of what has no room in the row.

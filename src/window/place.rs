@@ -17,7 +17,7 @@ const ICON: &[u8] = include_bytes!("../../assets/linux/inbetween-64.png");
 /// The window's size at first, in points.
 const SIZE: [f64; 2] = [1280.0, 800.0];
 /// The smallest size at which the panels leave room for the scene, in points.
-const SMALLEST: [f64; 2] = [720.0, 480.0];
+const SMALLEST: [f64; 2] = [360.0, 480.0];
 /// What a monitor has for the inside of a window: the rest is for the frame and for the desktop's panels.
 const SHARE: f64 = 0.9;
 /// How much of a window has to be on a monitor, in pixels, so that it can be taken by its frame.
@@ -151,7 +151,7 @@ mod tests {
         assert_eq!(size(&[monitor([1920, 1080], 1.0)]), SIZE);
         assert_eq!(size(&[monitor([1366, 768], 1.0)]), [1229.0, 691.0]);
         let small = opening(None, &[monitor([1366, 768], 2.0)]);
-        assert_eq!((small.size, small.smallest), ([614.0, 345.0], [614.0, 345.0]));
+        assert_eq!((small.size, small.smallest), ([614.0, 345.0], [360.0, 345.0]));
     }
 
     #[test]
@@ -180,6 +180,6 @@ mod tests {
             opening(Some(&kept), &[monitor([1366, 768], 1.0)]).size
         };
         assert_eq!(size([2000.0, 2000.0]), [1229.0, 691.0]);
-        assert_eq!(size([100.0, 100.0]), [720.0, 480.0]);
+        assert_eq!(size([100.0, 100.0]), [360.0, 480.0]);
     }
 }

@@ -46,6 +46,57 @@ fn nothing_is_painted_over_anything() {
 }
 
 #[test]
+fn in_a_narrow_window_the_right_panel_lies_over_the_scene_while_it_is_asked_for() {
+    for size in [vec2(400.0, 800.0), vec2(360.0, 480.0), vec2(550.0, 345.0)] {
+        let mut harness = panels(size, 100, None);
+        let window = Rect::from_min_size(pos2(0.0, 0.0), harness.ctx.content_rect().size());
+        let scene = harness.state().viewport;
+        // The harness has a margin.
+        assert!(scene.width() >= window.width() - 16.0, "{size}: {scene}");
+        assert!(scene.height() >= 60.0 && harness.query_by_label("Translation x").is_none(), "{size}: {scene}");
+        for label in ["Auto-key is off", "More of the transport", "Show the nodes and the inspector"] {
+            let rect = harness.get_by_label(label).rect();
+            assert!(window.contains_rect(rect) && rect.top() >= scene.bottom(), "{size}: {label} at {rect}");
+        }
+        let over_scene = |harness: &egui_kittest::Harness<'_, App>| {
+            let at = pos2(scene.right() - 20.0, scene.center().y);
+            harness.ctx.layer_id_at(at).is_some_and(|layer| layer.order != egui::Order::Background)
+        };
+        assert!(!over_scene(&harness), "{size}");
+        click(&mut harness, "Show the nodes and the inspector");
+        assert_eq!(harness.state().viewport, scene, "the scene stays as it is");
+        assert!(over_scene(&harness), "{size}");
+        let is_over = |row: Rect| scene.contains(row.center());
+        assert!(harness.get_all_by_role(egui::accesskit::Role::ListBoxOption).any(|row| is_over(row.rect())), "{size}");
+        click(&mut harness, "Hide the nodes and the inspector");
+        assert!(harness.query_by_label("Translation x").is_none() && !over_scene(&harness), "{size}");
+    }
+}
+
+#[test]
+fn dialogs_fit_a_narrow_window() {
+    let mut harness = panels(vec2(400.0, 800.0), 100, None);
+    let window = Rect::from_min_size(pos2(0.0, 0.0), harness.ctx.content_rect().size());
+    let is_within = |rect: Rect| window.left() <= rect.left() && rect.right() <= window.right();
+    for command in [WindowCommand::ShowHotkeys, WindowCommand::ShowAbout] {
+        does(&mut harness, Command::Window(command.clone()));
+        let close = harness.get_by_label("Close").rect();
+        assert!(window.contains_rect(close), "{command:?}: {close}");
+        press(&mut harness, egui::Key::Escape);
+    }
+    for (command, role) in [
+        (WindowCommand::ShowExport, egui::accesskit::Role::TextInput),
+        (WindowCommand::ShowExport, egui::accesskit::Role::ComboBox),
+        (WindowCommand::ShowCommands, egui::accesskit::Role::TextInput),
+    ] {
+        does(&mut harness, Command::Window(command.clone()));
+        let shown: Vec<Rect> = harness.get_all_by_role(role).map(|node| node.rect()).collect();
+        assert!(!shown.is_empty() && shown.iter().all(|&rect| is_within(rect)), "{command:?}: {shown:?}");
+        press(&mut harness, egui::Key::Escape);
+    }
+}
+
+#[test]
 fn edges_are_dragged_and_kept() {
     let mut harness = panels(vec2(1280.0, 800.0), 100, None);
     let before = harness.state().viewport;
