@@ -34,7 +34,8 @@ pub fn lines(facts: &[Fact]) -> String {
 fn system() -> String {
     let architecture = std::env::consts::ARCH;
     if !cfg!(target_os = "linux") {
-        return format!("{}, {architecture}", std::env::consts::OS);
+        let system = if cfg!(target_arch = "wasm32") { "browser" } else { std::env::consts::OS };
+        return format!("{system}, {architecture}");
     }
     let text = |path: &str| {
         let bytes = storage::read(Path::new(path), 1 << 16).ok()?;

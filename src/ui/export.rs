@@ -31,6 +31,8 @@ const LABELS: f32 = 108.0;
 const PROGRESS: f32 = 260.0;
 /// The sizes that are proposed, in pixels.
 const SIZES: [[u32; 2]; 4] = [[320, 240], [640, 480], [1280, 720], [1920, 1080]];
+/// Whether films go into folders that the user can see: what a page makes is downloaded.
+const HAS_FOLDERS: bool = !cfg!(target_arch = "wasm32");
 /// The colour behind everything that is proposed.
 const COLOUR: [u8; 3] = [0xff, 0xff, 0xff];
 
@@ -97,7 +99,7 @@ impl ExportDialog {
                         row(ui, label, |ui| {
                             let browse = Button::new(words.say(texts::BROWSE));
                             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                                if was_pressed(&ui.add(browse)) {
+                                if HAS_FOLDERS && was_pressed(&ui.add(browse)) {
                                     let proposed = PathBuf::from(typed.trim());
                                     commands.push(Command::File(FileCommand::ChooseExport { proposed, is_folder }));
                                 }
@@ -126,8 +128,8 @@ impl ExportDialog {
                         row(ui, words.say(texts::BACKGROUND), |ui| background(ui, options, words));
                         row(ui, words.say(texts::LIGHTING), |ui| lighting(ui, options, words));
                         row(ui, words.say(texts::QUALITY), |ui| quality(ui, options, words));
-                        // A sub-frame has one.
-                        if !options.quality.is_refined() {
+                        // A sub-frame has one, and a page.
+                        if !options.quality.is_refined() && !cfg!(target_arch = "wasm32") {
                             row(ui, words.say(texts::SAMPLES_A_PIXEL), |ui| samples(ui, options, words));
                         }
                     },
@@ -221,7 +223,8 @@ fn format(ui: &mut Ui, options: &mut ExportOptions, typed: &mut String, words: W
         Encoder::Ffmpeg(_) => words.message(texts::through_ffmpeg(format.name)),
     };
     let before = options.format;
-    let labels = FORMATS.map(|format| (format, label(format)));
+    let offered = FORMATS.into_iter().filter(|format| HAS_FOLDERS || !format.is_still());
+    let labels: Vec<(&'static Format, String)> = offered.map(|format| (format, label(format))).collect();
     let all: Vec<(&'static Format, &str)> = labels.iter().map(|(format, label)| (*format, label.as_str())).collect();
     if choose(ui, words.say(texts::FORMAT), &mut options.format, &all) {
         *typed = options.format.film_path(Path::new(typed.trim())).to_string_lossy().into_owned();
@@ -414,13 +417,16 @@ pub fn show_made(ui: &Ui, viewport: egui::Rect, path: &Path, commands: &mut Vec<
         let whole = path.display().to_string();
         let text = RichText::new(words.message(texts::exported_here(file_name(path))));
         ui.add(Label::new(text).truncate()).on_hover_text(&whole);
-        let folder = path.parent().unwrap_or(path).display().to_string();
-        ui.add(Label::new(RichText::new(folder).small().color(Tokens::of(ui).dim)).truncate()).on_hover_text(&whole);
+        if HAS_FOLDERS {
+            let folder = path.parent().unwrap_or(path).display().to_string();
+            let folder = RichText::new(folder).small().color(Tokens::of(ui).dim);
+            ui.add(Label::new(folder).truncate()).on_hover_text(&whole);
+        }
         ui.horizontal(|ui| {
-            if was_pressed(&ui.button(words.say(texts::SHOW_FOLDER))) {
+            if HAS_FOLDERS && was_pressed(&ui.button(words.say(texts::SHOW_FOLDER))) {
                 commands.push(Command::Window(WindowCommand::ShowFolder(path.to_owned())));
             }
-            if was_pressed(&ui.button(words.say(texts::COPY_PATH))) {
+            if HAS_FOLDERS && was_pressed(&ui.button(words.say(texts::COPY_PATH))) {
                 ui.copy_text(whole);
             }
             let close = |ui: &mut Ui| was_pressed(&ui.button(words.say(texts::CLOSE)));
