@@ -35,11 +35,28 @@ fn every_crate_that_the_program_is_made_of_is_named() {
     assert!(missing.is_empty(), "run .ci/notices: {missing:?} are not in assets/licences/THIRD-PARTY.txt");
 }
 
+/// Crates that only the page has. Cargo cannot say what a page is made of where it has not loaded these.
+#[test]
+fn crates_of_the_page_are_named() {
+    let lock = include_str!("../Cargo.lock").replace("\r\n", "\n");
+    let named: Vec<&str> = notices::lines().iter().flat_map(|line| line.split(", ")).collect();
+    for name in ["js-sys", "wasm-bindgen", "wasm-bindgen-futures", "wasm-bindgen-shared", "web-sys", "web-time"] {
+        let (_, rest) = lock.split_once(&format!("name = \"{name}\"\nversion = \"")).expect(name);
+        let version = rest.split('"').next().unwrap_or_default();
+        assert!(named.contains(&format!("{name} {version}").as_str()), "run .ci/notices: {name} {version} is missing");
+    }
+}
+
 #[test]
 fn what_crates_do_not_tell_is_there() {
-    for part in
-        ["The standard library of Rust", "Font of the Korean letters", "Font Ubuntu-Light", "Font Hack", "libwebp\n"]
-    {
+    for part in [
+        "The standard library of Rust",
+        "The page's script inbetween.js",
+        "Font of the Korean letters",
+        "Font Ubuntu-Light",
+        "Font Hack",
+        "libwebp\n",
+    ] {
         assert!(notices::text().contains(&format!("\n{part}")), "{part}");
     }
     for licence in
