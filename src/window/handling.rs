@@ -1,13 +1,18 @@
 //! Leads keyboard and mouse events to the panels, to hotkeys, and to the [`Hands`] over the scene.
 
-use egui::Order;
+use egui::{Event, Order, Pos2};
 use glam::Vec2;
+use winit::event::{Touch, TouchPhase};
 
 use super::hands::{Desk, Hands, View};
 use super::hotkeys::KeyInput;
-use super::shell::Shell;
+use super::now;
+use super::shell::{Shell, pixel};
 use crate::editor::keymap::{Key, binding_for};
 use crate::editor::{Command, Editor};
+
+/// A place in points that is in no window.
+const FAR_AWAY: Pos2 = Pos2::new(-10_000.0, -10_000.0);
 
 impl Desk for Shell {
     fn editor(&self) -> &Editor {
@@ -45,6 +50,26 @@ impl Shell {
         let done = act(&mut hands, self);
         self.hands = hands;
         done
+    }
+
+    /// A finger comes down, moves or goes up.
+    pub(super) fn touch(&mut self, touch: &Touch) {
+        let Some(stage) = &self.stage else { return };
+        // A long touch opens a menu: the finger is no longer the scene's.
+        let is_in_menu = touch.phase == TouchPhase::Moved && egui::Popup::is_any_open(&stage.context);
+        let phase = if is_in_menu { TouchPhase::Cancelled } else { touch.phase };
+        let at_px = pixel(touch.location);
+        self.by_hand(|hands, shell| hands.touch(shell, phase, touch.id, at_px, now()));
+        if let Some(stage) = self.stage.as_mut().filter(|_| self.hands.has_two_fingers()) {
+            // What moves far away and back is no long touch, however still it is.
+            let events = &mut stage.input.egui_input_mut().events;
+            let before = events.iter().rev().find_map(|event| match event {
+                Event::PointerMoved(at) => Some(*at),
+                _ => None,
+            });
+            let back = before.or_else(|| stage.context.pointer_latest_pos());
+            events.extend([FAR_AWAY].into_iter().chain(back).map(Event::PointerMoved));
+        }
     }
 
     pub(super) fn key(&mut self, input: &KeyInput) {

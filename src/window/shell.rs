@@ -379,10 +379,7 @@ impl Shell {
                     self.apply(command);
                 }
             }
-            WindowEvent::Touch(touch) => {
-                let at_px = pixel(touch.location);
-                self.by_hand(|hands, shell| hands.touch(shell, touch.phase, touch.id, at_px, now()));
-            }
+            WindowEvent::Touch(touch) => self.touch(&touch),
             WindowEvent::PinchGesture { delta, .. } => self.by_hand(|hands, shell| hands.pinch(shell, delta)),
             WindowEvent::KeyboardInput { event, is_synthetic, .. } => {
                 self.key(&KeyInput::new(&event, is_synthetic, self.hands.modifiers));
@@ -436,8 +433,9 @@ impl Shell {
     }
 }
 
+/// A place in the window.
 #[expect(clippy::cast_possible_truncation, reason = "windows are small")]
-const fn pixel(at: PhysicalPosition<f64>) -> Vec2 {
+pub(super) const fn pixel(at: PhysicalPosition<f64>) -> Vec2 {
     Vec2::new(at.x as f32, at.y as f32)
 }
 

@@ -88,6 +88,12 @@ impl Hands {
         desk.request_redraw();
     }
 
+    /// Whether two fingers are down over the scene.
+    #[must_use]
+    pub const fn has_two_fingers(&self) -> bool {
+        matches!(self.fingers, Fingers::Two(_))
+    }
+
     fn first_down(&mut self, desk: &mut dyn Desk, finger: Finger, at: Instant) -> Fingers {
         if self.is_held_by_keyboard(desk.editor()) {
             // It is not where the pointer was: what is held stays where it is.
