@@ -73,7 +73,7 @@ mod verdicts;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-pub use anonymous::make_anonymous;
+pub use anonymous::{make_anonymous, make_public};
 pub use cache::{Basis, Cache, Images, Key, MOST_KEPT_BYTES, hash};
 pub use cells::number;
 pub use check::{Revealed, RubricCheck};
@@ -91,7 +91,7 @@ pub use overrides::{LARGEST_BYTES as LARGEST_OVERRIDES_BYTES, Overrides, USUAL_N
 pub use parsed::Parsed;
 pub use person::Person;
 pub use pictures::pictures_of;
-pub use report::{Feedback, ShownMistake, feedback, html, mistakes_shown};
+pub use report::{Feedback, Points, ShownMistake, feedback, html, mistakes_shown, public_page};
 pub use requirements::{Requirement, Requirements};
 pub use roster::{Matched, Roster};
 pub use rubric::{Band, Credit, Reference, Rubric};

@@ -3,11 +3,14 @@
 mod beginning;
 mod class;
 mod kept;
+mod public;
 mod studio;
 mod summary;
 
 use std::env;
 use std::path::{Path, PathBuf};
+
+pub use self::public::{PublicReport, report as public_report};
 
 use self::class::{Class, SHARD};
 use self::summary::Summary;

@@ -1,15 +1,19 @@
-//! `inbetween share`: the page with an animation in it.
+//! `inbetween share`: the page with an animation in it, and perhaps the report of its own marks.
 
+use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use serde_json::json;
 
 use super::arguments::ShareArguments;
+use super::grade::{PublicReport, public_report};
 use super::places::Places;
 use super::told::{Report, write_keyframes};
 use super::{CliError, Common, misuse, reading, scene};
 use crate::files;
-use crate::keyframe::Animation;
+use crate::grading::Points;
+use crate::interpolation::Interpolation;
+use crate::keyframe::{Animation, DEFAULT_MS_BETWEEN_KEYFRAMES, KeyframeList};
 use crate::scene::{DEFAULT_SCENE, SceneGraph, scene_to_json};
 use crate::storage::{self, EntryKind, input_name, output_name};
 use crate::words::texts;
@@ -20,6 +24,11 @@ const INDEX: &str = "index.html";
 const PROGRAM: &str = "inbetween_bg.wasm";
 /// Where the index takes in what to show.
 const MARK: &str = "<!-- shown -->";
+/// What is written beside the page's files.
+const ANIMATION: &str = "animation.json";
+const REFERENCE: &str = "reference.json";
+const SCENE: &str = "scene.json";
+const REPORT: &str = "report.html";
 /// The largest file of the page.
 const LARGEST_BYTES: u64 = 256 << 20;
 /// The most files of one folder of the page.
@@ -30,15 +39,13 @@ const MOST_FILES: usize = 1000;
 /// # Errors
 /// [`CliError`]: bad keyframes, no page, an output with other files in it or that cannot be written.
 pub fn run(arguments: &ShareArguments, common: Common<'_>) -> Result<(), CliError> {
-    let ShareArguments { file, output, compare, page, json } = arguments;
+    let ShareArguments { file, output, compare, report, with_marks, page, json } = arguments;
     if storage::is_standard(output) {
         return Err(misuse(&texts::places_no_folder("--output").to_string()));
     }
     let places = Places::with_scene(common.scene).reads("FILE", file);
+    let places = report.iter().fold(places, |places, file| places.reads("--report", file));
     compare.iter().fold(places, |places, file| places.reads("--compare", file)).check()?;
-    let graph = scene::load(common.scene)?;
-    let animation = animation(file, &graph, common)?;
-    let reference = compare.as_ref().map(|file| self::animation(file, &graph, common)).transpose()?;
     let folder = match page {
         Some(folder) => folder.clone(),
         None => usual_page(),
@@ -49,25 +56,58 @@ pub fn run(arguments: &ShareArguments, common: Common<'_>) -> Result<(), CliErro
     if !is_free(output)? {
         return Err(CliError::bad_input(output_name(output), texts::SHARE_NOT_EMPTY));
     }
+    let graph = scene::load(common.scene)?;
+    let points = if *with_marks { Points::Shown } else { Points::Hidden };
+    let report = report.as_ref().map(|rubric| public_report(rubric, file, points, common)).transpose()?;
+    let (animation, report) = match report {
+        Some(PublicReport { html, keyframes }) => (submitted(file, keyframes, &graph)?, Some(html)),
+        None => (animation(file, &graph, common)?, None),
+    };
+    let reference = compare.as_ref().map(|file| self::animation(file, &graph, common)).transpose()?;
+    let has_scene = scene::file_of(common.scene).is_some() || graph.name() != DEFAULT_SCENE;
     copy(&folder, output)?;
-    let mut shown = json!({"file": "animation.json"});
-    write_keyframes(&output.join("animation.json"), &graph, animation)?;
+    let mut shown = json!({"file": ANIMATION});
+    write_keyframes(&output.join(ANIMATION), &graph, animation)?;
     if let Some(reference) = reference {
-        shown["compare"] = json!("reference.json");
-        write_keyframes(&output.join("reference.json"), &graph, reference)?;
+        shown["compare"] = json!(REFERENCE);
+        write_keyframes(&output.join(REFERENCE), &graph, reference)?;
     }
-    if scene::file_of(common.scene).is_some() || graph.name() != DEFAULT_SCENE {
-        shown["scene"] = json!("scene.json");
-        files::write(&output.join("scene.json"), scene_to_json(&graph).as_bytes())?;
+    if has_scene {
+        shown["scene"] = json!(SCENE);
+        files::write(&output.join(SCENE), scene_to_json(&graph).as_bytes())?;
+    }
+    let mut head = format!("<script>shown = {shown};</script>");
+    if let Some(html) = report {
+        shown["report"] = json!(REPORT);
+        files::write(&output.join(REPORT), html.as_bytes())?;
+        let _ = write!(head, "\n<nav><a href=\"{REPORT}\" target=\"_blank\">{}</a></nav>", texts::SHARE_REPORT);
+    }
+    // What was shared before, and is not any more, would stay published.
+    for (key, file) in [("compare", REFERENCE), ("scene", SCENE), ("report", REPORT)] {
+        let path = output.join(file);
+        if shown.get(key).is_none() && storage::exists(&path) {
+            storage::remove(&path).map_err(|reason| CliError::unwritten(&path, reason))?;
+        }
     }
     let index = output.join(INDEX);
     let text = storage::read(&index, LARGEST_BYTES).map_err(|reason| CliError::unwritten(&index, reason))?;
     // JSON in a script: "</" would end it, and the names are ours.
-    let text = String::from_utf8_lossy(&text).replace(MARK, &format!("<script>shown = {shown};</script>"));
+    let text = String::from_utf8_lossy(&text).replace(MARK, &head);
     files::write(&index, text.as_bytes())?;
     let notes = vec![texts::share_written(output_name(output))];
     let fields = json!({"output": output_name(output), "files": shown});
     Report { name: input_name(file), notes, fields, is_json: *json, data: Vec::new() }.tell(common)
+}
+
+/// The keyframes of a submission. A keyframe file says how it plays; of a folder or an archive only the keyframes are known.
+fn submitted(file: &Path, keyframes: KeyframeList, scene: &SceneGraph) -> Result<Animation, CliError> {
+    let animation = Animation::load(file, scene, None).unwrap_or_else(|_| Animation {
+        keyframes,
+        interpolation: Interpolation::default(),
+        ms_between_keyframes: DEFAULT_MS_BETWEEN_KEYFRAMES,
+    });
+    animation.play_range(file)?;
+    Ok(animation)
 }
 
 fn animation(file: &Path, scene: &SceneGraph, common: Common<'_>) -> Result<Animation, CliError> {

@@ -9,6 +9,38 @@ use super::marks::Marks;
 /// The shortest part of a name that is looked for in texts, in bytes: one syllable of Hangul.
 const SHORTEST_PART: usize = 3;
 
+/// Words of names of folders and archives that results say anyway.
+const ORDINARY: [&str; 28] = [
+    "all",
+    "and",
+    "animation",
+    "assignment",
+    "catmull",
+    "csv",
+    "file",
+    "files",
+    "final",
+    "frames",
+    "homework",
+    "json",
+    "keyframe",
+    "keyframes",
+    "linear",
+    "new",
+    "project",
+    "rom",
+    "sample",
+    "samples",
+    "script",
+    "spline",
+    "submission",
+    "the",
+    "trace",
+    "txt",
+    "with",
+    "zip",
+];
+
 /// Replaces names and numbers of students by numbers from 1, and sorts by these; entries that were passed over become numbers too. The
 /// order of the numbers says nothing of the names: it is that of hashes. Texts lose the name of the submission, the student's names and
 /// number; other names in them, as of a file inside a submission, stay.
@@ -32,6 +64,30 @@ pub fn make_anonymous(all: &mut [Marks], passed_over: &mut [PassedOver]) -> Stri
     text
 }
 
+/// What the submission is called where its name is hidden.
+const NAMELESS: &str = "The submission";
+
+/// Takes out of marks what tells whose they are, so that anybody may see them: names, the names of files, lateness, a teacher's comment,
+/// and the notes, which are for who grades.
+pub fn make_public(marks: &mut Marks) {
+    marks.notes.clear();
+    marks.comment = None;
+    (marks.is_late, marks.days_late, marks.late_points) = (false, None, 0.0);
+    hide(marks, NAMELESS);
+    let known = marks.files.iter().map(|file| &file.name).chain(&marks.keyframe_file);
+    let mut files: Vec<String> = known.chain(marks.samples.iter().map(|samples| &samples.file)).cloned().collect();
+    files.sort();
+    files.dedup();
+    let mut parts = Vec::new();
+    for (index, path) in files.iter().enumerate() {
+        let name = format!("file {}", index + 1);
+        let (_, last) = path.rsplit_once('/').unwrap_or(("", path));
+        parts.extend([(path.clone(), name.clone()), (last.to_owned(), name)]);
+    }
+    parts.sort_by_key(|(part, _)| std::cmp::Reverse(part.len()));
+    change_texts(marks, |text| parts.iter().for_each(|(part, name)| *text = replaced(text, part, name)));
+}
+
 fn hide(marks: &mut Marks, number: &str) {
     let stem = marks.name.split('.').next().unwrap_or_default();
     let mut parts = vec![marks.name.clone(), stem.to_owned()];
@@ -49,11 +105,16 @@ fn hide(marks: &mut Marks, number: &str) {
     // A name before its parts.
     parts.sort_by_key(|part| std::cmp::Reverse(part.len()));
     parts.dedup();
-    let hide = |text: &mut String| {
-        for part in &parts {
-            *text = replaced(text, part, number);
-        }
-    };
+    change_texts(marks, |text| parts.iter().for_each(|part| *text = replaced(text, part, number)));
+    number.clone_into(&mut marks.name);
+    (marks.student, marks.id) = (None, None);
+    // The section alone tells who a student is in a small course.
+    marks.people.clear();
+}
+
+/// Changes all texts of marks that may hold names.
+fn change_texts(marks: &mut Marks, hide: impl Fn(&mut String)) {
+    let hide = &hide;
     marks.keyframe_file.iter_mut().for_each(hide);
     marks.items.iter_mut().for_each(|item| hide(&mut item.reason));
     marks.notes.iter_mut().for_each(|note| hide(&mut note.text));
@@ -70,15 +131,12 @@ fn hide(marks: &mut Marks, number: &str) {
         hide(&mut picture.caption);
         hide(&mut picture.alt);
     }
-    number.clone_into(&mut marks.name);
-    (marks.student, marks.id) = (None, None);
-    // The section alone tells who a student is in a small course.
-    marks.people.clear();
 }
 
-/// The words of a name.
+/// The words of a name, as far as they may be of a person.
 fn words(name: &str) -> impl Iterator<Item = String> {
-    name.split(|c: char| !c.is_alphanumeric()).map(str::to_owned)
+    let words = name.split(|c: char| !c.is_alphanumeric());
+    words.filter(|word| !ORDINARY.contains(&&*word.to_lowercase())).map(str::to_owned)
 }
 
 /// A text in which a part is replaced where it stands as a word of its own, in capitals as in small letters.

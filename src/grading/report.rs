@@ -10,8 +10,9 @@ mod table;
 
 use std::fmt::Write as _;
 
-pub use feedback::{Feedback, feedback};
+pub use feedback::{Feedback, feedback, public_page};
 pub use mistakes::{ShownMistake, shown as mistakes_shown};
+pub use student::Points;
 
 use self::sheet::Sheet;
 use super::film::MistakeFilm;

@@ -1,6 +1,8 @@
 //! `inbetween share`: the page with an animation in it.
 
-use super::sandbox::Sandbox;
+use crate::grade::course;
+use crate::report::hand_in;
+use crate::sandbox::Sandbox;
 
 const WALK: &str = include_str!("../../assets/animations/walk.json");
 
@@ -53,5 +55,68 @@ fn nothing_of_others_is_overwritten_and_a_missing_page_is_said() {
     assert_eq!(sandbox.read("full/index.html"), "mine");
     let said = sandbox.run(&["share", "walk.json", "--page", "full", "-o", "out"]);
     assert!(said.status == 1 && said.stderr.starts_with("full: the page's files are not in this folder"), "{said:?}");
+    assert!(!sandbox.path("out").exists());
+}
+
+/// A page, and a submission whose files are called after the student.
+fn course_with_page() -> Sandbox {
+    let (sandbox, made) = course();
+    let entry = "Ada Lovelace_48101_assignsubmission_file_";
+    hand_in(&sandbox, entry, &made, "nan-when-equal");
+    let folder = sandbox.path("all").join(entry);
+    for file in std::fs::read_dir(&folder).unwrap() {
+        let name = file.unwrap().file_name().into_string().unwrap();
+        std::fs::rename(folder.join(&name), folder.join(format!("ada_l {name}"))).unwrap();
+    }
+    std::fs::rename(folder, sandbox.path("Ada Lovelace_48101_assignsubmission_file_")).unwrap();
+    sandbox.write("page/index.html", "<body>\n<!-- shown -->\n</body>");
+    sandbox.write("page/inbetween_bg.wasm", "the program");
+    sandbox
+}
+
+#[test]
+fn a_report_goes_along_without_names_and_with_points_only_where_asked() {
+    let sandbox = course_with_page();
+    let line = ["share", "Ada Lovelace_48101_assignsubmission_file_", "--page", "page", "-o", "out"];
+    let reported = [&line[..], &["--report", "rubric.json", "--json"]].concat();
+    let said: serde_json::Value = serde_json::from_str(&sandbox.run(&reported).succeeds()).unwrap();
+    assert_eq!(said["files"], serde_json::json!({"file": "animation.json", "report": "report.html"}));
+    let hidden = sandbox.read("out/report.html");
+    sandbox.run(&[&reported[..], &["--with-marks"]].concat()).succeeds();
+    let shown = sandbox.read("out/report.html");
+    for report in [&hidden, &shown] {
+        let text = report.split("background-image").next().unwrap().split("</style>").nth(1).unwrap();
+        for name in ["ada_l", "lovelace", "48101", "assignsubmission"] {
+            assert!(!text.to_lowercase().contains(name), "{name}: {text}");
+        }
+        for part in [
+            "The submission",
+            "nan-when-equal",
+            "file 1",
+            "keyframe count",
+            "<figcaption>Linear, as file ",
+            "aria-label=",
+        ] {
+            assert!(text.contains(part), "{part}: {text}");
+        }
+    }
+    let is_points = |report: &str| report.contains("<td class=\"n ") || report.contains("<h2><span>");
+    assert_eq!((is_points(&hidden), is_points(&shown)), (false, true));
+    let index = sandbox.read("out/index.html");
+    assert!(index.contains("<nav><a href=\"report.html\" target=\"_blank\">Report</a></nav>"), "{index}");
+    // The animation is that of the submission. What is shared without a report later has none.
+    std::fs::copy(sandbox.path("out/animation.json"), sandbox.path("one.json")).unwrap();
+    sandbox.run(&["share", "one.json", "--page", "page", "-o", "out"]).succeeds();
+    assert!(!sandbox.path("out/report.html").exists());
+    assert!(!sandbox.read("out/index.html").contains("report.html"));
+    sandbox.run(&[&line[..], &["--with-marks"]].concat()).misuses();
+}
+
+#[test]
+fn a_submission_that_cannot_be_shown_says_why() {
+    let sandbox = course_with_page();
+    sandbox.write("empty.txt", "nothing");
+    let said = sandbox.run(&["share", "empty.txt", "--report", "rubric.json", "--page", "page", "-o", "out"]);
+    assert!(said.status == 1 && said.stderr.starts_with("empty.txt: "), "{said:?}");
     assert!(!sandbox.path("out").exists());
 }

@@ -149,6 +149,7 @@ pub fn window_and_failures() -> String {
         texts::reach_ball("robot1/left_hip/left_knee"),
         texts::no_file_manager("/home/me/films"),
         texts::SHARE_NOT_EMPTY.into(),
+        texts::SHARE_REPORT.into(),
         texts::share_written("page"),
         texts::page_other_site("https://example.org/walk.json"),
         texts::page_refused("walk.json", "404 Not Found"),

@@ -88,6 +88,7 @@ const ALL: [Below; 22] = [
         examples: &[
             "inbetween share walk.json -o walk-page",
             "inbetween share mine.json --compare reference.json -o page",
+            "inbetween share mine.zip --report rubric.json -o page",
         ],
     },
     Below {

@@ -2,6 +2,7 @@
 
 use std::collections::HashSet;
 use std::fmt::Write as _;
+use std::{iter, slice};
 
 use super::super::cells::number;
 use super::super::item::Evidence;
@@ -9,8 +10,8 @@ use super::super::marks::Marks;
 use super::super::rows::rows;
 use super::super::rubric::Rubric;
 use super::sheet::Sheet;
-use super::{MistakeFilm, ShownMistake, mistakes, mistakes_shown, page, student, title};
-use crate::diagnosis::Fact;
+use super::{MistakeFilm, Points, ShownMistake, mistakes, mistakes_shown, page, student, title};
+use crate::diagnosis::{Fact, Mistake};
 use crate::markup::markdown_escaped;
 
 /// The longest file name, without ending, in bytes.
@@ -37,24 +38,43 @@ pub fn feedback(all: &[Marks], rubric: &Rubric, films: &[Option<MistakeFilm>]) -
         let name = apart(&safe(marks.id.as_deref().unwrap_or(&marks.name)), &mut names);
         let own: Vec<(usize, &ShownMistake)> =
             found.iter().enumerate().filter(|(_, shown)| shown.shown_by.contains(&index)).collect();
-        let mut sheet = Sheet::default();
-        let content = student::content(marks, &mut sheet);
-        let mut body = format!("<section>{content}</section>\n");
-        for (number, shown) in &own {
-            // A film of another student's keyframes is none of this student's business.
-            let film = films.get(*number).and_then(Option::as_ref);
-            let film = film.filter(|film| film.is_of_reference || shown.shown_by.first() == Some(&index));
-            body.push_str(&mistakes::opening(shown.mistake, None, film.map(|film| &film.picture), &mut sheet));
-            body.push_str("</dl></section>\n");
-        }
+        // A film of another student's keyframes is none of this student's business.
+        let film = |number: usize, shown: &ShownMistake| {
+            let film = films.get(number).and_then(Option::as_ref);
+            film.filter(|film| film.is_of_reference || shown.shown_by.first() == Some(&index))
+        };
+        let with_films = own.iter().map(|(number, shown)| (shown.mistake, film(*number, shown)));
+        let html = html(marks, Points::Shown, with_films, rubric);
         let own: Vec<&ShownMistake> = own.into_iter().map(|(_, shown)| shown).collect();
-        Feedback {
-            name,
-            html: page(title(rubric), &body, &sheet, None),
-            markdown: markdown(marks, &own, title(rubric)),
-        }
+        Feedback { name, html, markdown: markdown(marks, &own, title(rubric)) }
     };
     all.iter().enumerate().map(of).collect()
+}
+
+/// The page of a submission that anybody may see: what was looked at and why, and pictures. `films` are those of the mistakes that it
+/// shows, in the order of [`mistakes_shown`]. [`super::super::make_public`] takes the names out of the marks before.
+#[must_use]
+pub fn public_page(marks: &Marks, points: Points, rubric: &Rubric, films: &[Option<MistakeFilm>]) -> String {
+    let found = mistakes_shown(slice::from_ref(marks));
+    let films = films.iter().map(Option::as_ref).chain(iter::repeat(None));
+    html(marks, points, found.iter().map(|shown| shown.mistake).zip(films), rubric)
+}
+
+/// The page of one submission, with the mistakes that it shows and their films.
+fn html<'a>(
+    marks: &'a Marks,
+    points: Points,
+    mistakes: impl Iterator<Item = (&'a Mistake, Option<&'a MistakeFilm>)>,
+    rubric: &Rubric,
+) -> String {
+    let mut sheet = Sheet::default();
+    let content = student::content(marks, points, &mut sheet);
+    let mut body = format!("<section>{content}</section>\n");
+    for (mistake, film) in mistakes {
+        body.push_str(&mistakes::opening(mistake, None, film.map(|film| &film.picture), &mut sheet));
+        body.push_str("</dl></section>\n");
+    }
+    page(title(rubric), &body, &sheet, None)
 }
 
 fn markdown(marks: &Marks, shown: &[&ShownMistake], title: &str) -> String {

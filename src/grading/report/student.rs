@@ -22,20 +22,28 @@ pub fn student(marks: &Marks) -> Option<String> {
     Some(parts.join(", "))
 }
 
+/// Whether points are shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Points {
+    /// Points, and where some are missing.
+    Shown,
+    /// Only what was looked at, and why.
+    Hidden,
+}
+
 /// The section of the submission of an index among all: points with reasons, notes, pictures, and links to its neighbours.
 pub fn section<'a>(all: &'a [Marks], index: usize, sheet: &mut Sheet<'a>) -> String {
     let open = format!("<section class=\"student\" id=\"s{index}\">");
-    format!("{open}{}{}</section>\n", content(&all[index], sheet), neighbours(all, index))
+    format!("{open}{}{}</section>\n", content(&all[index], Points::Shown, sheet), neighbours(all, index))
 }
 
 /// What is said of one submission, and nothing of others.
-pub fn content<'a>(marks: &'a Marks, sheet: &mut Sheet<'a>) -> String {
-    let mut text = format!(
-        "<h2><span>{} / {}</span> {}</h2>\n",
-        number(marks.points()),
-        number(marks.out_of()),
-        escaped(&marks.name)
-    );
+pub fn content<'a>(marks: &'a Marks, points: Points, sheet: &mut Sheet<'a>) -> String {
+    let of_all = match points {
+        Points::Shown => format!("<span>{} / {}</span> ", number(marks.points()), number(marks.out_of())),
+        Points::Hidden => String::new(),
+    };
+    let mut text = format!("<h2>{of_all}{}</h2>\n", escaped(&marks.name));
     if let Some(student) = student(marks) {
         let _ = writeln!(text, "<p class=\"sum\">{}</p>", escaped(&student));
     }
@@ -46,12 +54,16 @@ pub fn content<'a>(marks: &'a Marks, sheet: &mut Sheet<'a>) -> String {
     text.push_str("<table class=\"items\">\n");
     for row in rows(&marks.items) {
         let class = if row.has_lost { "lost" } else { "full" };
+        let points = match points {
+            Points::Shown => {
+                format!("<td class=\"n {class}\">{} / {}</td>", number(row.points), number(row.out_of))
+            }
+            Points::Hidden => String::new(),
+        };
         let _ = writeln!(
             text,
-            "<tr><td>{}</td><td class=\"n {class}\">{} / {}</td><td class=\"by\">{}</td><td>{}</td></tr>",
+            "<tr><td>{}</td>{points}<td class=\"by\">{}</td><td>{}</td></tr>",
             escaped(&row.title()),
-            number(row.points),
-            number(row.out_of),
             row.evidence.map_or("", Evidence::id),
             escaped(row.reason)
         );
