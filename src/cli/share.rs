@@ -1,4 +1,4 @@
-//! `inbetween share`: the page with an animation in it, and perhaps the report of its own marks.
+//! `inbetween share`: the page with an animation in it, and perhaps its own report.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -45,7 +45,10 @@ pub fn run(arguments: &ShareArguments, common: Common<'_>) -> Result<(), CliErro
     }
     let places = Places::with_scene(common.scene).reads("FILE", file);
     let places = report.iter().fold(places, |places, file| places.reads("--report", file));
-    compare.iter().fold(places, |places, file| places.reads("--compare", file)).check()?;
+    let places = compare.iter().fold(places, |places, file| places.reads("--compare", file));
+    // Also what is removed: nothing that is read may be lost.
+    let written = [INDEX, ANIMATION, REFERENCE, SCENE, REPORT].map(|name| output.join(name));
+    written.iter().fold(places, |places, path| places.writes_once(output_name(path), path)).check()?;
     let folder = match page {
         Some(folder) => folder.clone(),
         None => usual_page(),

@@ -9,10 +9,14 @@ const WALK: &str = include_str!("../../assets/animations/walk.json");
 /// A sandbox with files that stand for the page's.
 fn sandbox() -> Sandbox {
     let sandbox = Sandbox::new();
+    write_page(&sandbox);
+    sandbox
+}
+
+fn write_page(sandbox: &Sandbox) {
     sandbox.write("page/index.html", "<body>\n<!-- shown -->\n</body>");
     sandbox.write("page/inbetween_bg.wasm", "the program");
     sandbox.write("page/snippets/page.js", "the script");
-    sandbox
 }
 
 #[test]
@@ -58,26 +62,27 @@ fn nothing_of_others_is_overwritten_and_a_missing_page_is_said() {
     assert!(!sandbox.path("out").exists());
 }
 
+/// A submission as Moodle names it.
+const ENTRY: &str = "Ada Lovelace_48101_assignsubmission_file_";
+
 /// A page, and a submission whose files are called after the student.
 fn course_with_page() -> Sandbox {
     let (sandbox, made) = course();
-    let entry = "Ada Lovelace_48101_assignsubmission_file_";
-    hand_in(&sandbox, entry, &made, "nan-when-equal");
-    let folder = sandbox.path("all").join(entry);
+    hand_in(&sandbox, ENTRY, &made, "nan-when-equal");
+    let folder = sandbox.path("all").join(ENTRY);
     for file in std::fs::read_dir(&folder).unwrap() {
         let name = file.unwrap().file_name().into_string().unwrap();
         std::fs::rename(folder.join(&name), folder.join(format!("ada_l {name}"))).unwrap();
     }
-    std::fs::rename(folder, sandbox.path("Ada Lovelace_48101_assignsubmission_file_")).unwrap();
-    sandbox.write("page/index.html", "<body>\n<!-- shown -->\n</body>");
-    sandbox.write("page/inbetween_bg.wasm", "the program");
+    std::fs::rename(folder, sandbox.path(ENTRY)).unwrap();
+    write_page(&sandbox);
     sandbox
 }
 
 #[test]
 fn a_report_goes_along_without_names_and_with_points_only_where_asked() {
     let sandbox = course_with_page();
-    let line = ["share", "Ada Lovelace_48101_assignsubmission_file_", "--page", "page", "-o", "out"];
+    let line = ["share", ENTRY, "--page", "page", "-o", "out"];
     let reported = [&line[..], &["--report", "rubric.json", "--json"]].concat();
     let said: serde_json::Value = serde_json::from_str(&sandbox.run(&reported).succeeds()).unwrap();
     assert_eq!(said["files"], serde_json::json!({"file": "animation.json", "report": "report.html"}));
@@ -119,4 +124,14 @@ fn a_submission_that_cannot_be_shown_says_why() {
     let said = sandbox.run(&["share", "empty.txt", "--report", "rubric.json", "--page", "page", "-o", "out"]);
     assert!(said.status == 1 && said.stderr.starts_with("empty.txt: "), "{said:?}");
     assert!(!sandbox.path("out").exists());
+}
+
+#[test]
+fn what_is_shared_is_never_written_over() {
+    let sandbox = sandbox();
+    sandbox.write("walk.json", WALK);
+    sandbox.run(&["share", "walk.json", "--compare", "walk.json", "--page", "page", "-o", "out"]).succeeds();
+    // Without --compare it would be removed.
+    sandbox.run(&["share", "out/reference.json", "--page", "page", "-o", "out"]).misuses();
+    assert_eq!(sandbox.read("out/reference.json"), WALK);
 }
