@@ -84,6 +84,8 @@ pub fn make_public(marks: &mut Marks) {
         let (_, last) = path.rsplit_once('/').unwrap_or(("", path));
         parts.extend([(path.clone(), name.clone()), (last.to_owned(), name)]);
     }
+    // A file that is called `linear` tells nothing, and its name is a word of sentences.
+    parts.retain(|(part, _)| part.len() >= SHORTEST_PART && !ORDINARY.contains(&&*part.to_lowercase()));
     parts.sort_by_key(|(part, _)| std::cmp::Reverse(part.len()));
     change_texts(marks, |text| parts.iter().for_each(|(part, name)| *text = replaced(text, part, name)));
 }

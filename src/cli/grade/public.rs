@@ -6,7 +6,7 @@ use super::kept;
 use super::studio::LazyStudio;
 use crate::cli::{CliError, Common};
 use crate::files::scene;
-use crate::grading::{self, Basis, Cache, Found, GradedClass, Images, Naming, PICTURE_SIZE, Points, Rubric};
+use crate::grading::{self, Basis, Cache, Found, GradedClass, Images, Marks, Naming, PICTURE_SIZE, Points, Rubric};
 use crate::keyframe::KeyframeList;
 use crate::storage::input_name;
 
@@ -38,16 +38,17 @@ pub fn report(
     let marks = grading::mark_all(&submissions, |_| true, &rubric, &scene, &cache);
     let images = Images { most: MOST_PICTURES, size: (PICTURE_SIZE.width, PICTURE_SIZE.height) };
     let basis = Basis::new(kept::version(), &rubric, &scene, Some(images));
-    let marks = marks.into_iter().flatten().collect();
+    let marks: Vec<Marks> = marks.into_iter().flatten().collect();
+    // A submission that cannot be shown needs no pictures.
+    let [Marks { keyframes, unread, .. }] = &marks[..] else { unreachable!("one submission has one row of marks") };
+    let Some(keyframes) = keyframes.clone() else {
+        return Err(CliError::bad_input(input_name(submission), unread.clone().unwrap_or_default()));
+    };
     let mut class = GradedClass { basis, scene, rubric, overrides: None, marks, passed_over: Vec::new(), cache };
     let mut studio = LazyStudio::default();
     studio.draw(&mut class, common)?;
     let films = studio.films(&mut class)?;
     let GradedClass { mut marks, rubric, .. } = class;
-    let marks = marks.first_mut().expect("a submission that was found has marks");
-    let Some(keyframes) = marks.keyframes.clone() else {
-        return Err(CliError::bad_input(input_name(submission), marks.unread.clone().unwrap_or_default()));
-    };
-    grading::make_public(marks);
-    Ok(PublicReport { html: grading::public_page(marks, points, &rubric, &films), keyframes })
+    marks.iter_mut().for_each(grading::make_public);
+    Ok(PublicReport { html: grading::public_page(&marks[0], points, &rubric, &films), keyframes })
 }
