@@ -5,6 +5,7 @@ use std::sync::mpsc::channel;
 use std::thread;
 use std::time::Duration;
 
+#[cfg(unix)]
 use crate::storage;
 use crate::text::visible;
 use crate::unfinished;

@@ -16,6 +16,7 @@ use crate::script::DiskStop;
 use crate::storage::{self, StorageError};
 use crate::text::system_words;
 use crate::window::WindowError;
+#[cfg(target_os = "linux")]
 use crate::words::texts;
 
 /// How a successful command ends.

@@ -27,7 +27,7 @@ use crate::signals;
 #[cfg(not(target_arch = "wasm32"))]
 /// So long a window may take to end after a signal. What was done is in the journal already.
 const PATIENCE: Duration = Duration::from_secs(5);
-#[cfg(not(target_arch = "wasm32"))]
+#[cfg(target_os = "linux")]
 /// The exit status where the display has gone.
 const DISPLAY_GONE: i32 = 1;
 
