@@ -1,5 +1,6 @@
 //! How the window is divided: menu bar and status line over its whole width, the right panel between them, transport and timeline under
-//! the scene. In a narrow window the right panel lies over the scene, while it is asked for. Three edges can be dragged. What the user wants is kept as it is; what is shown keeps room for everything else.
+//! the scene. In a narrow window the right panel lies over the scene, while it is asked for. Three edges can be dragged. What the user
+//! wants is kept as it is; what is shown keeps room for everything else.
 
 use egui::accesskit::Action;
 use egui::{
