@@ -1,8 +1,8 @@
 //! The build script: lists the files of some folders under `assets/`, so that a new file there needs no line of code, and makes the
-//! messages' constants and functions.
+//! messages' constants and functions. It packs the notices, which are long and seldom read.
 //!
 //! For each folder it writes `$OUT_DIR/FOLDER.rs`: an array of `(name, text)`, sorted by name, for `include!`. Of `words/en.txt` it
-//! makes `$OUT_DIR/texts.rs`. It also says which commit is built, and how.
+//! makes `$OUT_DIR/texts.rs`, and of the notices `$OUT_DIR/notices.deflate` (RFC 1951). It also says which commit is built, and how.
 
 #[path = "../src/words/file.rs"]
 mod file;
@@ -17,6 +17,9 @@ use file::LanguageFile;
 
 /// The folders, and the ending of the files that are embedded from each.
 const FOLDERS: [(&str, &str); 2] = [("manual", "md"), ("words", "txt")];
+
+/// The notices of what others made.
+const NOTICES: &str = "assets/licences/THIRD-PARTY.txt";
 
 fn main() {
     let package = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").expect("cargo sets it"));
@@ -41,6 +44,10 @@ fn main() {
         }
     }
     fs::write(out.join("texts.rs"), texts(&english)).expect("the output folder can be written");
+    println!("cargo::rerun-if-changed={NOTICES}");
+    let notices = fs::read_to_string(package.join(NOTICES)).expect("notices are UTF-8");
+    let packed = miniz_oxide::deflate::compress_to_vec(notices.as_bytes(), 9);
+    fs::write(out.join("notices.deflate"), packed).expect("the output folder can be written");
     say_how_it_is_built(&package);
 }
 

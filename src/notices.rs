@@ -2,10 +2,17 @@
 
 use std::sync::LazyLock;
 
-/// The text, in lines of which most have at most 80 characters.
+use miniz_oxide::inflate::decompress_to_vec;
+
+/// The text, in lines of which most have at most 80 characters. The first call unpacks it.
 #[must_use]
-pub const fn text() -> &'static str {
-    include_str!("../assets/licences/THIRD-PARTY.txt")
+pub fn text() -> &'static str {
+    static TEXT: LazyLock<String> = LazyLock::new(|| {
+        let packed = include_bytes!(concat!(env!("OUT_DIR"), "/notices.deflate"));
+        let bytes = decompress_to_vec(packed).expect("the build script packed it");
+        String::from_utf8(bytes).expect("the build script read text")
+    });
+    &TEXT
 }
 
 /// The lines of the text.
