@@ -304,6 +304,7 @@ async function touch_screen() {
     await rest(page, 800);
     await shot(page, "phone-menu");
     await context.close();
+    await typed_by_touch();
     const korean = await browser("korean", { viewport: { width: 400, height: 800 }, locale: "ko-KR" });
     const second = await korean.open("?file=walk.json");
     await shot(second, "phone-korean");
@@ -311,6 +312,36 @@ async function touch_screen() {
     await rest(second, 800);
     await shot(second, "phone-export");
     await korean.close();
+}
+
+// A touch screen's keyboard types into a field of the browser, in which syllables are composed.
+async function typed_by_touch() {
+    const context = await browser("keys", { viewport: { width: 800, height: 900 }, hasTouch: true });
+    const page = await context.open();
+    page.session = await page.context().newCDPSession(page);
+    const place = () => page.evaluate(() => document.activeElement.id);
+    await press(page, "n");
+    await page.touchscreen.tap(400, 120);
+    check(await place() === "scene", "a tap on the scene shows no keyboard");
+    await press(page, "F2");
+    await rest(page, 500);
+    check(await place() === "keys", `a field that is tapped or opened shows the keyboard (${await place()})`);
+    await press(page, "Control+a", "Backspace", "Backspace");
+    for (const text of ["ㅎ", "하", "한"]) {
+        await page.session.send("Input.imeSetComposition", { text, selectionStart: 1, selectionEnd: 1 });
+        await rest(page, 100);
+    }
+    await page.keyboard.insertText("한");
+    await page.keyboard.type(" leg!");
+    await press(page, "Backspace", "ArrowLeft", "ArrowLeft", "ArrowLeft");
+    await page.keyboard.type("1 ");
+    await shot(page, "typed-by-touch");
+    await press(page, "Enter");
+    await rest(page, 500);
+    check(await place() === "scene", `then it goes away (${await place()})`);
+    const [{ name }] = JSON.parse(await written(page)).keyframes;
+    check(name === "한 1 leg", `what a touch screen's keyboard types comes to the field (${name})`);
+    await context.close();
 }
 
 const clipboard = (page) => page.evaluate(() => navigator.clipboard.readText());
@@ -478,9 +509,9 @@ async function about(context) {
     await page.mouse.click(525, 321);
     await rest(page, 800);
     await shot(page, "licences");
-    const program_of_page = fs.readFileSync(path.join(page_folder, "inbetween_bg.wasm"));
+    const licences = fs.readFileSync(path.join(page_folder, "THIRD-PARTY.txt"), "utf8");
     for (const part of ["The page's script inbetween.js", "web-sys 0.", "The standard library of Rust"]) {
-        check(program_of_page.includes(part), `the licences name ${part}`);
+        check(licences.includes(part), `the licences name ${part}`);
     }
     await page.close();
 }

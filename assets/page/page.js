@@ -187,10 +187,10 @@ export function on_paste(pasted) {
     // Where a field has the keyboard, the browser keeps the keys that paste, and gives the text.
     window.addEventListener("keydown", (event) => {
         const pastes = (event.ctrlKey || event.metaKey) && !event.altKey && event.key.toLowerCase() === "v";
-        if (pastes && is_typing && document.activeElement === canvas) event.stopImmediatePropagation();
+        if (pastes && is_typing && has_keyboard()) event.stopImmediatePropagation();
     }, { capture: true });
     document.addEventListener("paste", (event) => {
-        if (!is_typing || document.activeElement !== canvas) return;
+        if (!is_typing || !has_keyboard()) return;
         event.preventDefault();
         const text = event.clipboardData.getData("text/plain");
         if (text) pasted(text);
@@ -199,7 +199,60 @@ export function on_paste(pasted) {
 
 export function set_typing(value) {
     is_typing = value;
+    if (is_typing) show_keys();
+    else if (document.activeElement === keys) canvas.focus();
 }
+
+// A touch screen shows its keyboard only for a field of the browser: `keys`. What is typed there goes to the canvas as keys. The field has
+// one letter ahead, so that the key that deletes always finds one.
+const keys = document.getElementById("keys");
+const AHEAD = " ";
+let handed_on = AHEAD;
+let is_touched = false;
+
+const has_keyboard = () => [canvas, keys].includes(document.activeElement);
+
+function show_keys() {
+    if (!is_touched) return;
+    // A keyboard that was put away comes back for a field that gets the focus anew.
+    canvas.focus();
+    keys.value = handed_on = AHEAD;
+    keys.focus({ preventScroll: true });
+}
+
+function press(key, more = {}) {
+    const { code, ctrlKey, shiftKey, altKey, metaKey } = more;
+    for (const type of ["keydown", "keyup"]) canvas.dispatchEvent(new KeyboardEvent(type, { key, code, ctrlKey, shiftKey, altKey, metaKey }));
+}
+
+window.addEventListener("pointerdown", (event) => { is_touched = event.pointerType !== "mouse"; }, { capture: true });
+// Some browsers show the keyboard only while a finger is handled.
+window.addEventListener("pointerup", () => { if (is_typing) show_keys(); });
+// To the program the canvas and the field are one.
+window.addEventListener("blur", (event) => {
+    if (event.target === canvas && event.relatedTarget === keys) event.stopImmediatePropagation();
+}, { capture: true });
+for (const type of ["focus", "blur"]) {
+    keys.addEventListener(type, (event) => {
+        if (event.relatedTarget !== canvas) canvas.dispatchEvent(new FocusEvent(type));
+    });
+}
+keys.addEventListener("keydown", (event) => {
+    const makes_text = event.isComposing || event.keyCode === 229 || [...event.key].length === 1;
+    if (makes_text && !event.ctrlKey && !event.metaKey) return;
+    event.preventDefault();
+    press(event.key, event);
+});
+keys.addEventListener("input", (event) => {
+    // A syllable that is being composed changes: what is no longer there is deleted.
+    const [old, text] = [[...handed_on], [...keys.value]];
+    let same = 0;
+    while (same < old.length && old[same] === text[same]) same++;
+    for (let letter = same; letter < old.length; letter++) press("Backspace");
+    for (const letter of text.slice(same)) press(letter === "\n" ? "Enter" : letter);
+    handed_on = keys.value;
+    if (!event.isComposing && !handed_on.startsWith(AHEAD)) keys.value = handed_on = AHEAD;
+});
 
 export function on_context(changed) {
     canvas.addEventListener("webglcontextlost", (event) => {
