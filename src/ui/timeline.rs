@@ -25,7 +25,7 @@ mod timed_key_view;
 mod timed_keys;
 mod tips;
 
-use egui::{Align2, FontId, Key, Rect, Response, RichText, Role, Sense, Ui, WidgetInfo, pos2, vec2};
+use egui::{FontId, Key, Rect, Response, RichText, Role, Sense, Ui, WidgetInfo, pos2, vec2};
 
 use super::access;
 use super::binding_of;
@@ -398,9 +398,18 @@ fn missing(ui: &Ui, look: &Look<'_>, bindings: &[Binding]) {
     };
     let (_, last) = look.target.columns.ends();
     let x = if count == 0 { look.target.layout.tracks.left() - 8.0 } else { look.target.scale.x_of(last) + 12.0 };
-    let at = pos2(x + 20.0, look.target.layout.summary.center().y);
+    let summary = look.target.layout.summary;
     let painter = ui.painter().with_clip_rect(look.target.layout.tracks.intersect(ui.clip_rect()));
-    painter.text(at, Align2::LEFT_CENTER, text, FontId::proportional(12.0), look.tokens.dim);
+    // What has no room in the summary's row goes on over the rows below.
+    let (left, margin) = (x + 20.0, vec2(4.0, 0.0));
+    let room = (painter.clip_rect().right() - left - margin.x).max(80.0);
+    let galley = painter.layout(text, FontId::proportional(12.0), look.tokens.dim, room);
+    let half_row = galley.rows.first().map_or(0.0, |row| row.height() * 0.5);
+    let at = pos2(left, summary.center().y - half_row);
+    if galley.rows.len() > 1 {
+        painter.rect_filled(Rect::from_min_size(at, galley.size()).expand2(margin), 3.0, look.tokens.window);
+    }
+    painter.galley(at, galley, look.tokens.dim);
 }
 
 /// Adds the diamonds of the summary row as widgets for the keyboard and screen readers. The mouse is handled by the tracks. Returns the
