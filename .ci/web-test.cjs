@@ -232,6 +232,8 @@ async function lost_context(context) {
     const quiet = said.length;
     for (const ms of [50, 1200]) {
         await lose(page, ms);
+        // Keys count again when there is a picture.
+        await rest(page, 2000);
         await press(page, ".");
         await rest(page, 1000);
         await press(page, ",");
