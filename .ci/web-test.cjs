@@ -400,6 +400,10 @@ async function addresses(context) {
     const [name, walk] = await downloaded(named, () => named.keyboard.press("w"));
     check(name === "walk.json" && walk.toString() === animation("walk.json"), "?file= opens a file of the web site");
     await named.close();
+    served.set("/순이 C#1.json", Buffer.from(animation("walk.json")));
+    const other = await context.open(`?file=${encodeURIComponent("순이 C#1.json")}`);
+    check(/순이 C#1.json/.test(await status(other)), `a name may have letters of addresses (${await status(other)})`);
+    await other.close();
     const both = await context.open("?file=walk.json&compare=copy/walk.json");
     check(/compared\/walk.json/.test(await status(both)), `two files of one name are compared (${await status(both)})`);
     await both.close();

@@ -48,9 +48,9 @@ async function kept_files() {
     return Promise.all(files.map(async ([path, all]) => [path, new Uint8Array(await new Blob(all).arrayBuffer())]));
 }
 
-// The last part of an address.
+// The last part of an address. A file may have # in its name: it begins no part of a page here.
 function name_of(address) {
-    const last = address.split(/[?#]/)[0].split("/").pop();
+    const last = address.split("?")[0].split("/").pop();
     try {
         return decodeURIComponent(last);
     } catch {
@@ -77,7 +77,7 @@ async function asked_file(key, path) {
         return [];
     };
     try {
-        const url = new URL(address, location.href);
+        const url = new URL(address.replaceAll("#", "%23"), location.href);
         if (url.origin !== location.origin) return fail("other-site");
         const answer = await fetch(url);
         if (!answer.ok) return fail("refused", `${answer.status} ${answer.statusText}`.trim());
