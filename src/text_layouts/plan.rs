@@ -162,8 +162,8 @@ impl Planner<'_> {
         if !is_affine || ![0, 4, 8].into_iter().all(is_unit) || structure.named.divide() {
             return None;
         }
-        let by_line = structure.every_line[0].filter(|every| every.is_multiple_of(MATRIX)).map(|every| every / MATRIX);
-        let nodes = by_line.filter(|&nodes| self.counts.accept(nodes)).unwrap_or(self.counts.own());
+        let nodes =
+            self.nodes_by_line(MATRIX).or_else(|| self.nodes_by_whole_line(MATRIX)).unwrap_or(self.counts.own());
         let found = structure.numbers;
         let mut plan = self.new_plan(Layout::Matrices, 0, nodes, found / (nodes * MATRIX));
         if !found.is_multiple_of(nodes * MATRIX) {
@@ -174,6 +174,21 @@ impl Planner<'_> {
         }
         plan.find(Certainty::Sure, "layout: matrices in column order: the first has the bottom row 0 0 0 1");
         Some(Ok(plan))
+    }
+
+    /// The number of nodes that each line has.
+    fn nodes_by_line(&self, width: usize) -> Option<usize> {
+        self.nodes_of(self.structure.every_line[0], width)
+    }
+
+    /// The number of nodes that each line has but the last, within which the text ends.
+    fn nodes_by_whole_line(&self, width: usize) -> Option<usize> {
+        self.nodes_of(self.structure.every_whole_line, width)
+    }
+
+    fn nodes_of(&self, numbers: Option<usize>, width: usize) -> Option<usize> {
+        let nodes = numbers.filter(|numbers| numbers.is_multiple_of(width))? / width;
+        self.counts.accept(nodes).then_some(nodes)
     }
 
     /// The error of numbers that do not make whole keyframes, unless they are salvaged.
@@ -282,10 +297,7 @@ impl Planner<'_> {
             _ => Layout::Rows,
         };
         let plan = |nodes: usize| self.new_plan(layout, 0, nodes, found / (nodes * ROW));
-        let by_line = structure.every_line[0]
-            .filter(|every| every.is_multiple_of(ROW) && structure.lines > 0)
-            .map(|every| every / ROW)
-            .filter(|&nodes| self.counts.accept(nodes));
+        let by_line = self.nodes_by_line(ROW);
         let whole = || self.counts.all().filter(|nodes| found.is_multiple_of(nodes * ROW));
         let persists = |&nodes: &usize| rows::offsets_persist(self.bytes, &plan(nodes));
         let fits = |&nodes: &usize| self.fits_joints(&plan(nodes));
@@ -299,26 +311,29 @@ impl Planner<'_> {
             return self.not_guessed(plan);
         };
         let mut plan = plan(nodes);
-        let keyframes = texts::count_keyframes(plan.keyframes);
-        if by_line.is_some() && nodes != self.counts.own() {
-            plan.find(Certainty::Likely, format!("no header: each line has {nodes} nodes, which makes {keyframes}"));
-        } else if nodes == self.counts.own() {
-            plan.find(
-                Certainty::Likely,
-                format!("no header: with {nodes} nodes, as the scene has, the rows make {keyframes}"),
-            );
-        } else if by_count.is_some() {
-            plan.find(
-                Certainty::Likely,
-                format!("no header: {nodes} nodes, as the offsets of keyframe 0 show, make {keyframes}"),
-            );
+        if by_line.is_some() || by_count.is_some() || nodes == self.counts.own() {
+            self.find_nodes(&mut plan, by_line.is_some());
         } else {
+            let keyframes = texts::count_keyframes(plan.keyframes);
             plan.find(
                 Certainty::Warning,
                 format!("no header: the rows make whole keyframes only with {nodes} nodes: {keyframes}"),
             );
         }
         Ok(plan)
+    }
+
+    /// Says why the keyframes of a text without a header have so many nodes: their lines, the scene or the offsets say so.
+    fn find_nodes(&self, plan: &mut Plan, is_by_line: bool) {
+        let (nodes, keyframes) = (plan.nodes, texts::count_keyframes(plan.keyframes));
+        let why = if nodes == self.counts.own() {
+            format!("no header: with {nodes} nodes, as the scene has, the rows make {keyframes}")
+        } else if is_by_line {
+            format!("no header: each line has {nodes} nodes, which makes {keyframes}")
+        } else {
+            format!("no header: {nodes} nodes, as the offsets of keyframe 0 show, make {keyframes}")
+        };
+        plan.find(Certainty::Likely, why);
     }
 
     /// Whether the offsets of keyframe 0 fit the scene. A list of joints decides without them.
@@ -333,22 +348,21 @@ impl Planner<'_> {
         let found = self.structure.numbers;
         let own = self.counts.own();
         let is_whole = |nodes: &usize| found.is_multiple_of(nodes * ROW) && !self.counts.needs_offsets(*nodes);
-        let is_own = || {
-            let plan = plan(own);
+        let looks_right = |nodes: &usize| {
+            let plan = plan(*nodes);
             plan.keyframes > 0 && self.fits_joints(&plan) && rows::offsets_persist(self.bytes, &plan)
         };
-        if let Some(nodes) = self.counts.all().find(is_whole).filter(|_| !is_own()) {
+        let by_line = self.nodes_by_whole_line(ROW);
+        let cut = by_line.or_else(|| self.counts.all().find(looks_right));
+        if let Some(nodes) = self.counts.all().find(is_whole).filter(|_| cut.is_none()) {
             let problem = TextProblem::Guessed { nodes, expected: self.counts.in_words() };
             return Err(self.error(self.structure.first_at, problem));
         }
-        self.incomplete(own, ROW)?;
-        let mut plan = plan(own);
+        let nodes = cut.unwrap_or(own);
+        self.incomplete(nodes, ROW)?;
+        let mut plan = plan(nodes);
         plan.find(Certainty::Warning, "salvaged: the last keyframe is not whole and is left out");
-        let keyframes = texts::count_keyframes(plan.keyframes);
-        plan.find(
-            Certainty::Likely,
-            format!("no header: with {own} nodes, as the scene has, the rows make {keyframes}"),
-        );
+        self.find_nodes(&mut plan, by_line.is_some());
         Ok(plan)
     }
 }

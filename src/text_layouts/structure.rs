@@ -28,6 +28,8 @@ pub(super) struct Structure {
     pub(super) lines: usize,
     /// The numbers per line, if equal in all lines but so many first ones.
     pub(super) every_line: [Option<usize>; FIRST_LINES],
+    /// The numbers per line, if equal in all lines but the last, which has fewer: the text ends within it.
+    pub(super) every_whole_line: Option<usize>,
     /// The first line that breaks the pattern of the lines before it.
     pub(super) irregular_line: Option<Irregular>,
     /// The marks `frame` and `end`.
@@ -182,6 +184,7 @@ impl Structure {
                 self.irregular_line = Some(Irregular { at: line.at, index: self.lines, found: line.numbers, expected });
             }
         }
+        self.every_whole_line = self.every_line[0].filter(|&every| line.numbers < every);
         for (before, every) in self.every_line.iter_mut().enumerate() {
             if self.lines == before {
                 *every = Some(line.numbers);

@@ -2,7 +2,7 @@
 
 use inbetween::text_layouts::Options;
 
-use super::samples::{keyframes, matrices, texts};
+use super::samples::{Row, keyframes, matrices, scene, texts};
 use super::{read, read_with, refusal, refusal_with};
 
 fn text(layout: &str) -> String {
@@ -70,6 +70,41 @@ fn rows_that_end_within_a_keyframe() {
     assert!(refusal(without).contains("expected whole keyframes of 22 nodes"));
     let broken_line = good.replacen("-1.700000", "1 -1.700000", 1);
     assert!(refusal(broken_line).starts_with("line 25 column 1: "));
+}
+
+#[test]
+fn what_is_cut_keeps_its_number_of_nodes() {
+    let heads = ["robot1/head", "robot2/head"].map(|path| scene().find_rbt(path).expect("it has one").get());
+    let without_heads = |rows: Vec<Row>| -> Vec<Row> {
+        rows.into_iter().enumerate().filter(|(node, _)| !heads.contains(node)).map(|(_, row)| row).collect()
+    };
+    let with_lights = |rows: Vec<Row>| {
+        let light = ["4", "3", "-3", "1", "0", "0", "0"].map(str::to_owned);
+        [rows, vec![light.clone(), light]].concat()
+    };
+    let changed = |change: &dyn Fn(Vec<Row>) -> Vec<Row>| keyframes(6).into_iter().map(change).collect::<Vec<_>>();
+    for (rows, nodes) in [(changed(&without_heads), 20), (changed(&with_lights), 24)] {
+        for sample in texts(&rows, false).into_iter().filter(|sample| !sample.what.contains("CSV")) {
+            let (expected, _) = read(&sample.text);
+            for part in [0.9, 0.6, 0.4] {
+                let cut = &sample.text[..(sample.text.len() as f64 * part) as usize];
+                let (found, report) = read_with(cut, &salvage());
+                assert!(report.to_string().contains(&format!("of {nodes} nodes")), "{}: {report}", sample.what);
+                assert!(
+                    !found.is_empty() && found[..] == expected[..found.len()],
+                    "{} to {part}: {report}",
+                    sample.what
+                );
+            }
+        }
+    }
+    let cut: String = texts(&changed(&without_heads), false)
+        .into_iter()
+        .find(|sample| sample.what == "no header, a keyframe a line")
+        .map(|sample| sample.text[..sample.text.len() - 20].to_owned())
+        .unwrap();
+    let sentence = refusal(cut);
+    assert!(sentence.contains("whole keyframes of 20 nodes with 7 numbers each (line 6 has "), "{sentence}");
 }
 
 #[test]
