@@ -2,12 +2,14 @@
 //!
 //! Nothing of a mesh changes once it is made, so scenes, frames and the renderer share it.
 
+mod format;
 mod tree;
 
 use std::sync::Arc;
 
 use glam::{Affine3A, Vec2, Vec3, Vec4};
 
+pub use format::ModelFormat;
 pub use tree::{TriangleTree, may_meet_box, meets, nearer};
 
 /// The most triangles of a mesh.

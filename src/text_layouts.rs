@@ -33,6 +33,7 @@ pub use write::KeyframeText;
 use thiserror::Error;
 
 use crate::keyframe::{KeyframeFile, KeyframeFileError, keyframes_from_json};
+use crate::model::ModelFormat;
 use crate::scene::SceneGraph;
 use crate::text::without_byte_order_mark;
 use crate::words::{Message, texts};
@@ -134,7 +135,9 @@ pub fn import(bytes: &[u8], scene: &SceneGraph, options: &Options) -> Result<Imp
         };
     }
     if is_object(text) {
-        return keyframes_from_json(bytes, scene).map(Imported::KeyframeFile).map_err(ImportError::KeyframeFile);
+        return keyframes_from_json(bytes, scene).map(Imported::KeyframeFile).map_err(|errors| {
+            of_other_program(bytes, at).map_or(ImportError::KeyframeFile(errors), ImportError::Text)
+        });
     }
     if text.is_empty() {
         return Err(TextError::new(bytes, at, TextProblem::Empty).into());
@@ -144,12 +147,20 @@ pub fn import(bytes: &[u8], scene: &SceneGraph, options: &Options) -> Result<Imp
     if text.starts_with(b"\xff\xfe") || text.starts_with(b"\xfe\xff") || is_utf_16_of_digits {
         return Err(TextError::new(bytes, at, TextProblem::Utf16).into());
     }
+    if let Some(error) = of_other_program(bytes, at) {
+        return Err(error.into());
+    }
     let read = import_text(bytes, at, scene, options).map_err(|error| TextError {
         can_be_salvaged: error.problem.is_of_counts() && !options.salvage && can_be_salvaged(bytes, at, scene, options),
         ..error
     });
     let (file, report) = read?;
     Ok(Imported::Text(file, report))
+}
+
+/// The error of a file that is a model or a motion of another program.
+fn of_other_program(bytes: &[u8], at: usize) -> Option<TextError> {
+    ModelFormat::of(bytes).map(|_| TextError::new(bytes, at, TextProblem::OtherProgram))
 }
 
 /// Whether a text begins as an object of JSON does: a brace, and then no row of numbers.

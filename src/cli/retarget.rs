@@ -10,10 +10,11 @@ use super::told::{Report, write_keyframes};
 use super::{CliError, Common, misuse, reading, scene};
 use crate::files::model::scene_name;
 use crate::files::{self, FileError};
-use crate::interchange::bvh::{CapturedScene, is_bvh, read_bvh, scene_of};
+use crate::interchange::bvh::{CapturedScene, read_bvh, scene_of};
 use crate::interchange::reduce::Samples;
 use crate::interchange::retarget::{LARGEST_MAP_BYTES, RetargetMap, Source, retargeted, sampled, tolerance_for};
 use crate::keyframe::{Animation, LARGEST_FILE_BYTES};
+use crate::model::ModelFormat;
 use crate::scene::SceneGraph;
 use crate::storage::{self, input_name, output_name};
 use crate::words::{Message, quoted, texts};
@@ -82,7 +83,7 @@ fn motion(file: &Path, common: Common<'_>) -> Result<(SceneGraph, Samples, Vec<M
     let bytes = files::read(file, LARGEST_FILE_BYTES)?;
     let name = input_name(file);
     let bad = |problem: Message| CliError::bad_input(&name, problem);
-    if is_bvh(&bytes) {
+    if ModelFormat::of(&bytes) == Some(ModelFormat::Bvh) {
         if common.scene.is_some() {
             return Err(misuse(&texts::RETARGET_OWN_SCENE.to_string()));
         }

@@ -4,12 +4,13 @@ use std::path::Path;
 
 use super::FileError;
 use crate::editor::Document;
-use crate::interchange::bvh::{self, BvhText, LARGEST_BVH_BYTES, PERSON_HEIGHT, is_bvh, read_bvh};
-use crate::interchange::gltf_in::{self, AnimationChoice, Contents, LARGEST_MODEL_BYTES, is_gltf};
+use crate::interchange::bvh::{self, BvhText, LARGEST_BVH_BYTES, PERSON_HEIGHT, read_bvh};
+use crate::interchange::gltf_in::{self, AnimationChoice, Contents, LARGEST_MODEL_BYTES};
 use crate::interchange::gltf_out::Export;
 use crate::interchange::reduce::{Choice, Samples, Tolerance, reduced};
 use crate::interpolation::Interpolation;
 use crate::keyframe::Animation;
+use crate::model::ModelFormat;
 use crate::scene::SceneGraph;
 use crate::storage::{self, input_name, is_standard};
 use crate::words::{Message, texts};
@@ -64,18 +65,14 @@ impl Model {
     pub fn read(path: &Path, options: &ModelOptions) -> Result<Self, ModelError> {
         let bytes = super::read(path, LARGEST_MODEL_BYTES.max(LARGEST_BVH_BYTES)).map_err(ModelError::File)?;
         let is_for_gltf = options.animation.is_some() || options.gltf_scene.is_some() || options.is_timed;
-        let model = if is_bvh(&bytes) {
-            if is_for_gltf {
-                return Err(ModelError::Misuse(texts::MODEL_ONLY_GLTF.into()));
-            }
-            Self::of_bvh(&bytes, path, options)
-        } else if is_gltf(&bytes) {
-            if options.scale.is_some() {
+        let model = match ModelFormat::of(&bytes) {
+            Some(ModelFormat::Bvh) if is_for_gltf => return Err(ModelError::Misuse(texts::MODEL_ONLY_GLTF.into())),
+            Some(ModelFormat::Gltf) if options.scale.is_some() => {
                 return Err(ModelError::Misuse(texts::MODEL_ONLY_CAPTURES.into()));
             }
-            Self::of_gltf(&bytes, path, options)
-        } else {
-            Err(texts::MODEL_UNKNOWN.into())
+            Some(ModelFormat::Bvh) => Self::of_bvh(&bytes, path, options),
+            Some(ModelFormat::Gltf) => Self::of_gltf(&bytes, path, options),
+            None => Err(texts::MODEL_UNKNOWN.into()),
         };
         model.map_err(|problem| ModelError::File(FileError::new(input_name(path), problem)))
     }
@@ -113,7 +110,10 @@ impl Model {
 /// Why the file cannot be read, without its name.
 pub fn contents(path: &Path) -> Result<Contents, Message> {
     let bytes = storage::read(path, LARGEST_MODEL_BYTES).map_err(|error| error.message())?;
-    if is_gltf(&bytes) { gltf_in::contents(&bytes) } else { Ok(Contents::default()) }
+    match ModelFormat::of(&bytes) {
+        Some(ModelFormat::Gltf) => gltf_in::contents(&bytes),
+        _ => Ok(Contents::default()),
+    }
 }
 
 /// Writes a document as a model, in the format that the path's ending names. Returns what is to be said of it.

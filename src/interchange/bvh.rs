@@ -14,7 +14,7 @@ use thiserror::Error;
 
 use crate::words::{Message, display_by_message, texts};
 
-pub use read::{LARGEST_BVH_BYTES, is_bvh, read_bvh};
+pub use read::{LARGEST_BVH_BYTES, read_bvh};
 pub use scene::{CapturedScene, PERSON_HEIGHT, scene_of};
 pub use write::BvhText;
 

@@ -31,7 +31,6 @@ use crate::gltf::json::Root;
 use crate::gltf::{Container, Document, GltfError, ReadFile, data_uri};
 use crate::model::MeshLibrary;
 use crate::scene::{LARGEST_MESHES_BYTES, SceneGraph, scene_from_json};
-use crate::text::without_byte_order_mark;
 use crate::words::{Message, all_of, texts};
 
 /// The largest glTF file that is read, and the largest file beside it, in bytes.
@@ -65,14 +64,6 @@ pub struct Imported {
     pub report: Vec<Message>,
     /// The scenes and animations that were not taken: sentences with the options of the command line that take them.
     pub others: Vec<Message>,
-}
-
-/// Whether bytes are meant to be a glTF file: binary by how they begin, or JSON that says something of an `asset`, as every one must.
-#[must_use]
-pub fn is_gltf(bytes: &[u8]) -> bool {
-    const ASSET: &[u8] = b"\"asset\"";
-    let is_json = || without_byte_order_mark(bytes).trim_ascii_start().starts_with(b"{");
-    bytes.starts_with(b"glTF") || (is_json() && bytes.windows(ASSET.len()).any(|window| window == ASSET))
 }
 
 /// Reads a glTF file, text or binary. `read_file` reads a file beside it, by a path relative to its folder and not out of it.

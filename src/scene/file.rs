@@ -21,6 +21,7 @@ use super::shape::{Finish, PlacedShape, Placement, ShapeText};
 use super::tracks::Tracks;
 use crate::colour::Colour;
 use crate::decode::{self, DecodeError};
+use crate::model::ModelFormat;
 use crate::rbt::Rbt;
 use crate::rotation_rules::rotation_from_euler_degrees;
 use crate::text::str_without_byte_order_mark;
@@ -44,6 +45,8 @@ pub enum SceneError {
         /// The number of the first bad byte.
         at: usize,
     },
+    /// It is a model or a motion of another program.
+    OtherProgram,
     /// The text is not JSON of the right shape.
     Json(DecodeError),
     /// `format` names something else.
@@ -179,6 +182,7 @@ impl SceneError {
     pub fn message(&self) -> Message {
         match self {
             Self::NotText { at } => texts::scene_not_text(*at),
+            Self::OtherProgram => texts::MODEL_NOT_HERE.into(),
             Self::Json(error) => error.message(),
             Self::Format { found } => texts::scene_format(quoted(found)),
             Self::Version { found } => texts::scene_version(*found),
@@ -324,9 +328,13 @@ pub fn scene_with_meshes(
     bytes: &[u8],
     read_meshes: impl FnOnce(&str) -> Result<Vec<u8>, Message> + Send,
 ) -> Result<SceneGraph, SceneError> {
-    let text = std::str::from_utf8(bytes).map_err(|error| SceneError::NotText { at: error.valid_up_to() })?;
-    let bytes = str_without_byte_order_mark(text).as_bytes();
-    decode::nested_json(bytes, MOST_NESTING, |read: SceneText| built(&read, read_meshes)).map_err(SceneError::Json)?
+    let or_of_other_program =
+        |error: SceneError| if ModelFormat::of(bytes).is_some() { SceneError::OtherProgram } else { error };
+    let text = std::str::from_utf8(bytes)
+        .map_err(|error| or_of_other_program(SceneError::NotText { at: error.valid_up_to() }))?;
+    let text = str_without_byte_order_mark(text).as_bytes();
+    decode::nested_json(text, MOST_NESTING, |read: SceneText| built(&read, read_meshes))
+        .map_err(|error| or_of_other_program(SceneError::Json(error)))?
 }
 
 /// Reads a scene whose text holds all of it.

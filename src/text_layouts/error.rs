@@ -33,6 +33,8 @@ pub enum TextProblem {
     Empty,
     /// The bytes are not text in a known encoding.
     Utf16,
+    /// It is a model or a motion of another program.
+    OtherProgram,
     /// An unexpected token.
     Unexpected {
         /// The text found, quoted, or `the end of the file`.
@@ -190,6 +192,7 @@ impl TextProblem {
         match self {
             Self::Empty => texts::TEXT_EMPTY.into(),
             Self::Utf16 => texts::TEXT_UTF_16.into(),
+            Self::OtherProgram => texts::MODEL_NOT_HERE.into(),
             Self::Unexpected { found, expected } => texts::text_unexpected(found.clone(), expected.clone()),
             Self::NotFinite { found } => texts::text_not_finite(words::quoted(found)),
             Self::Header { keyframes, nodes, expected, found, hint } => {

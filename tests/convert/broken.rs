@@ -183,6 +183,12 @@ fn other_files_say_what_was_expected() {
     ] {
         assert_eq!(refusal(bytes), sentence);
     }
+    for model in
+        [&b"glTF\x02\x00\x00\x00"[..], b"\xef\xbb\xbfHIERARCHY\nROOT hips", b"{\"asset\": {\"version\": \"2.0\"}}"]
+    {
+        let sentence = refusal(model);
+        assert!(sentence.contains("of another program (glTF, BVH): `inbetween import`"), "{sentence}");
+    }
     for bytes in [&b"hello"[..], b"\x89PNG\r\n\x1a\n", b"<html>", b"[1, 2]", b"\x00\x01"] {
         let sentence = refusal(bytes);
         assert!(

@@ -1,10 +1,11 @@
 //! glTF files as scenes and animations.
 
 use glam::{Quat, Vec3};
-use inbetween::interchange::gltf_in::{self, AnimationChoice, Options, contents, imported, is_gltf};
+use inbetween::interchange::gltf_in::{self, AnimationChoice, Options, contents, imported};
 use inbetween::interchange::reduce::{Choice, reduced};
 use inbetween::interpolation::Interpolation;
 use inbetween::keyframe::{Animation, PlayRange};
+use inbetween::model::ModelFormat;
 use inbetween::rbt::Rbt;
 use inbetween::scene::{Channel, NodeKind, SceneGraph, scene_to_json};
 use inbetween::words::Message;
@@ -63,10 +64,17 @@ pub fn refused(model: &Model, sentence: &str) {
 }
 
 #[test]
-fn a_gltf_file_is_told_by_its_content() {
+fn a_file_of_another_program_is_told_by_its_content() {
     let model = Model::new();
-    assert!(is_gltf(&model.glb()) && is_gltf(&model.text()) && is_gltf(b"\xef\xbb\xbf {\"asset\": {}}"));
-    assert!(!is_gltf(b"{\"format\": \"inbetween.scene\"}") && !is_gltf(b"HIERARCHY \"asset\"") && !is_gltf(b""));
+    for bytes in [&*model.glb(), &model.text(), b"\xef\xbb\xbf {\"asset\": {}}"] {
+        assert_eq!(ModelFormat::of(bytes), Some(ModelFormat::Gltf));
+    }
+    for bytes in [&b"\xef\xbb\xbf hierarchy\n"[..], b"HIERARCHY \"asset\""] {
+        assert_eq!(ModelFormat::of(bytes), Some(ModelFormat::Bvh));
+    }
+    for bytes in ["{\"format\": \"inbetween.scene\", \"nodes\": [{\"name\": \"asset\"}]}", "HIER", ""] {
+        assert_eq!(ModelFormat::of(bytes.as_bytes()), None, "{bytes}");
+    }
 }
 
 /// The paths of all nodes but those that are put around a model.

@@ -18,13 +18,6 @@ const LONGEST_NAME: usize = 64;
 /// The seconds from a frame to the next.
 const FRAME_SECONDS: std::ops::RangeInclusive<f64> = 1e-4..=100.0;
 
-/// Whether bytes look like a BVH file: the first word is `HIERARCHY`.
-#[must_use]
-pub fn is_bvh(bytes: &[u8]) -> bool {
-    let text = without_byte_order_mark(bytes).trim_ascii_start();
-    text.get(..HIERARCHY.len()).is_some_and(|word| word.eq_ignore_ascii_case(HIERARCHY.as_bytes()))
-}
-
 const HIERARCHY: &str = "HIERARCHY";
 
 /// Reads a BVH file. A byte order mark is skipped; keywords may be in capitals or not.
