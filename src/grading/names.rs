@@ -83,7 +83,11 @@ const NOT_READ: [(&str, &str, &[&str]); 6] = [
             "tex", "hwp", "hwpx", "ipynb", "epub",
         ],
     ),
-    ("3D model", "3D models", &["fbx", "blend", "blend1", "stl", "ply", "gltf", "glb", "dae", "3ds", "usd", "usdz"]),
+    (
+        "3D model",
+        "3D models",
+        &["fbx", "blend", "blend1", "stl", "ply", "gltf", "glb", "dae", "3ds", "usd", "usdz", "bvh"],
+    ),
 ];
 
 /// The kind of a file that is not read, because its ending tells that it holds nothing to grade: singular and plural.
@@ -219,6 +223,14 @@ mod tests {
         for new in ["gold.txt", "prefix.txt", "country.json", "copyright.txt", "folder/hold.txt", "f(x).txt", "refs"] {
             assert!(!is_old(new), "{new}");
         }
+    }
+
+    #[test]
+    fn endings_of_other_kinds_are_not_read() {
+        for (path, kind) in [("a/walk.BVH", "3D model"), ("Fox.glb", "3D model"), ("notes.pdf", "document")] {
+            assert_eq!(kind_not_read(path).map(|(one, _)| one), Some(kind), "{path}");
+        }
+        assert_eq!(kind_not_read("walk.json"), None);
     }
 
     #[test]
