@@ -256,6 +256,8 @@ impl Archive {
                 Err(error) => return Err(broken(error)),
             };
             let path = String::from_utf8_lossy(&entry.path_bytes()).into_owned();
+            // `tar -c .` puts `./` before every name, which would be a hidden folder.
+            let path = normalized("", &path).unwrap_or_default();
             let kind = entry.header().entry_type();
             let target = entry.link_name_bytes().map(|target| String::from_utf8_lossy(&target).into_owned());
             let item = if kind.is_dir() {

@@ -80,6 +80,18 @@ fn a_tar_is_a_tree_of_names() {
 }
 
 #[test]
+fn names_of_a_tar_are_judged_without_dots() {
+    let bytes = tar(|builder| {
+        append(builder, "./a/b.json", b"text");
+        append(builder, "./.git/config", b"text");
+    });
+    let is_wanted = |path: &str| (!path.split('/').any(|part| part.starts_with('.'))).then_some(100);
+    let archive = opened(&bytes, &Keep { largest: &is_wanted, ..ALL }).expect("it is right");
+    assert_eq!(archive.read("a/b.json", 9), Ok(b"text".to_vec()));
+    assert!(archive.read(".git/config", 9).is_err());
+}
+
+#[test]
 fn what_is_kept_of_a_tar_is_bounded() {
     let bytes = tar(|builder| (0..4).for_each(|number| append(builder, &format!("{number}.txt"), &[b'x'; 900])));
     let some = opened(&bytes, &Keep { most: 2000, ..ALL }).expect("it is right");
