@@ -93,7 +93,7 @@ impl<'a> Lexer<'a> {
             let signs = run.iter().position(|&byte| !is_sign(byte)).unwrap_or(run.len());
             return (signs, Token::Mark(&run[..signs]));
         }
-        match number(&run[..digits]).or_else(|| number(run[..digits].strip_suffix(b"f")?)) {
+        match number(&run[..digits]) {
             Some(value) => (digits, Token::Number(value)),
             // A minus alone stands between numbers as any other sign does.
             None if run.iter().all(|&byte| byte == b'-' || byte == b'+' || byte == b'.') => {
@@ -199,8 +199,9 @@ fn is_mark_line(rest: &[u8]) -> bool {
     for piece in pieces.filter(|piece| !piece.is_empty()) {
         if number(piece).is_some() {
             numbers += 1;
+        } else {
+            has_letters |= piece.iter().any(|byte| byte.is_ascii_alphabetic() || !byte.is_ascii());
         }
-        has_letters |= piece.iter().any(|byte| byte.is_ascii_alphabetic() || !byte.is_ascii());
         if numbers == NUMBERS_OF_A_ROW {
             return false;
         }
@@ -228,7 +229,9 @@ fn is_sign(byte: u8) -> bool {
     byte.is_ascii_punctuation() && !matches!(byte, b'+' | b'-' | b'.' | b',' | b';' | b'#' | b'_' | b'"' | b'\'')
 }
 
+/// A number, with or without the `f` of C.
 fn number(run: &[u8]) -> Option<f32> {
+    let run = run.strip_suffix(b"f").unwrap_or(run);
     // The standard library also accepts `inf` and `nan`.
     if run.iter().copied().all(is_plain) { std::str::from_utf8(run).ok()?.parse().ok() } else { None }
 }

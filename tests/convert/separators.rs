@@ -314,3 +314,20 @@ fn decimal_commas_are_named() {
     let whole = "4,22\n".to_owned() + &"0 0 0 1 0 0 0\n".repeat(88);
     assert_eq!(read(&whole).0.len(), 4);
 }
+
+#[test]
+fn numbers_of_c_end_in_f() {
+    let plain = format!("4 22\n{}", lines(keyframes(4).iter().flatten().map(|row| row.join(" "))));
+    let (expected, _) = read(&plain);
+    let with_f = |separator: &str| {
+        let row = |row: &Row| row.clone().map(|number| format!("{number}f")).join(separator);
+        format!("4 22\n{}", lines(keyframes(4).iter().flatten().map(row)))
+    };
+    for separator in [" ", ", ", ",", "; "] {
+        assert_eq!(read(with_f(separator)).0, expected, "{separator:?}");
+    }
+    let last_row = plain.trim_end().rsplit_once('\n').unwrap().1;
+    let late =
+        plain.replace(last_row, &last_row.split(' ').map(|number| format!("{number}f")).collect::<Vec<_>>().join(" "));
+    assert_eq!(read(late).0, expected);
+}
