@@ -109,10 +109,13 @@ pub fn note_of_too_many(parsed: &Parsed) -> Option<Note> {
     (count > MOST_SAMPLES).then(|| Note::to_look_at(text()))
 }
 
-/// The interpolation that a file's own name suggests; `None` if it suggests none, or both.
+/// The interpolation that a file's own name suggests; `None` if it suggests none, or both. What is called nonlinear is not linear.
 fn playback_named(path: &str) -> Option<Interpolation> {
     let name = path.rsplit('/').next().unwrap_or(path).to_ascii_lowercase();
-    match (name.contains("linear"), name.contains("catmull") || name.contains("spline")) {
+    let affirmed = ["", "-", "_", " "].iter().fold(name.clone(), |name, sign| {
+        name.replace(&format!("non{sign}linear"), "").replace(&format!("not{sign}linear"), "")
+    });
+    match (affirmed.contains("linear"), name.contains("catmull") || name.contains("spline")) {
         (true, false) => Some(Interpolation::Linear),
         (false, true) => Some(Interpolation::CatmullRom),
         _ => None,
@@ -163,4 +166,22 @@ fn nearest(rows: &SampleRows, rights: &Rights<'_>) -> Result<(Diagnosis, bool), 
         }
     };
     diagnoses.reduce(nearer).ok_or_else(|| "there are no keyframes to compare with".to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_suggest_a_playback() {
+        for name in ["nonlinear.csv", "non-linear.csv", "not_linear.csv", "samples.csv", "linear-and-catmull.csv"] {
+            assert_eq!(playback_named(name), None, "{name}");
+        }
+        for name in ["a/Linear.csv", "mylinear2.csv", "walkLinear.csv"] {
+            assert_eq!(playback_named(name), Some(Interpolation::Linear), "{name}");
+        }
+        for name in ["CatmullRom.csv", "nonlinear-catmull-rom.csv", "spline.csv"] {
+            assert_eq!(playback_named(name), Some(Interpolation::CatmullRom), "{name}");
+        }
+    }
 }
