@@ -98,7 +98,11 @@ impl Turning<'_> {
             Blend::Lerp | Blend::Components { .. } => from * (1.0 - alpha) + to * alpha,
             Blend::Nlerp => {
                 let dot = from.dot(to);
-                let is_far = if dot.abs() < HALF_TURN { self.choices.pick() } else { dot < 0.0 };
+                let is_far = match self.rules.cn_in_blends {
+                    Negation::Nothing => false,
+                    _ if dot.abs() < HALF_TURN => self.choices.pick(),
+                    _ => dot < 0.0,
+                };
                 let to = if is_far { -to } else { to };
                 let blended = from * (1.0 - alpha) + to * alpha;
                 blended * blended.length().recip()

@@ -79,7 +79,7 @@ pub(super) enum Blend {
     Slerp,
     /// A linear blend of the stored components, not renormalised.
     Lerp,
-    /// A linear blend of the components, one side negated if the dot product is negative, renormalised.
+    /// A linear blend of the components, renormalised. One side is negated if the dot product is negative, unless `cn` is left out.
     Nlerp,
     /// `q0^(1 - alpha) * q1^alpha`.
     Powers {

@@ -61,8 +61,9 @@ pub const SPLINE: [&str; 26] = [
 ];
 
 /// Pairs of mistakes that can be made at once, in linear playback.
-pub const LINEAR_PAIRS: [&str; 14] = [
+pub const LINEAR_PAIRS: [&str; 15] = [
     "no-conditional-negation + last-sample-missing",
+    "no-conditional-negation + nlerp-for-slerp",
     "lerp-for-slerp + all-keyframes-played",
     "lerp-for-slerp + integer-tick",
     "nlerp-for-slerp + translation-weights-swapped",
@@ -257,7 +258,8 @@ impl Student<'_> {
             return blended(to);
         }
         if self.makes("nlerp-for-slerp") {
-            let q = blended(if dot(from, to) < 0.0 { negative(to) } else { to });
+            let is_far = dot(from, to) < 0.0 && !self.makes("no-conditional-negation");
+            let q = blended(if is_far { negative(to) } else { to });
             return self.fit(q.map(|component| component / dot(q, q).sqrt()));
         }
         if self.makes("powers-for-slerp") {
